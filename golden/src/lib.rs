@@ -1,0 +1,4 @@
+//! Bit-exact, cycle-accurate models of the hardware, and the f64 reference they are judged by.
+
+pub mod float;
+pub mod reference;

@@ -1,0 +1,3 @@
+//! Hardware descriptions: from a configuration to Verilog.
+
+pub mod rtl;

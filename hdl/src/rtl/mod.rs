@@ -1,0 +1,1 @@
+//! Run-time-sized modules over rust-hdl.

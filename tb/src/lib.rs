@@ -1,0 +1,1 @@
+//! Co-simulation of the generated hardware with its models, and the `pointcore` command.

@@ -1,0 +1,1 @@
+//! Hardware against golden models, one module a unit.
