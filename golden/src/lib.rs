@@ -1,4 +1,5 @@
 //! Bit-exact, cycle-accurate models of the hardware, and the f64 reference they are judged by.
 
+pub mod datapath;
 pub mod float;
 pub mod reference;
