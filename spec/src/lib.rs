@@ -1,6 +1,12 @@
 //! The contract between the golden models and the hardware descriptions: number formats, configurations and record
 //! layouts. Nothing here computes a result of the hardware.
 
+pub mod camera;
 pub mod format;
+pub mod rendering;
+pub mod splat;
 
+pub use camera::Camera;
 pub use format::{Format, Subnormals};
+pub use rendering::Rendering;
+pub use splat::Splat;

@@ -1,0 +1,126 @@
+//! A projected splat's bounds and its weight at a pixel's sample, by backward or by forward mapping.
+
+use super::projection::{Bounds, Culled, Projection};
+use pointcore_spec::Rendering;
+
+/// How a splat's kernel reaches the screen (thesis 3.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mapping {
+    /// Each viewing ray is intersected with the splat's plane: exact in perspective, with the screen filter
+    /// approximated by a minimum of distances (thesis 5.4.2). This is what the hardware computes.
+    Backward,
+    /// The kernel is mapped by the projection's Jacobian at the center, and convolved exactly with a Gaussian screen
+    /// filter (eqs. 3.15 to 3.19).
+    Forward,
+}
+
+/// Where and how strongly a splat is seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Footprint {
+    /// The pixels to sample.
+    pub bounds: Bounds,
+    center: [f64; 2],
+    kernel_gamma: f64,
+    shape: Shape,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Shape {
+    Backward {
+        projection: Projection,
+        filter_radius_px: Option<f64>,
+    },
+    /// `ρ² = xx·x'² + 2·xy·x'y' + yy·y'²`.
+    Forward {
+        xx: f64,
+        xy: f64,
+        yy: f64,
+        amplitude: f64,
+    },
+}
+
+impl Footprint {
+    /// The footprint of a splat.
+    ///
+    /// # Errors
+    /// No sample of the viewport lies in the splat's bounds.
+    pub fn new(projection: &Projection, rendering: &Rendering, mapping: Mapping) -> Result<Self, Culled> {
+        let (bounds, shape) = match mapping {
+            Mapping::Backward => backward(projection, rendering)?,
+            Mapping::Forward => forward(projection, rendering)?,
+        };
+        Ok(Self { bounds, center: projection.center, kernel_gamma: rendering.kernel_gamma, shape })
+    }
+
+    /// Kernel weight at the sample of pixel `(column, row)`; `None` outside the splat.
+    #[must_use]
+    pub fn weight(&self, column: usize, row: usize) -> Option<f64> {
+        let x = column as f64 + 0.5 - self.center[0];
+        let y = row as f64 + 0.5 - self.center[1];
+        let (squared_distance, amplitude) = match &self.shape {
+            Shape::Backward { projection, filter_radius_px } => {
+                let on_splat = squared_distance_on_splat(projection, x, y);
+                let on_screen = filter_radius_px.map_or(f64::INFINITY, |radius| (x * x + y * y) / (radius * radius));
+                (on_splat.min(on_screen), 1.0)
+            }
+            Shape::Forward { xx, xy, yy, amplitude } => (xx * x * x + 2.0 * xy * x * y + yy * y * y, *amplitude),
+        };
+        (squared_distance < 1.0).then(|| amplitude * (-self.kernel_gamma * squared_distance).exp())
+    }
+}
+
+/// `ρ²` where the viewing ray through `c + (x, y)` meets the splat's plane in front of the eye, else infinity.
+///
+/// Solving `x = (s·A_x + t·B_x)/w`, `y` alike, for `(s, t)` by Cramer's rule has the determinant
+/// `D = Δ + x(β·A_y − α·B_y) + y(α·B_x − β·A_x)`, where `Δ = A_x·B_y − B_x·A_y`, and gives `w = Δ/D`: the hit lies in
+/// front of the eye iff `D` and `Δ` have one sign.
+fn squared_distance_on_splat(projection: &Projection, x: f64, y: f64) -> f64 {
+    let ([ax, bx], [ay, by]) = (projection.gradient_x, projection.gradient_y);
+    let [alpha, beta] = projection.slant;
+    let delta = ax * by - bx * ay;
+    let determinant = delta + x * (beta * ay - alpha * by) + y * (alpha * bx - beta * ax);
+    if determinant * delta > 0.0 {
+        let (s1, s2) = (x * ay - y * ax, x * by - y * bx);
+        (s1 * s1 + s2 * s2) / (determinant * determinant)
+    } else {
+        f64::INFINITY
+    }
+}
+
+fn backward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, Shape), Culled> {
+    let [alpha, beta] = projection.slant;
+    let e = projection.eye_clearance();
+    let bounds = if e > 0.0 {
+        let filter = rendering.filter_radius_px.unwrap_or(0.0);
+        let extent = |center: f64, [a, b]: [f64; 2]| {
+            let middle = -(a * alpha + b * beta) / e;
+            let half = (middle * middle + (a * a + b * b) / e).sqrt();
+            (center + (middle - half).min(-filter), center + (middle + half).max(filter))
+        };
+        let (low_x, high_x) = extent(projection.center[0], projection.gradient_x);
+        let (low_y, high_y) = extent(projection.center[1], projection.gradient_y);
+        Bounds::of_samples([low_x, low_y], [high_x, high_y], rendering)?
+    } else {
+        Bounds::viewport(rendering)
+    };
+    Ok((bounds, Shape::Backward { projection: *projection, filter_radius_px: rendering.filter_radius_px }))
+}
+
+/// `A_x … B_y` form the Jacobian `J` of eq. 3.15 at the center. A screen filter of weight `exp(−γ·dist²/radius²)` has
+/// in units of `1/(2γ)` the variance `radius²·I`, the kernel has `J·Jᵀ`, and their convolution the sum `V`
+/// (eq. 3.19): `ρ² = x'ᵀ·V⁻¹·x'`, with an amplitude of `sqrt(|J·Jᵀ| / |V|)` that keeps the kernel's volume.
+fn forward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, Shape), Culled> {
+    let ([ax, bx], [ay, by]) = (projection.gradient_x, projection.gradient_y);
+    let filter_variance = rendering.filter_radius_px.unwrap_or(0.0).powi(2);
+    let (vxx, vxy, vyy) = (ax * ax + bx * bx + filter_variance, ax * ay + bx * by, ay * ay + by * by + filter_variance);
+    let jacobian = ax * by - bx * ay;
+    let determinant = vxx * vyy - vxy * vxy;
+    // A splat seen edge-on has no area on the screen, hence no weight.
+    if jacobian == 0.0 || determinant <= 0.0 {
+        return Err(Culled::OutsideViewport);
+    }
+    let ([cx, cy], hx, hy) = (projection.center, vxx.sqrt(), vyy.sqrt());
+    let bounds = Bounds::of_samples([cx - hx, cy - hy], [cx + hx, cy + hy], rendering)?;
+    let amplitude = jacobian.abs() / determinant.sqrt();
+    Ok((bounds, Shape::Forward { xx: vyy / determinant, xy: -vxy / determinant, yy: vxx / determinant, amplitude }))
+}

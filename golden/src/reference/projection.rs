@@ -1,0 +1,142 @@
+//! Transform and rasterization setup of one splat (thesis tables 5.1 and 5.2), in a form recentred on the splat.
+//!
+//! With camera-space center `u`, tangents `a1`, `a2` and `r = 1/u_z`, a point `u + s·a1 + t·a2` of the splat has
+//!
+//! ```text
+//! w(s, t) = Z/u_z      = 1 + s·α + t·β                  α = a1_z·r, β = a2_z·r
+//! x' = x_px − c_x      = (s·A_x + t·B_x) / w(s, t)      A_x = scale_x(a1_x·r − v_x·α), v_x = u_x·r
+//! ```
+//!
+//! and likewise in y, with `c` the projected center. The thesis works with the rows `t_i` of `PS`; dividing them by
+//! `u_z` and moving the origin to `c` gives the same bounds and intersections from small differences instead of large
+//! coordinates, which is what lets a narrow number format carry them.
+//!
+//! The line `x' = const` touches the unit circle in `(s, t)` iff `x'² = (A_x − x'α)² + (B_x − x'β)²`. With
+//! `e = 1 − α² − β²` its two solutions are `p ± h`, `p = −(A_x·α + B_x·β)/e` and `h² = p² + (A_x² + B_x²)/e`.
+//! They bound the splat iff `w > 0` on all of it, i.e. `e > 0`.
+//!
+//! Depth is `depth_a + depth_b·r/w`. With `m = sqrt(α² + β²)`, `w` ranges over `1 ± m`, so `1/w` ranges over
+//! `(1 ± m)/e`, whose middle is `1 + m²/e` and whose half width is `m/e`.
+//!
+//! A splat that crosses the eye plane (`e ≤ 0`) has no such bounds: it may cover any pixel and reaches from the near
+//! plane backwards, so its bounds are the viewport, its depth is its center's, and its half depth range is
+//! [`WHOLE_DEPTH_RANGE`], which covers every stored depth.
+
+use glam::DVec3;
+use pointcore_spec::{Camera, Rendering, Splat};
+use std::ops::Range;
+
+/// Half depth range of a splat that crosses the eye plane: depths lie in `0..=1`, so no two differ by more.
+pub const WHOLE_DEPTH_RANGE: f64 = 1.0;
+
+/// Why a splat is not drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Culled {
+    /// The eye is behind the splat's plane: `⟨u, a1 × a2⟩ > 0`.
+    BackFacing,
+    /// The center lies before the near plane or behind the far plane.
+    OutsideDepth,
+    /// The bounds hold no sample.
+    OutsideViewport,
+}
+
+/// The pixels whose samples may lie inside a splat. Neither range is empty.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    /// Pixel columns.
+    pub columns: Range<usize>,
+    /// Pixel rows.
+    pub rows: Range<usize>,
+}
+
+impl Bounds {
+    /// The pixels of the viewport whose samples lie in the closed rectangle `low..=high`, given in pixels as `[x, y]`.
+    pub(super) fn of_samples(low: [f64; 2], high: [f64; 2], rendering: &Rendering) -> Result<Self, Culled> {
+        const SAMPLE_OFFSET_PX: f64 = 0.5;
+        let axis = |axis: usize, size: usize| {
+            // A float-to-integer cast saturates, which is the clipping to the viewport at zero.
+            let start = (low[axis] - SAMPLE_OFFSET_PX).ceil() as usize;
+            let end = ((high[axis] - SAMPLE_OFFSET_PX).floor() + 1.0) as usize;
+            start..end.min(size)
+        };
+        let bounds = Self { columns: axis(0, rendering.width), rows: axis(1, rendering.height) };
+        if bounds.columns.is_empty() || bounds.rows.is_empty() { Err(Culled::OutsideViewport) } else { Ok(bounds) }
+    }
+
+    /// The whole viewport.
+    pub(super) fn viewport(rendering: &Rendering) -> Self {
+        Self { columns: 0..rendering.width, rows: 0..rendering.height }
+    }
+}
+
+/// A splat after transformation and setup.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// The projected center `c`, px.
+    pub center: [f64; 2],
+    /// `(A_x, B_x)`, px.
+    pub gradient_x: [f64; 2],
+    /// `(A_y, B_y)`, px.
+    pub gradient_y: [f64; 2],
+    /// `(α, β)`: the tangents' depth relative to the center's.
+    pub slant: [f64; 2],
+    /// Depth `z_s` that the ternary test and the accumulation use: the middle of the splat's depth range.
+    pub depth: f64,
+    /// Half the splat's depth range, `h_z` of eq. 5.9.
+    pub half_depth: f64,
+}
+
+impl Projection {
+    /// Transforms a splat into camera space, culls it and sets it up.
+    ///
+    /// # Errors
+    /// The splat faces away from the eye or its center lies outside the depth range.
+    pub fn new(splat: &Splat, camera: &Camera) -> Result<Self, Culled> {
+        let rotate = |v: DVec3| DVec3::from_array(camera.model_view.map(|row| DVec3::from_slice(&row).dot(v)));
+        let translation = DVec3::from_array(camera.model_view.map(|row| row[3]));
+        let [a1, a2] = splat.tangents.map(|tangent| rotate(DVec3::from_array(tangent.map(f64::from))));
+        let u = rotate(DVec3::from_array(splat.center.map(f64::from))) + translation;
+
+        if u.dot(a1.cross(a2)) > 0.0 {
+            return Err(Culled::BackFacing);
+        }
+        let r = 1.0 / u.z;
+        let center_depth = camera.depth_a + camera.depth_b * r;
+        if u.z <= camera.near || !(0.0..=1.0).contains(&center_depth) {
+            return Err(Culled::OutsideDepth);
+        }
+
+        let (vx, vy) = (u.x * r, u.y * r);
+        let (alpha, beta) = (a1.z * r, a2.z * r);
+        let gradient =
+            |scale: f64, v: f64, a1: f64, a2: f64| [scale * (a1 * r - v * alpha), scale * (a2 * r - v * beta)];
+        let squared_slant = alpha * alpha + beta * beta;
+        let e = 1.0 - squared_slant;
+        let (depth, half_depth) = if e > 0.0 {
+            let depth_scale = camera.depth_b * r;
+            (center_depth + depth_scale * squared_slant / e, depth_scale.abs() * squared_slant.sqrt() / e)
+        } else {
+            (center_depth, WHOLE_DEPTH_RANGE)
+        };
+        Ok(Self {
+            center: [camera.scale_x * vx + camera.center_x, camera.scale_y * vy + camera.center_y],
+            gradient_x: gradient(camera.scale_x, vx, a1.x, a2.x),
+            gradient_y: gradient(camera.scale_y, vy, a1.y, a2.y),
+            slant: [alpha, beta],
+            depth,
+            half_depth,
+        })
+    }
+
+    /// `e`: positive iff the splat lies wholly in front of the eye plane.
+    pub(super) fn eye_clearance(&self) -> f64 {
+        let [alpha, beta] = self.slant;
+        1.0 - alpha * alpha - beta * beta
+    }
+
+    /// Whether part of the splat lies behind the eye plane.
+    #[must_use]
+    pub fn crosses_eye_plane(&self) -> bool {
+        self.eye_clearance() <= 0.0
+    }
+}

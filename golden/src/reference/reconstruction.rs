@@ -1,0 +1,114 @@
+//! One pixel of the surface reconstruction buffer: ternary depth test, accumulation, normalization (eqs. 5.8 to 5.13).
+
+use super::projection::Projection;
+use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
+use pointcore_spec::{Rendering, Splat};
+
+/// Outcome of the ternary depth test (eq. 5.8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decision {
+    /// The stored surface is nearer by more than ε: the splat is dropped.
+    Fail,
+    /// The splat is nearer by more than ε, or the pixel is empty: it replaces what is stored.
+    Pass,
+    /// Both belong to one surface: they are accumulated.
+    Blend,
+}
+
+/// How often a pixel saw each outcome.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Decisions {
+    /// See [`Decision::Fail`].
+    pub fail: u32,
+    /// See [`Decision::Pass`].
+    pub pass: u32,
+    /// See [`Decision::Blend`].
+    pub blend: u32,
+}
+
+/// A normalized pixel (eq. 5.13), ready for shading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fragment {
+    /// Depth in `0..=1`.
+    pub depth: f64,
+    /// The accumulated weight that depth and attributes were divided by.
+    pub weight: f64,
+    /// Continuous attributes, in the order of [`Splat::attributes`].
+    pub attributes: [f64; CONTINUOUS_ATTRIBUTES],
+    /// Cardinal attribute of the splat with the largest weight.
+    pub material: u16,
+}
+
+/// An accumulating pixel. It is empty iff its weight is zero, since every kernel weight is positive.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pixel {
+    weight: f64,
+    weighted_depth: f64,
+    weighted_attributes: [f64; CONTINUOUS_ATTRIBUTES],
+    /// The largest single weight since the last replacement. Eq. 5.12 compares with *the* stored weight, of which the
+    /// cardinal attribute needs its own: against the accumulated sum, hardly any later splat could win, and the
+    /// Voronoi cells that the thesis obtains need the maximum.
+    cardinal_weight: f64,
+    material: u16,
+    /// How the tests of this pixel went.
+    pub decisions: Decisions,
+}
+
+impl Pixel {
+    /// Adds a splat of the given kernel weight.
+    pub fn add(&mut self, splat: &Splat, projection: &Projection, weight: f64, rendering: &Rendering) {
+        match self.test(projection, rendering) {
+            Decision::Fail => self.decisions.fail += 1,
+            Decision::Pass => {
+                *self = Self { decisions: self.decisions, ..Self::default() };
+                self.decisions.pass += 1;
+                self.accumulate(splat, projection.depth, weight);
+            }
+            Decision::Blend => {
+                self.decisions.blend += 1;
+                self.accumulate(splat, projection.depth, weight);
+            }
+        }
+    }
+
+    /// Eq. 5.8 with the ε of eq. 5.9; the stored depth is normalized first. Equality with a limit blends.
+    fn test(&self, projection: &Projection, rendering: &Rendering) -> Decision {
+        if self.weight == 0.0 {
+            return Decision::Pass;
+        }
+        let epsilon = projection.half_depth * rendering.epsilon_scale + rendering.epsilon_bias;
+        let stored = self.weighted_depth / self.weight;
+        if stored < projection.depth - epsilon {
+            Decision::Fail
+        } else if stored > projection.depth + epsilon {
+            Decision::Pass
+        } else {
+            Decision::Blend
+        }
+    }
+
+    /// Eqs. 5.11 and 5.12; on an emptied pixel they amount to eq. 5.10. Of equal weights the stored one keeps its
+    /// cardinal attribute.
+    fn accumulate(&mut self, splat: &Splat, depth: f64, weight: f64) {
+        self.weight += weight;
+        self.weighted_depth += weight * depth;
+        for (sum, attribute) in self.weighted_attributes.iter_mut().zip(splat.attributes) {
+            *sum += weight * f64::from(attribute);
+        }
+        if self.cardinal_weight < weight {
+            self.cardinal_weight = weight;
+            self.material = splat.material;
+        }
+    }
+
+    /// Eq. 5.13; `None` if nothing fell on the pixel.
+    #[must_use]
+    pub fn normalized(&self) -> Option<Fragment> {
+        (self.weight > 0.0).then(|| Fragment {
+            depth: self.weighted_depth / self.weight,
+            weight: self.weight,
+            attributes: self.weighted_attributes.map(|sum| sum / self.weight),
+            material: self.material,
+        })
+    }
+}
