@@ -2,6 +2,7 @@
 //! layouts. Nothing here computes a result of the hardware.
 
 pub mod camera;
+pub mod core_a;
 pub mod format;
 pub mod rendering;
 pub mod splat;

@@ -1,0 +1,255 @@
+//! `Config`: every parameter of core A, with the ranges the hardware holds.
+
+use crate::Format;
+use serde::{Deserialize, Serialize};
+
+/// Edge of a tile in pixels (thesis 5.5.1).
+pub const TILE_SIZE: u32 = 8;
+/// Pixels of a tile.
+pub const TILE_PIXELS: u32 = TILE_SIZE * TILE_SIZE;
+/// Bits of a kernel weight: an unsigned fraction of one.
+pub const WEIGHT_BITS: u32 = 16;
+/// Bits of an accumulated weight: 4,096 splats of full weight on one pixel.
+pub const WEIGHT_SUM_BITS: u32 = WEIGHT_BITS + 12;
+/// Bits of a depth: an unsigned fraction of the near–far range.
+pub const DEPTH_BITS: u32 = 24;
+/// Bits of an accumulated weighted depth.
+pub const DEPTH_SUM_BITS: u32 = WEIGHT_SUM_BITS + DEPTH_BITS;
+/// Index and interpolation bits of the kernel table over ρ² in `[0, 1)`.
+pub const KERNEL_INDEX_BITS: u32 = 8;
+/// Interpolation bits of the kernel table.
+pub const KERNEL_FRACTION_BITS: u32 = 8;
+/// Largest number of attributes a splat carries, continuous and cardinal together (thesis 5.6.2).
+pub const ATTRIBUTES_MAX: u32 = 14;
+/// Entries of the queue that holds the per-copy values of the copies under rasterization.
+pub const COPY_QUEUE_DEPTH: u32 = 64;
+/// Entries of the sample queue before the accumulators, which absorbs their hazard stalls.
+pub const SAMPLE_QUEUE_DEPTH: u32 = 64;
+/// Bits of the counter of copies under way in one tile slot.
+pub const IN_FLIGHT_BITS: u32 = 8;
+/// Image edges the coordinates hold, in pixels.
+pub const IMAGE_EDGE_MAX: u32 = 4096;
+
+/// Whether a part of the hardware is generated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Feature {
+    /// The part is there.
+    On,
+    /// The part is left out.
+    Off,
+}
+
+impl Feature {
+    /// Whether the part is there.
+    #[must_use]
+    pub const fn is_on(self) -> bool {
+        matches!(self, Self::On)
+    }
+}
+
+/// The parameters of one core A. Missing keys take the default, unknown keys are errors.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// Image width in pixels.
+    pub width: u32,
+    /// Image height in pixels.
+    pub height: u32,
+    /// Format of all geometry, from the splat's centre to ρ².
+    pub geometry: Format,
+    /// Format of attributes and of their accumulators.
+    pub attribute: Format,
+    /// Attributes that are blended (eq. 5.11).
+    pub continuous: u32,
+    /// Attributes that are selected by the larger weight (eq. 5.12).
+    pub cardinal: u32,
+    /// Levels of the pipelined heap: it holds `2^levels − 1` splat copies (thesis 5.5.2).
+    pub heap_levels: u32,
+    /// Bits of the arrival number that keeps the copies of a tile in order.
+    pub sequence_bits: u32,
+    /// Tiles the cache holds.
+    pub tile_slots: u32,
+    /// Discard splats that face away from the eye (thesis table 5.1).
+    pub culling: Feature,
+    /// The screen-space filter of thesis 5.4.2.
+    pub screen_filter: Feature,
+    /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
+    pub kernel_gamma: f64,
+    /// Cycles a splat takes in the transform unit (initiation interval).
+    pub transform_interval: u32,
+    /// Cycles a splat takes in the setup unit (initiation interval).
+    pub setup_interval: u32,
+    /// Pipeline registers of an accumulator's adder; at least the two of the depth test.
+    pub accumulate_stages: u32,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            width: 256,
+            height: 256,
+            geometry: Format::F32.flushed(),
+            attribute: Format::F16,
+            continuous: 6,
+            cardinal: 0,
+            heap_levels: 10,
+            sequence_bits: 16,
+            tile_slots: 4,
+            culling: Feature::On,
+            screen_filter: Feature::On,
+            kernel_gamma: 2.0,
+            transform_interval: 2,
+            setup_interval: 4,
+            accumulate_stages: 2,
+        }
+    }
+}
+
+/// A configuration the hardware cannot hold.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ConfigError {
+    /// A number lies outside its range.
+    #[error("`{key}` = {value}: expected {low} to {high}")]
+    Range {
+        /// The TOML key.
+        key: &'static str,
+        /// Its value.
+        value: f64,
+        /// Smallest value allowed.
+        low: f64,
+        /// Largest value allowed.
+        high: f64,
+    },
+    /// More or fewer attributes than the accumulators hold.
+    #[error("`continuous` + `cardinal` = {0}: expected 1 to {ATTRIBUTES_MAX} attributes")]
+    Attributes(u32),
+    /// A format the operators cannot compute in.
+    #[error("`{key}` = \"{format}\": expected one of {expected}")]
+    Format {
+        /// The TOML key.
+        key: &'static str,
+        /// Its value.
+        format: Format,
+        /// What would be right.
+        expected: &'static str,
+    },
+}
+
+impl Config {
+    /// Checks every range.
+    ///
+    /// # Errors
+    /// The first parameter the hardware cannot hold.
+    pub fn validate(&self) -> Result<(), ConfigError> {
+        let ranges = [
+            ("width", self.width, 1, IMAGE_EDGE_MAX),
+            ("height", self.height, 1, IMAGE_EDGE_MAX),
+            ("heap_levels", self.heap_levels, 2, 14),
+            ("sequence_bits", self.sequence_bits, 2, 24),
+            ("tile_slots", self.tile_slots, 2, 64),
+            ("transform_interval", self.transform_interval, 1, 16),
+            ("setup_interval", self.setup_interval, 1, 16),
+            ("accumulate_stages", self.accumulate_stages, 2, 8),
+        ];
+        for (key, value, low, high) in ranges {
+            if !(low..=high).contains(&value) {
+                let [value, low, high] = [value, low, high].map(f64::from);
+                return Err(ConfigError::Range { key, value, low, high });
+            }
+        }
+        if !(0.1..=8.0).contains(&self.kernel_gamma) {
+            return Err(ConfigError::Range { key: "kernel_gamma", value: self.kernel_gamma, low: 0.1, high: 8.0 });
+        }
+        let attributes = u64::from(self.continuous) + u64::from(self.cardinal);
+        if !(1..=u64::from(ATTRIBUTES_MAX)).contains(&attributes) {
+            return Err(ConfigError::Attributes(u32::try_from(attributes).unwrap_or(u32::MAX)));
+        }
+        if self.geometry.exponent != 8 {
+            let expected = "f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (the projection needs an 8-bit exponent)";
+            return Err(ConfigError::Format { key: "geometry", format: self.geometry, expected });
+        }
+        Ok(())
+    }
+
+    /// Attributes of both kinds.
+    #[must_use]
+    pub const fn attributes(&self) -> u32 {
+        self.continuous + self.cardinal
+    }
+
+    /// Bits of a pixel column.
+    #[must_use]
+    pub const fn column_bits(&self) -> u32 {
+        self.tile_column_bits() + TILE_SIZE.ilog2()
+    }
+
+    /// Bits of a pixel row.
+    #[must_use]
+    pub const fn row_bits(&self) -> u32 {
+        self.tile_row_bits() + TILE_SIZE.ilog2()
+    }
+
+    /// Bits of a tile column, at least one.
+    #[must_use]
+    pub const fn tile_column_bits(&self) -> u32 {
+        index_bits(self.width.div_ceil(TILE_SIZE))
+    }
+
+    /// Bits of a tile row, at least one.
+    #[must_use]
+    pub const fn tile_row_bits(&self) -> u32 {
+        index_bits(self.height.div_ceil(TILE_SIZE))
+    }
+
+    /// Bits of a tile index: row above column, so that index order is scan-line order.
+    #[must_use]
+    pub const fn tile_bits(&self) -> u32 {
+        self.tile_row_bits() + self.tile_column_bits()
+    }
+
+    /// Bits of a tile slot's number.
+    #[must_use]
+    pub const fn slot_bits(&self) -> u32 {
+        index_bits(self.tile_slots)
+    }
+
+    /// Splat copies the heap holds.
+    #[must_use]
+    pub const fn heap_capacity(&self) -> u32 {
+        (1 << self.heap_levels) - 1
+    }
+}
+
+/// Bits that count to `count − 1`, at least one.
+#[must_use]
+pub const fn index_bits(count: u32) -> u32 {
+    if count <= 2 { 1 } else { (count - 1).ilog2() + 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn default_is_valid() {
+        assert_eq!(Config::default().validate(), Ok(()));
+    }
+
+    #[test]
+    fn errors_name_key_and_range() {
+        let error = Config { width: 0, ..Config::default() }.validate().unwrap_err();
+        assert_eq!(error.to_string(), "`width` = 0: expected 1 to 4096");
+        let error = Config { continuous: 15, ..Config::default() }.validate().unwrap_err();
+        assert_eq!(error.to_string(), "`continuous` + `cardinal` = 15: expected 1 to 14 attributes");
+        let error = toml::from_str::<Config>("widht = 3").unwrap_err();
+        assert!(error.to_string().contains("widht"), "{error}");
+    }
+
+    #[test]
+    fn index_widths() {
+        let widths = [1, 2, 3, 4, 5, 8, 9].map(index_bits);
+        assert_eq!(widths, [1, 1, 2, 2, 3, 3, 4]);
+        assert_eq!(Config { width: 512, height: 512, ..Config::default() }.tile_bits(), 12);
+    }
+}

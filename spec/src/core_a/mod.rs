@@ -1,0 +1,9 @@
+//! Core A, the surface-splat renderer: its configuration, the records that flow between its units and their ports.
+
+pub mod config;
+pub mod ports;
+pub mod records;
+
+pub use config::{Config, ConfigError, Feature};
+pub use ports::{Direction, Port};
+pub use records::Field;
