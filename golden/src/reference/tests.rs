@@ -225,7 +225,7 @@ fn cardinal_attributes_form_voronoi_cells() {
     for column in 20..44 {
         let x = (column as f64 + 0.5 - 32.0) / 5.0;
         // On a cell's boundary both weights are equal, and the earlier splat keeps the pixel.
-        let nearest = centers.iter().skip(1).filter(|center| x > *center - 0.5).count() as u16;
+        let nearest = centers.iter().skip(1).filter(|center| x > f64::from(**center) - 0.5).count() as u16;
         let fragment = frame.pixels[30 * RENDERING.width + column].as_ref().expect("the splats cover the row");
         assert_eq!(fragment.material, nearest, "column {column}");
     }
