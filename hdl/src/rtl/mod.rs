@@ -1,1 +1,30 @@
 //! Run-time-sized modules over rust-hdl.
+//!
+//! A [`Module`] is described by calls: ports, width-checked expressions, registers, memories, instances and
+//! `valid`/`ready` streams, with every size a run-time value. [`elaborate`] checks the whole hierarchy, reports all
+//! errors together, and lowers it through rust-hdl's blocks to plain Verilog-2005: one module per distinct
+//! description, named by unit and parameters.
+//!
+//! `clk` and `rst` (synchronous, active high) are implicit: every module with state in or below it has both ports,
+//! and instances connect them by themselves.
+
+mod area;
+mod elaborate;
+mod error;
+mod expression;
+mod fold;
+mod instance;
+mod memory;
+mod module;
+mod names;
+mod operators;
+mod stream;
+
+pub use area::Area;
+pub use elaborate::{Design, Direction, ModuleSummary, Port, elaborate};
+pub use error::{ElaborationError, Fault, FaultKind};
+pub use expression::{Expr, bit, cat, lit, select};
+pub use instance::Instance;
+pub use memory::{Memory, address_width};
+pub use module::{Module, Reg, Wire};
+pub use stream::{Stream, StreamIn};

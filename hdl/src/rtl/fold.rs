@@ -1,0 +1,208 @@
+//! Constant folding and the identities that keep comparisons and slices out of lint's way.
+
+use super::expression::{Expr, Operation, bit, cat, lit};
+
+/// Literals up to this width are computed here; wider ones are left to the tools.
+const FOLDED_BITS: usize = 128;
+
+/// The simplest equivalent of a node whose operands are simple already.
+pub(super) fn simplify(node: Expr) -> Expr {
+    constant(&node).or_else(|| identity(&node)).unwrap_or(node)
+}
+
+fn mask(width: usize) -> u128 {
+    if width >= FOLDED_BITS { u128::MAX } else { (1 << width) - 1 }
+}
+
+fn sign_extended(value: u128, width: usize) -> i128 {
+    let unused = FOLDED_BITS - width;
+    ((value << unused) as i128) >> unused
+}
+
+/// The value of a node over literals only.
+fn constant(expr: &Expr) -> Option<Expr> {
+    let node = expr.node();
+    let width = node.width;
+    let operand_widths: Vec<usize> = node.operands.iter().map(Expr::width).collect();
+    if width > FOLDED_BITS || operand_widths.iter().any(|&width| width > FOLDED_BITS) {
+        return None;
+    }
+    let values = node.operands.iter().map(Expr::literal_value).collect::<Option<Vec<u128>>>()?;
+    let first = *values.first()?;
+    let second = values.get(1).copied().unwrap_or(0);
+    let value = match &node.operation {
+        Operation::Not => !first,
+        Operation::And => first & second,
+        Operation::Or => first | second,
+        Operation::Xor => first ^ second,
+        Operation::Add => first.wrapping_add(second),
+        Operation::Subtract => first.wrapping_sub(second),
+        Operation::Multiply => first.wrapping_mul(second),
+        Operation::MultiplySigned => {
+            let product =
+                sign_extended(first, operand_widths[0]).wrapping_mul(sign_extended(second, operand_widths[1]));
+            product as u128
+        }
+        Operation::Equal => u128::from(first == second),
+        Operation::NotEqual => u128::from(first != second),
+        Operation::Less => u128::from(first < second),
+        Operation::LessOrEqual => u128::from(first <= second),
+        Operation::LessSigned => {
+            u128::from(sign_extended(first, operand_widths[0]) < sign_extended(second, operand_widths[1]))
+        }
+        Operation::ShiftLeft => shift_amount(second).map_or(0, |amount| first << amount),
+        Operation::ShiftRight => shift_amount(second).map_or(0, |amount| first >> amount),
+        Operation::Slice(low) => first >> low,
+        Operation::Concat => {
+            let parts = values.iter().zip(&operand_widths);
+            parts.fold(0u128, |high, (value, &width)| high.checked_shl(width as u32).unwrap_or(0) | value)
+        }
+        Operation::Repeat(count) => {
+            (0..*count).fold(0u128, |high, _| high.checked_shl(operand_widths[0] as u32).unwrap_or(0) | first)
+        }
+        Operation::Any => u128::from(first != 0),
+        Operation::All => u128::from(first == mask(operand_widths[0])),
+        Operation::Mux => values[if first == 1 { 1 } else { 2 }],
+        Operation::Signal(_) | Operation::Literal(_) | Operation::Poison(_) => return None,
+    };
+    Some(lit(width, value & mask(width)))
+}
+
+fn shift_amount(amount: u128) -> Option<u32> {
+    u32::try_from(amount).ok().filter(|&amount| (amount as usize) < FOLDED_BITS)
+}
+
+/// An operand that is a literal of all zeros or all ones.
+fn is_zero(expr: &Expr) -> bool {
+    expr.literal_value() == Some(0)
+}
+
+fn is_ones(expr: &Expr) -> bool {
+    expr.width() <= FOLDED_BITS && expr.literal_value() == Some(mask(expr.width()))
+}
+
+fn same(a: &Expr, b: &Expr) -> bool {
+    a.address() == b.address()
+}
+
+fn identity(expr: &Expr) -> Option<Expr> {
+    let node = expr.node();
+    let operands = &node.operands;
+    let first = operands.first()?;
+    let second = operands.get(1).unwrap_or(first);
+    match &node.operation {
+        Operation::Not if first.node().operation == Operation::Not => Some(first.node().operands[0].clone()),
+        Operation::And if is_zero(first) || is_ones(second) => Some(first.clone()),
+        Operation::And if is_zero(second) || is_ones(first) => Some(second.clone()),
+        Operation::Or if is_ones(first) || is_zero(second) => Some(first.clone()),
+        Operation::Or if is_ones(second) || is_zero(first) => Some(second.clone()),
+        Operation::Add | Operation::Subtract | Operation::Xor if is_zero(second) => Some(first.clone()),
+        Operation::Add | Operation::Xor if is_zero(first) => Some(second.clone()),
+        Operation::ShiftLeft | Operation::ShiftRight if is_zero(second) || is_zero(first) => Some(first.clone()),
+        // Comparisons that every operand decides alike: lint reports them.
+        Operation::Less if is_zero(second) || is_ones(first) => Some(bit(false)),
+        Operation::LessOrEqual if is_zero(first) || is_ones(second) => Some(bit(true)),
+        Operation::Equal if first.width() == 1 => one_bit_equal(first, second),
+        Operation::Any | Operation::All if first.width() == 1 => Some(first.clone()),
+        Operation::Repeat(1) => Some(first.clone()),
+        Operation::Slice(low) => slice(first, *low, node.width),
+        Operation::Concat => concat(operands, node.width),
+        Operation::Mux => mux(operands),
+        _ => None,
+    }
+}
+
+fn one_bit_equal(first: &Expr, second: &Expr) -> Option<Expr> {
+    match (first.literal_value(), second.literal_value()) {
+        (Some(1), _) => Some(second.clone()),
+        (Some(_), _) => Some(!second),
+        (_, Some(1)) => Some(first.clone()),
+        (_, Some(_)) => Some(!first),
+        _ => None,
+    }
+}
+
+fn mux(operands: &[Expr]) -> Option<Expr> {
+    let [condition, when_true, when_false] = operands else { return None };
+    match condition.literal_value() {
+        Some(0) => return Some(when_false.clone()),
+        Some(_) => return Some(when_true.clone()),
+        None => {}
+    }
+    if same(when_true, when_false) {
+        return Some(when_true.clone());
+    }
+    if when_true.width() > 1 {
+        return None;
+    }
+    match (when_true.literal_value(), when_false.literal_value()) {
+        (Some(1), Some(0)) => Some(condition.clone()),
+        (Some(0), Some(1)) => Some(!condition),
+        _ => None,
+    }
+}
+
+/// A slice of a slice or of a concatenation names the bits it means.
+fn slice(source: &Expr, low: usize, width: usize) -> Option<Expr> {
+    if width == source.width() {
+        return Some(source.clone());
+    }
+    let node = source.node();
+    match &node.operation {
+        Operation::Slice(inner) => {
+            Some(Expr::build(Operation::Slice(inner + low), width, vec![node.operands[0].clone()]))
+        }
+        Operation::Concat => {
+            let mut pieces = Vec::new();
+            let mut top = source.width();
+            for part in &node.operands {
+                let bottom = top - part.width();
+                let (from, to) = (low.max(bottom), (low + width).min(top));
+                if from < to {
+                    pieces.push(part.bits(to - 1 - bottom, from - bottom));
+                }
+                top = bottom;
+            }
+            Some(cat(&pieces.iter().collect::<Vec<_>>()))
+        }
+        Operation::Repeat(count) if node.operands[0].width() == 1 && width < *count => {
+            Some(node.operands[0].repeat(width))
+        }
+        _ => None,
+    }
+}
+
+/// One flat list of parts; neighboring literals and neighboring slices of one signal are merged.
+fn concat(operands: &[Expr], width: usize) -> Option<Expr> {
+    let mut parts: Vec<Expr> = Vec::with_capacity(operands.len());
+    for operand in operands {
+        let flat = match &operand.node().operation {
+            Operation::Concat => operand.node().operands.as_slice(),
+            _ => std::slice::from_ref(operand),
+        };
+        for part in flat {
+            match parts.last().and_then(|previous| merged(previous, part)) {
+                Some(both) => *parts.last_mut().expect("a part was merged into the last one") = both,
+                None => parts.push(part.clone()),
+            }
+        }
+    }
+    if parts.len() == 1 {
+        return parts.pop();
+    }
+    let changed = parts.len() != operands.len() || parts.iter().zip(operands).any(|(a, b)| !same(a, b));
+    changed.then(|| Expr::raw(Operation::Concat, width, parts))
+}
+
+fn merged(high: &Expr, low: &Expr) -> Option<Expr> {
+    if let (Some(a), Some(b)) = (high.literal_value(), low.literal_value()) {
+        let width = high.width() + low.width();
+        return (width <= FOLDED_BITS).then(|| lit(width, a << low.width() | b));
+    }
+    let (Operation::Slice(a), Operation::Slice(b)) = (&high.node().operation, &low.node().operation) else {
+        return None;
+    };
+    let source = &high.node().operands[0];
+    let adjoining = same(source, &low.node().operands[0]) && *a == b + low.width();
+    adjoining.then(|| source.bits(a + high.width() - 1, *b))
+}

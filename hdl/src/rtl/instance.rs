@@ -1,0 +1,115 @@
+//! Modules inside modules.
+
+use std::rc::Rc;
+
+use super::error::FaultKind;
+use super::expression::Expr;
+use super::module::{Module, PortDeclaration, Source};
+
+/// A child of a module.
+#[derive(Clone)]
+pub struct Instance {
+    module: u64,
+    index: usize,
+    name: String,
+}
+
+impl Instance {
+    /// Its name in the module.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+/// What a module holds for a child.
+pub(super) struct Child {
+    pub name: String,
+    pub module: Rc<Module>,
+    /// By port of the child: what drives it, for inputs.
+    pub inputs: Vec<Option<Expr>>,
+    /// By port of the child: the signal that shows it here, for outputs.
+    pub outputs: Vec<Option<usize>>,
+}
+
+impl PortDeclaration {
+    /// Name and width of a port of `module`.
+    pub(super) fn shape<'a>(&'a self, module: &'a Module) -> (&'a str, usize) {
+        match self {
+            Self::Input(signal) => (&module.signals[*signal].name, module.signals[*signal].reference.width()),
+            Self::Output { name, value } => (name, value.width()),
+        }
+    }
+}
+
+impl Module {
+    /// Places a child; its `clk` and `rst` are connected by themselves.
+    pub fn instance(&mut self, name: &str, module: impl Into<Rc<Module>>) -> Instance {
+        self.claim(name);
+        let module = module.into();
+        let outputs = (0..module.ports.len()).map(|port| self.child_output(name, &module, port)).collect();
+        let inputs = module.ports.iter().map(|_| None).collect();
+        self.children.push(Child { name: name.into(), module, inputs, outputs });
+        Instance { module: self.identity, index: self.children.len() - 1, name: name.into() }
+    }
+
+    /// The signal `<instance>_<port>`, where the port is an output.
+    fn child_output(&mut self, name: &str, child: &Module, port: usize) -> Option<usize> {
+        let declaration = &child.ports[port];
+        if matches!(declaration, PortDeclaration::Input(_)) {
+            return None;
+        }
+        let (port_name, width) = declaration.shape(child);
+        self.declare(&format!("{name}_{port_name}"), width, Source::ChildOutput { child: self.children.len(), port });
+        Some(self.signals.len() - 1)
+    }
+
+    /// Drives an input of a child.
+    pub fn connect(&mut self, instance: &Instance, port: &str, value: &Expr) {
+        let Some(index) = self.child_port(instance, port, "input") else { return };
+        let child = &self.children[instance.index];
+        let (_, width) = child.module.ports[index].shape(&child.module);
+        let name = format!("{}.{port}", instance.name);
+        self.check_width(&name, width, value);
+        match &mut self.children[instance.index].inputs[index] {
+            slot @ None => *slot = Some(value.clone()),
+            Some(_) => self.faults.push(FaultKind::DoublyDriven(name)),
+        }
+    }
+
+    /// An output of a child.
+    pub fn out(&mut self, instance: &Instance, port: &str) -> Expr {
+        let index = self.child_port(instance, port, "output");
+        let signal = index.and_then(|index| self.children[instance.index].outputs[index]);
+        match signal {
+            Some(signal) => self.signals[signal].reference.clone(),
+            None => Expr::poison(1, format!("instance `{}` has no output `{port}`", instance.name)),
+        }
+    }
+
+    /// The fields of a child's output stream, by the ports `<prefix><field>`.
+    pub(super) fn output_fields(&self, instance: &Instance, prefix: &str) -> Vec<String> {
+        let Some(child) = self.children.get(instance.index) else { return vec![] };
+        let outputs = child.module.ports.iter().filter(|port| matches!(port, PortDeclaration::Output { .. }));
+        let fields = outputs.filter_map(|port| port.shape(&child.module).0.strip_prefix(prefix));
+        fields.filter(|&field| field != "valid").map(String::from).collect()
+    }
+
+    /// A port of a child, of the wanted direction; a fault where there is none.
+    fn child_port(&mut self, instance: &Instance, port: &str, direction: &'static str) -> Option<usize> {
+        if instance.module != self.identity {
+            self.faults.push(FaultKind::ForeignHandle(instance.name.clone()));
+            return None;
+        }
+        let child = &self.children[instance.index];
+        let found = child.module.ports.iter().position(|declaration| {
+            matches!(declaration, PortDeclaration::Input(_)) == (direction == "input")
+                && declaration.shape(&child.module).0 == port
+        });
+        if found.is_none() {
+            let (instance, unit) = (instance.name.clone(), child.module.unit.clone());
+            self.faults.push(FaultKind::UnknownPort { instance, unit, direction, port: port.into() });
+        }
+        found
+    }
+}

@@ -1,0 +1,170 @@
+//! Memories, tables and their ports.
+
+use super::error::FaultKind;
+use super::expression::{Expr, lit};
+use super::module::{Module, Source};
+
+/// A memory of a module.
+#[derive(Clone)]
+pub struct Memory {
+    module: u64,
+    index: usize,
+    name: String,
+}
+
+/// How a memory is to be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Style {
+    /// As the synthesis tool sees fit: block RAM where it is large.
+    Inferred,
+    /// Look-up-table RAM.
+    Distributed,
+}
+
+/// What a module holds for a memory.
+pub(super) struct Store {
+    pub name: String,
+    pub depth: usize,
+    pub width: usize,
+    pub style: Style,
+    pub content: Content,
+}
+
+/// Where a memory's words come from.
+pub(super) enum Content {
+    /// A write port.
+    Written(Option<WritePort>),
+    /// A constant table.
+    Constant(Vec<u128>),
+}
+
+pub(super) struct WritePort {
+    pub enable: Expr,
+    pub address: Expr,
+    pub data: Expr,
+}
+
+/// Bits that address `depth` words: at least one.
+#[must_use]
+pub fn address_width(depth: usize) -> usize {
+    (usize::BITS - depth.saturating_sub(1).leading_zeros()).max(1) as usize
+}
+
+impl Module {
+    /// A memory of `depth` words with registered reads, block RAM where the synthesis tool finds it large enough.
+    /// Addresses have [`address_width`] bits; words past `depth` do not exist and read as anything.
+    pub fn memory(&mut self, name: &str, depth: usize, width: usize) -> Memory {
+        self.store(name, depth, width, Style::Inferred, Content::Written(None))
+    }
+
+    /// A memory as [`Module::memory`], built from look-up tables; also read without a register.
+    pub fn memory_distributed(&mut self, name: &str, depth: usize, width: usize) -> Memory {
+        self.store(name, depth, width, Style::Distributed, Content::Written(None))
+    }
+
+    fn store(&mut self, name: &str, depth: usize, width: usize, style: Style, content: Content) -> Memory {
+        self.claim(name);
+        if depth < 2 || width == 0 {
+            let message = format!("a memory of {depth} words of {width} bits: it needs 2 words and 1 bit at least");
+            self.faults.push(FaultKind::Expression { user: format!("`{name}`"), message });
+        }
+        self.stores.push(Store { name: name.into(), depth: depth.max(2), width: width.max(1), style, content });
+        Memory { module: self.identity, index: self.stores.len() - 1, name: name.into() }
+    }
+
+    /// A read port: the word at `address` one cycle later. A word written in the same cycle reads as it was before.
+    pub fn read(&mut self, memory: &Memory, name: &str, address: &Expr) -> Expr {
+        self.read_port(memory, name, None, address)
+    }
+
+    /// A read port that keeps its word while `enable` is low.
+    pub fn read_if(&mut self, memory: &Memory, name: &str, enable: &Expr, address: &Expr) -> Expr {
+        self.read_port(memory, name, Some(enable.as_condition("enable")), address)
+    }
+
+    fn read_port(&mut self, memory: &Memory, name: &str, enable: Option<Expr>, address: &Expr) -> Expr {
+        let width = self.addressed(memory, address);
+        self.declare(name, width, Source::Read { store: memory.index, enable, address: address.clone() })
+    }
+
+    /// The word at `address` in the same cycle; for distributed memories only.
+    pub fn read_now(&mut self, memory: &Memory, name: &str, address: &Expr) -> Expr {
+        let width = self.addressed(memory, address);
+        if self.stores.get(memory.index).is_some_and(|store| store.style != Style::Distributed) {
+            let message = format!("`{}` is not distributed and cannot be read without a register", memory.name);
+            self.faults.push(FaultKind::Expression { user: format!("`{name}`"), message });
+        }
+        self.declare(name, width, Source::ReadNow { store: memory.index, address: address.clone() })
+    }
+
+    /// The memory's write port: stores `data` at clock edges where `enable` is set.
+    pub fn write(&mut self, memory: &Memory, enable: &Expr, address: &Expr, data: &Expr) {
+        let width = self.addressed(memory, address);
+        self.check_width(&memory.name, width, data);
+        let port = WritePort { enable: enable.as_condition("enable"), address: address.clone(), data: data.clone() };
+        match self.stores.get_mut(memory.index).map(|store| &mut store.content) {
+            Some(Content::Written(slot @ None)) => *slot = Some(port),
+            _ => self.faults.push(FaultKind::DoublyDriven(memory.name.clone())),
+        }
+    }
+
+    /// Checks a memory and an address; returns the width of the words.
+    fn addressed(&mut self, memory: &Memory, address: &Expr) -> usize {
+        match self.stores.get(memory.index) {
+            Some(store) if memory.module == self.identity => {
+                let (width, bits) = (store.width, address_width(store.depth));
+                self.check_width(&format!("{} address", memory.name), bits, address);
+                width
+            }
+            _ => {
+                self.faults.push(FaultKind::ForeignHandle(memory.name.clone()));
+                1
+            }
+        }
+    }
+
+    /// A registered read of a constant table; addresses past its end read the last value.
+    pub fn rom(&mut self, name: &str, values: &[u128], width: usize, address: &Expr) -> Expr {
+        self.constant_memory(name, values, width, None, address)
+    }
+
+    /// A read of a constant table as [`Module::rom`], kept while `enable` is low.
+    pub fn rom_if(&mut self, name: &str, values: &[u128], width: usize, enable: &Expr, address: &Expr) -> Expr {
+        self.constant_memory(name, values, width, Some(enable.as_condition("enable")), address)
+    }
+
+    fn constant_memory(
+        &mut self,
+        name: &str,
+        values: &[u128],
+        width: usize,
+        enable: Option<Expr>,
+        address: &Expr,
+    ) -> Expr {
+        let table = format!("{name}_table");
+        let mut padded = self.table(name, values, width, address);
+        padded.resize(1 << address_width(padded.len()), *padded.last().expect("a table is never empty"));
+        let memory = self.store(&table, padded.len(), width, Style::Inferred, Content::Constant(padded));
+        self.read_port(&memory, name, enable, address)
+    }
+
+    /// A constant table without a register; addresses past its end give the last value.
+    pub fn lookup(&mut self, name: &str, values: &[u128], width: usize, address: &Expr) -> Expr {
+        let values = self.table(name, values, width, address);
+        self.declare(name, width, Source::Lookup { values, address: address.clone() })
+    }
+
+    /// The values of a table, checked; a stand-in where they are of no use.
+    fn table(&mut self, name: &str, values: &[u128], width: usize, address: &Expr) -> Vec<u128> {
+        let bits = address_width(values.len());
+        self.check_width(&format!("{name} address"), bits, address);
+        let misfit = values.iter().find(|&&value| lit(width, value).node().tainted);
+        let message = match misfit {
+            _ if values.is_empty() => "a table without values".to_string(),
+            Some(value) => format!("{value} does not fit {width} bits"),
+            None => return values.to_vec(),
+        };
+        self.faults.push(FaultKind::Expression { user: format!("`{name}`"), message });
+        vec![0; values.len().max(1)]
+    }
+}

@@ -1,0 +1,97 @@
+//! `valid`/`ready` streams: ports `<name>_valid`, `<name>_ready` and `<name>_<field>`.
+
+use super::expression::Expr;
+use super::instance::Instance;
+use super::module::{Module, Wire};
+
+/// A stream inside a module: what the producer shows, and the consumer's answer, to be driven once.
+#[derive(Clone)]
+pub struct Stream {
+    /// An item is there.
+    pub valid: Expr,
+    /// The item, field by field.
+    pub fields: Vec<(String, Expr)>,
+    /// The consumer takes the item; drive it with [`Module::ready`].
+    pub ready: Wire,
+}
+
+/// A stream that enters a module by its ports.
+pub type StreamIn = Stream;
+
+impl Stream {
+    /// A field by its name.
+    #[must_use]
+    pub fn field(&self, name: &str) -> Expr {
+        match self.fields.iter().find(|(field, _)| field == name) {
+            Some((_, value)) => value.clone(),
+            None => Expr::poison(1, format!("the stream of `{}` has no field `{name}`", self.valid)),
+        }
+    }
+
+    /// The item moves in this cycle.
+    #[must_use]
+    pub fn transfer(&self) -> Expr {
+        &self.valid & &self.ready
+    }
+}
+
+impl Module {
+    /// Declares the ports of a stream that comes in.
+    pub fn stream_in(&mut self, name: &str, layout: &[(impl AsRef<str>, usize)]) -> StreamIn {
+        let valid = self.input(&format!("{name}_valid"), 1);
+        let ready = self.forward(&format!("{name}_ready"), 1);
+        self.output(&format!("{name}_ready"), &ready);
+        let fields = layout.iter().map(|(field, width)| {
+            let field = field.as_ref();
+            (field.to_string(), self.input(&format!("{name}_{field}"), *width))
+        });
+        Stream { valid, fields: fields.collect(), ready }
+    }
+
+    /// Answers a stream, once.
+    pub fn ready(&mut self, stream: &Stream, ready: &Expr) {
+        self.drive(&stream.ready, ready);
+    }
+
+    /// Declares and drives the ports of a stream that goes out; returns the consumer's `ready`.
+    pub fn stream_out(&mut self, name: &str, valid: &Expr, fields: &[(impl AsRef<str>, &Expr)]) -> Expr {
+        self.output(&format!("{name}_valid"), valid);
+        let ready = self.input(&format!("{name}_ready"), 1);
+        for (field, value) in fields {
+            self.output(&format!("{name}_{}", field.as_ref()), value);
+        }
+        ready
+    }
+
+    /// Leads an inner stream out through ports.
+    pub fn stream_export(&mut self, name: &str, stream: &Stream) {
+        let fields: Vec<(&str, &Expr)> = stream.fields.iter().map(|(field, value)| (field.as_str(), value)).collect();
+        let ready = self.stream_out(name, &stream.valid, &fields);
+        self.ready(stream, &ready);
+    }
+
+    /// The stream that a child puts out at ports `<port>_…`.
+    pub fn stream_from(&mut self, instance: &Instance, port: &str) -> Stream {
+        let prefix = format!("{port}_");
+        let valid = self.out(instance, &format!("{prefix}valid"));
+        let fields = self.output_fields(instance, &prefix);
+        let fields = fields.into_iter().map(|field| {
+            let value = self.out(instance, &format!("{prefix}{field}"));
+            (field, value)
+        });
+        let fields = fields.collect();
+        let ready = self.forward(&format!("{}_{prefix}ready", instance.name()), 1);
+        self.connect(instance, &format!("{prefix}ready"), &ready);
+        Stream { valid, fields, ready }
+    }
+
+    /// Feeds a child's ports `<port>_…` from a stream, field by field.
+    pub fn stream_into(&mut self, instance: &Instance, port: &str, stream: &Stream) {
+        self.connect(instance, &format!("{port}_valid"), &stream.valid);
+        for (field, value) in &stream.fields {
+            self.connect(instance, &format!("{port}_{field}"), value);
+        }
+        let ready = self.out(instance, &format!("{port}_ready"));
+        self.ready(stream, &ready);
+    }
+}
