@@ -1,7 +1,8 @@
-//! Binary floating-point formats (`Format`), the only number description both sides share.
+//! Number formats, the only description of numbers both sides share: binary floating point (`Format`) and fixed
+//! point (`Fixed`).
 //!
-//! A value is `sign · exponent · mantissa`, most significant bit first, as in IEEE 754: the exponent is biased by
-//! `2^(exponent−1) − 1`, an exponent of all ones holds infinity and NaN. Every operator rounds to nearest, ties to even,
+//! A floating-point value is `sign · exponent · mantissa`, most significant bit first, as in IEEE 754: the exponent is
+//! biased by `2^(exponent−1) − 1`, an exponent of all ones holds infinity and NaN. Every operator rounds to nearest, ties to even,
 //! and returns the canonical quiet NaN ([`Format::quiet_nan`]) whenever its result is a NaN.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -27,6 +28,26 @@ pub struct Format {
     pub mantissa: u32,
     /// Treatment of subnormal numbers.
     pub subnormals: Subnormals,
+}
+
+/// Whether a fixed-point number has a sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Signedness {
+    /// Two's complement.
+    Signed,
+    /// Not negative.
+    Unsigned,
+}
+
+/// A fixed-point format: the integer in its `width` bits, times `2^−fraction`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Fixed {
+    /// Total width in bits, 1 to 64.
+    pub width: u32,
+    /// Fraction bits; more than `width` where the leading ones are known to be zero.
+    pub fraction: u32,
+    /// Whether the number has a sign.
+    pub signed: Signedness,
 }
 
 /// A format's name is not one of those [`Format::from_str`] knows.

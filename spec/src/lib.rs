@@ -6,8 +6,10 @@ pub mod core_a;
 pub mod format;
 pub mod rendering;
 pub mod splat;
+pub mod table;
 
 pub use camera::Camera;
-pub use format::{Format, Subnormals};
+pub use format::{Fixed, Format, Signedness, Subnormals};
 pub use rendering::Rendering;
 pub use splat::Splat;
+pub use table::TableShape;
