@@ -1,0 +1,11 @@
+//! The floating-point models against the host, an independent library, an independent generator's vectors and exact
+//! integers.
+//!
+//! With `-- --nocapture` every comparison prints `fp.OPERATOR.FORMAT.cases N` and `fp.OPERATOR.FORMAT.mismatches N`.
+
+mod apfloat;
+mod fixed;
+mod host;
+mod roots;
+mod support;
+mod vectors;
