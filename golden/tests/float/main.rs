@@ -6,6 +6,7 @@
 mod apfloat;
 mod fixed;
 mod host;
+mod newton;
 mod roots;
 mod support;
 mod vectors;
