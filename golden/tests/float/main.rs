@@ -9,4 +9,5 @@ mod host;
 mod newton;
 mod roots;
 mod support;
+mod tables;
 mod vectors;

@@ -1,0 +1,17 @@
+//! Table of the error function.
+//!
+//! The argument is `t` in [0, 4) with `index_bits + fraction_bits − 2` fraction bits, the value a fraction of
+//! `2^value_bits − 1`. Beyond 4, erf differs from 1 by less than 2^−25. The interpolated value is within
+//! `2 · 4^−index_bits` (chord against curve: `h²/8 · max|erf″|`, `h = 4 · 2^−index_bits`, `max|erf″| = √(8/πe) < 1`) and
+//! 3/2 units (rounding, truncation) of erf; the test is tests/float/tables.rs.
+
+use super::table::Table;
+use pointcore_spec::TableShape;
+
+/// `erf(t)` for `t` in [0, 4]: sample `i` is `round(erf(4 · i/2^index_bits) · (2^value_bits − 1))`.
+#[must_use]
+pub fn erf_table(shape: TableShape) -> Table {
+    const ARGUMENT_END: f64 = 4.0;
+    // libm, so that every host computes the same table.
+    Table::sample(shape, |t| libm::erf(ARGUMENT_END * t))
+}
