@@ -40,7 +40,8 @@ pub fn splat(config: &Config) -> Vec<Field> {
 }
 
 /// What the rasterizer needs of a splat, recentred at its projected centre (px), and its depth band.
-fn footprint(config: &Config) -> Vec<Field> {
+#[must_use]
+pub fn footprint(config: &Config) -> Vec<Field> {
     let coefficients = ["center_x", "center_y", "ax", "bx", "ay", "by", "delta", "mx", "my"];
     let mut record = fields(coefficients, config.geometry.width());
     record.extend(band());
@@ -48,7 +49,8 @@ fn footprint(config: &Config) -> Vec<Field> {
 }
 
 /// Depth of a splat and the ends of its ε-band (eq. 5.8, 5.9).
-fn band() -> Vec<Field> {
+#[must_use]
+pub fn band() -> Vec<Field> {
     fields(["depth", "depth_low", "depth_high"], DEPTH_BITS)
 }
 
@@ -89,11 +91,21 @@ pub fn placed_copy(config: &Config) -> Vec<Field> {
     record
 }
 
-fn sample_head(config: &Config) -> Vec<Field> {
+/// Where a sample lies and its kernel weight.
+#[must_use]
+pub fn sample_head(config: &Config) -> Vec<Field> {
     let mut record = fields(["end", "last", "inside"], 1);
     record.extend(fields(["slot"], config.slot_bits()));
     record.extend(fields(["pixel"], PIXEL_BITS));
     record.extend(fields(["weight"], WEIGHT_BITS));
+    record
+}
+
+/// What all samples of a copy share: its splat's depth band and attributes.
+#[must_use]
+pub fn shared(config: &Config) -> Vec<Field> {
+    let mut record = band();
+    record.extend(attributes(config));
     record
 }
 
@@ -102,8 +114,7 @@ fn sample_head(config: &Config) -> Vec<Field> {
 #[must_use]
 pub fn sample(config: &Config) -> Vec<Field> {
     let mut record = sample_head(config);
-    record.extend(band());
-    record.extend(attributes(config));
+    record.extend(shared(config));
     record
 }
 

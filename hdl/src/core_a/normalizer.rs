@@ -1,0 +1,32 @@
+//! Normalization (thesis eq. 5.13); golden twin: `pointcore_golden::core_a::normalizer`.
+
+use super::datapath::Inputs;
+use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use pointcore_spec::core_a::config::{DEPTH_BITS, TILE_SIZE, WEIGHT_BITS};
+use pointcore_spec::core_a::{Config, records};
+
+/// Divides a pixel's sums by its weight and states its place in the image.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let program = Program::new("core_a_normalizer", "A finished pixel's sums divided by its weight.");
+    let sums = Inputs::new(&program, &records::finished_pixel(config));
+    let scale = sums.bits("weight").to_float(config.geometry, WEIGHT_BITS).recip();
+    let depth = sums.bits("depth").to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * &scale;
+
+    let (tile, pixel) = (sums.bits("tile"), sums.bits("pixel"));
+    let local_bits = TILE_SIZE.ilog2();
+    let column_bits = config.tile_column_bits();
+    let column = tile.bits(column_bits - 1, 0).concat(&pixel.bits(local_bits - 1, 0));
+    let row = tile.bits(config.tile_bits() - 1, column_bits).concat(&pixel.bits(2 * local_bits - 1, local_bits));
+
+    let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
+    let mut computed = vec![("depth", depth), ("column", column), ("row", row)];
+    computed.extend(names.iter().map(|name| {
+        let sum = sums.float(config.attribute, name).convert(config.geometry);
+        (name.as_str(), (sum * &scale).convert(config.attribute))
+    }));
+    sums.output(&program, &records::fragment(config), &computed);
+    compile(&program, options)
+}

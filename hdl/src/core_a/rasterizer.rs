@@ -1,0 +1,217 @@
+//! Rasterizer (thesis 5.4.2): walks a copy's rectangle and evaluates one sample a cycle; golden twin:
+//! `pointcore_golden::core_a::rasterizer`.
+
+use super::datapath::{Inputs, uniform};
+use super::{layout, stream_in};
+use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
+use crate::rtl::{Expr, Instance, Module, Reg, Stream, cat};
+use crate::stream;
+use pointcore_spec::core_a::config::{
+    COPY_QUEUE_DEPTH, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS, index_bits,
+};
+use pointcore_spec::core_a::{Config, Field, records};
+use pointcore_spec::{Fixed, Format, Signedness, TableShape};
+use std::rc::Rc;
+
+/// Bits of a pixel's column or row within its tile.
+const LOCAL_BITS: u32 = index_bits(TILE_SIZE);
+
+/// What the scanner sends into the evaluation, one item a sample.
+fn position(config: &Config) -> Vec<Field> {
+    let flags = ["end", "last"].map(|name| (name.to_owned(), 1));
+    let mut record = flags.to_vec();
+    record.push(("slot".to_owned(), config.slot_bits()));
+    record.push(("column".to_owned(), config.column_bits()));
+    record.push(("row".to_owned(), config.row_bits()));
+    record.extend(records::footprint(config).into_iter().filter(|field| !records::band().contains(field)));
+    record
+}
+
+/// exp(−γρ²) for ρ² in `[0, 1]`.
+fn kernel(gamma: f64) -> Result<Rc<Table>, CompileError> {
+    let shape = TableShape {
+        index_bits: KERNEL_INDEX_BITS,
+        fraction_bits: KERNEL_FRACTION_BITS,
+        value_bits: WEIGHT_BITS,
+    };
+    let intervals = 1u32 << KERNEL_INDEX_BITS;
+    let full = f64::from((1u32 << WEIGHT_BITS) - 1);
+    let sample = |i| ((-gamma * f64::from(i) / f64::from(intervals)).exp() * full).round() as u64;
+    Table::new(shape, (0..=intervals).map(sample).collect()).map(Rc::new)
+}
+
+/// Intersects the viewing ray of each sample with the splat's plane (table 5.2, recentred) and weighs it.
+fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let format = config.geometry;
+    let program = Program::new("core_a_evaluation", "Distance of a sample from its splat's centre, and its kernel weight.");
+    let input = Inputs::new(&program, &position(config));
+    let coefficient = |name| input.float(format, name);
+    let half = program.unsigned(1, 1);
+    let offset = |pixel: &str, center: &str| {
+        input.bits(pixel).concat(&half).to_float(format, 1) - input.float(format, center)
+    };
+    let (x, y) = (offset("column", "center_x"), offset("row", "center_y"));
+
+    let s1 = &x * coefficient("ay") - &y * coefficient("ax");
+    let s2 = &x * coefficient("by") - &y * coefficient("bx");
+    let d = coefficient("delta") + &x * coefficient("mx") + &y * coefficient("my");
+    let distance = (&s1 * &s1 + &s2 * &s2) / (&d * &d);
+    let behind = sign(&d, format) ^ sign(&coefficient("delta"), format);
+    let infinity = program.constant(Type::Float(format), format.infinity());
+    let mut distance = behind.select(&infinity, &distance);
+    if config.screen_filter.is_on() {
+        let screen = (&x * &x + &y * &y) * uniform(&program, format, "filter_scale");
+        distance = distance.min(&screen);
+    }
+
+    let (end, last) = (input.bits("end"), input.bits("last"));
+    let inside = distance.lt(&program.float(format, 1.0)) & !&end;
+    program.keep_if(&(&inside | &last | &end));
+    let argument = Fixed {
+        width: KERNEL_INDEX_BITS + KERNEL_FRACTION_BITS,
+        fraction: KERNEL_INDEX_BITS + KERNEL_FRACTION_BITS,
+        signed: Signedness::Unsigned,
+    };
+    let weight = distance.to_fixed(argument).kernel(&kernel(config.kernel_gamma)?);
+    let local = |name| input.bits(name).bits(LOCAL_BITS - 1, 0);
+    let pixel = local("row").concat(&local("column"));
+    let computed = [("inside", inside), ("pixel", pixel), ("weight", weight)];
+    input.output(&program, &records::sample_head(config), &computed);
+    compile(&program, options)
+}
+
+fn sign(value: &Value, format: Format) -> Value {
+    let top = format.width() - 1;
+    value.bits(top, top)
+}
+
+/// The scanner's registers.
+struct Scanner {
+    busy: Reg,
+    end: Reg,
+    slot: Reg,
+    tile: Reg,
+    column: Reg,
+    row: Reg,
+    left: Reg,
+    right: Reg,
+    bottom: Reg,
+}
+
+impl Scanner {
+    fn new(m: &mut Module, config: &Config) -> Self {
+        let local = LOCAL_BITS as usize;
+        Self {
+            busy: m.reg_reset("busy", 1, 0),
+            end: m.reg("end", 1),
+            slot: m.reg("slot", config.slot_bits() as usize),
+            tile: m.reg("tile", config.tile_bits() as usize),
+            column: m.reg("column", local),
+            row: m.reg("row", local),
+            left: m.reg("left", local),
+            right: m.reg("right", local),
+            bottom: m.reg("bottom", local),
+        }
+    }
+
+    /// The current pixel is the copy's last.
+    fn last(&self) -> Expr {
+        &*self.end | &(&self.column.eq(&self.right) & &self.row.eq(&self.bottom))
+    }
+
+    /// On `advance`: takes `copy` on `load`, else steps to the next pixel or falls idle.
+    fn step(&self, m: &mut Module, copy: &Stream, advance: &Expr, load: &Expr) {
+        let row_done = self.column.eq(&self.right);
+        let last = self.last();
+        m.next_if(&self.busy, advance, &(load | &(&*self.busy & &!&last)));
+        for (register, field) in [
+            (&self.end, "end"),
+            (&self.slot, "slot"),
+            (&self.tile, "tile"),
+            (&self.left, "left"),
+            (&self.right, "right"),
+            (&self.bottom, "bottom"),
+        ] {
+            m.next_if(register, load, &copy.field(field));
+        }
+        let next_column = row_done.mux(&self.left, &self.column.add_lit(1));
+        let next_row = row_done.mux(&self.row.add_lit(1), &self.row);
+        m.next_if(&self.column, advance, &load.mux(&copy.field("left"), &next_column));
+        m.next_if(&self.row, advance, &load.mux(&copy.field("top"), &next_row));
+    }
+
+    /// Connects the evaluation's input to the current pixel.
+    fn emit(&self, m: &mut Module, evaluation: &Instance, config: &Config) {
+        let column_bits = config.tile_column_bits() as usize;
+        let tile_column = self.tile.bits(column_bits - 1, 0);
+        let tile_row = self.tile.bits(config.tile_bits() as usize - 1, column_bits);
+        m.connect(evaluation, "in_valid", &self.busy);
+        m.connect(evaluation, "in_end", &self.end);
+        m.connect(evaluation, "in_last", &(&self.last() & &!&*self.end));
+        m.connect(evaluation, "in_slot", &self.slot);
+        m.connect(evaluation, "in_column", &cat(&[&tile_column, &self.column]));
+        m.connect(evaluation, "in_row", &cat(&[&tile_row, &self.row]));
+    }
+}
+
+/// The rasterizer; the manifest is that of its evaluation.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let Datapath { module: evaluation, manifest } = evaluation(config, options)?;
+    let mut m = Module::new("core_a_rasterizer", "Samples of a splat copy, one a cycle, with their kernel weights.");
+    let copy = stream_in(&mut m, "in", &records::placed_copy(config));
+    let evaluation = m.instance("evaluation", evaluation);
+    let advance = m.out(&evaluation, "in_ready");
+
+    let shared = records::shared(config);
+    let queue = m.instance("shared", stream::fifo::module(COPY_QUEUE_DEPTH as usize, &layout(&shared)));
+    let queue_ready = m.out(&queue, "in_ready");
+
+    let scanner = Scanner::new(&mut m, config);
+    let idle = &!&*scanner.busy | &scanner.last();
+    let ready = m.wire("take", &(&(&advance & &idle) & &queue_ready));
+    m.ready(&copy, &ready);
+    let load = m.wire("load", &(&ready & &copy.valid));
+    scanner.step(&mut m, &copy, &advance, &load);
+    scanner.emit(&mut m, &evaluation, config);
+    for (name, width) in position(config).iter().skip(5) {
+        let register = m.reg(name, *width as usize);
+        m.next_if(&register, &load, &copy.field(name));
+        m.connect(&evaluation, &format!("in_{name}"), &register);
+    }
+    m.connect(&queue, "in_valid", &(&load & &!&copy.field("end")));
+    for (name, _) in &shared {
+        m.connect(&queue, &format!("in_{name}"), &copy.field(name));
+    }
+
+    let mut fields = Vec::new();
+    for (name, _) in records::sample(config) {
+        let source = if shared.iter().any(|(field, _)| *field == name) { &queue } else { &evaluation };
+        let value = m.out(source, &format!("out_{name}"));
+        fields.push((name, value));
+    }
+    let valid = m.out(&evaluation, "out_valid");
+    let last = m.out(&evaluation, "out_last");
+    let fields: Vec<(&str, &Expr)> = fields.iter().map(|(name, value)| (name.as_str(), value)).collect();
+    let out_ready = m.stream_out("out", &valid, &fields);
+    m.connect(&evaluation, "out_ready", &out_ready);
+    m.connect(&queue, "out_ready", &(&(&out_ready & &valid) & &last));
+
+    if config.screen_filter.is_on() {
+        let filter_scale = m.input("filter_scale", config.geometry.width() as usize);
+        m.connect(&evaluation, "filter_scale", &filter_scale);
+    }
+    let busy = scanner.busy.expr();
+    for (name, event) in [
+        ("event_sample", &(&advance & &busy) & &!&*scanner.end),
+        ("event_starved", &advance & &!&busy),
+        ("event_blocked", &busy & &!&advance),
+    ] {
+        let register = m.reg_reset(name, 1, 0);
+        m.next(&register, &event);
+        m.output(name, &register);
+    }
+    Ok(Datapath { module: Rc::new(m), manifest })
+}

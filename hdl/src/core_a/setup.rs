@@ -1,0 +1,151 @@
+//! Rasterization setup (thesis 5.4.1, table 5.2), recentred at the splat's projected centre; golden twin:
+//! `pointcore_golden::core_a::setup`.
+
+use super::datapath::{Inputs, uniform};
+use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
+use pointcore_spec::core_a::config::DEPTH_BITS;
+use pointcore_spec::core_a::{Config, records};
+use pointcore_spec::{Fixed, Signedness};
+
+/// Smallest `e` for which a splat counts as wholly in front of the eye; below, its bounds would overflow.
+const WHOLE_MIN: f64 = 1.0 / 4096.0;
+/// Where bounds saturate, in px: beyond every image.
+const BOUND_MAX: f64 = 8191.0;
+/// Bounds are rounded to pixels from so many fraction bits.
+const BOUND: Fixed = Fixed { width: 21, fraction: 8, signed: Signedness::Unsigned };
+/// `ceil(low − ½ − 1/256)` of a bound with 8 fraction bits is `(bound + FIRST_OFFSET) >> 8`.
+const FIRST_OFFSET: u64 = 126;
+/// One past `floor(high − ½ + 2/256)` of a bound with 8 fraction bits is `(bound + PAST_OFFSET) >> 8`.
+const PAST_OFFSET: u64 = 130;
+/// Depths as the record holds them.
+const DEPTH: Fixed = Fixed { width: DEPTH_BITS, fraction: DEPTH_BITS, signed: Signedness::Unsigned };
+
+/// One image axis: projected centre, the tangents' components, and the pixels within the bounds.
+struct Axis {
+    center: Value,
+    a: Value,
+    b: Value,
+    first: Value,
+    last: Value,
+    occupied: Value,
+}
+
+/// What the axes share.
+struct Frame<'a> {
+    config: &'a Config,
+    program: &'a Program,
+    splat: &'a Inputs,
+    /// `1/u_z`.
+    r: Value,
+    alpha: Value,
+    beta: Value,
+    /// `1/e`.
+    f: Value,
+    /// The splat lies wholly in front of the eye.
+    whole: Value,
+}
+
+impl Frame<'_> {
+    fn constant(&self, value: f64) -> Value {
+        self.program.float(self.config.geometry, value)
+    }
+
+    fn uniform(&self, name: &str) -> Value {
+        uniform(self.program, self.config.geometry, name)
+    }
+
+    fn axis(&self, axis: &str, edge: u32, bits: u32) -> Axis {
+        let component = |name: &str| self.splat.float(self.config.geometry, &format!("{name}_{axis}"));
+        let scale = self.uniform(&format!("scale_{axis}"));
+        let v = component("center") * &self.r;
+        let a = &scale * (component("tangent1") * &self.r - &v * &self.alpha);
+        let b = &scale * (component("tangent2") * &self.r - &v * &self.beta);
+        let center = &scale * &v + self.uniform(&format!("center_{axis}"));
+
+        let t = (&a * &self.alpha + &b * &self.beta) * &self.f;
+        let h = (&t * &t + (&a * &a + &b * &b) * &self.f).sqrt();
+        let middle = &center - &t;
+        let (mut low, mut high) = (&middle - &h, &middle + &h);
+        if self.config.screen_filter.is_on() {
+            let radius = self.uniform("filter_radius");
+            low = low.min(&(&center - &radius));
+            high = high.max(&(&center + &radius));
+        }
+        let (first, last, occupied) = self.pixels(&low, &high, edge, bits);
+        Axis { center, a, b, first, last, occupied }
+    }
+
+    /// First and last pixel between two bounds, and whether there is one; a NaN widens the bounds.
+    fn pixels(&self, low: &Value, high: &Value, edge: u32, bits: u32) -> (Value, Value, Value) {
+        let sum_bits = BOUND.width + 1;
+        let constant = |value| self.program.unsigned(sum_bits, value);
+        let zero = self.constant(0.0);
+        let round = |bound: Value, offset| (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)).shr(BOUND.fraction);
+        let first = round(low.max(&zero), FIRST_OFFSET);
+        let past = round(high.min(&self.constant(BOUND_MAX)).max(&zero), PAST_OFFSET);
+        let edge = constant(edge.into());
+        let first = self.whole.select(&first, &constant(0));
+        let past = self.whole.select(&past.min(&edge), &edge);
+        let last = &past - constant(1);
+        (first.resize(bits), last.resize(bits), first.lt(&past))
+    }
+}
+
+/// Camera space to footprint, depth band and bounding rectangle; drops splats outside the image or beyond the far plane.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let format = config.geometry;
+    let program = Program::new("core_a_setup", "Footprint, depth band and bounding rectangle of a splat.");
+    let splat = Inputs::new(&program, &records::splat(config));
+    let one = program.float(format, 1.0);
+
+    let r = splat.float(format, "center_z").recip();
+    let alpha = splat.float(format, "tangent1_z") * &r;
+    let beta = splat.float(format, "tangent2_z") * &r;
+    let q = &alpha * &alpha + &beta * &beta;
+    let e = &one - &q;
+    let f = e.recip();
+    let whole = program.float(format, WHOLE_MIN).lt(&e).named("whole");
+    let frame = Frame { config, program: &program, splat: &splat, r, alpha, beta, f, whole };
+    let x = frame.axis("x", config.width, config.column_bits());
+    let y = frame.axis("y", config.height, config.row_bits());
+    let Frame { r, alpha, beta, f, whole, .. } = &frame;
+
+    let delta = &x.a * &y.b - &x.b * &y.a;
+    let mx = beta * &y.a - alpha * &y.b;
+    let my = alpha * &x.b - beta * &x.a;
+
+    let b = frame.uniform("depth_b") * r;
+    let center_depth = frame.uniform("depth_a") + &b;
+    let depth = &center_depth + &b * (&q * f);
+    let half = b.abs() * (q.sqrt() * f);
+    let depth = whole.select(&depth, &center_depth);
+    let half = whole.select(&half, &b.abs()).min(&one);
+    let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");
+    let fixed = |depth: &Value| depth.max(&program.float(format, 0.0)).to_fixed(DEPTH);
+
+    let visible = center_depth.le(&one) & &x.occupied & &y.occupied;
+    program.keep_if(&(splat.bits("end") | visible));
+    let computed = [
+        ("center_x", x.center),
+        ("center_y", y.center),
+        ("ax", x.a),
+        ("bx", x.b),
+        ("ay", y.a),
+        ("by", y.b),
+        ("delta", delta),
+        ("mx", mx),
+        ("my", my),
+        ("depth", fixed(&depth)),
+        ("depth_low", fixed(&(&depth - &epsilon))),
+        ("depth_high", fixed(&(&depth + &epsilon))),
+        ("left", x.first),
+        ("right", x.last),
+        ("top", y.first),
+        ("bottom", y.last),
+    ];
+    splat.output(&program, &records::setup(config), &computed);
+    compile(&program, &options.with_interval(config.setup_interval))
+}

@@ -1,0 +1,56 @@
+//! Transform and back-face culling (thesis table 5.1, top); golden twin: `pointcore_golden::core_a::transform`.
+
+use super::datapath::{Inputs, dot, uniform};
+use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use pointcore_spec::core_a::{Config, ports::UNIFORMS, records};
+
+/// World space to camera space; drops splats that face away or whose centre is not beyond the near plane.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let format = config.geometry;
+    let program = Program::new("core_a_transform", "World space to camera space, with back-face culling.");
+    let record = records::splat(config);
+    let splat = Inputs::new(&program, &record);
+    let matrix: [_; 12] = std::array::from_fn(|i| uniform(&program, format, UNIFORMS[i]));
+    let near = uniform(&program, format, "near");
+    let rows: [[_; 3]; 3] = std::array::from_fn(|row| std::array::from_fn(|column| matrix[4 * row + column].clone()));
+
+    let vector = |name: &str| ["x", "y", "z"].map(|axis| splat.float(format, &format!("{name}_{axis}")));
+    let rotate = |name: &str| {
+        let vector = vector(name);
+        rows.each_ref().map(|row| dot(row, &vector))
+    };
+    let turned = rotate("center");
+    let center: [_; 3] = std::array::from_fn(|i| &turned[i] + &matrix[4 * i + 3]);
+    let (tangent1, tangent2) = (rotate("tangent1"), rotate("tangent2"));
+
+    let mut visible = near.lt(&center[2]);
+    if config.culling.is_on() {
+        let normal: [_; 3] = std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            &tangent1[j] * &tangent2[k] - &tangent1[k] * &tangent2[j]
+        });
+        let facing = dot(&center, &normal).named("facing");
+        visible = visible & facing.le(&program.float(format, 0.0));
+    }
+    program.keep_if(&(splat.bits("end") | visible));
+
+    let [center_x, center_y, center_z] = center;
+    let [tangent1_x, tangent1_y, tangent1_z] = tangent1;
+    let [tangent2_x, tangent2_y, tangent2_z] = tangent2;
+    let computed = [
+        ("center_x", center_x),
+        ("center_y", center_y),
+        ("center_z", center_z),
+        ("tangent1_x", tangent1_x),
+        ("tangent1_y", tangent1_y),
+        ("tangent1_z", tangent1_z),
+        ("tangent2_x", tangent2_x),
+        ("tangent2_y", tangent2_y),
+        ("tangent2_z", tangent2_z),
+    ];
+    splat.output(&program, &record, &computed);
+    compile(&program, &options.with_interval(config.transform_interval))
+}

@@ -1,0 +1,22 @@
+//! A sample's contributions (thesis eq. 5.10); golden twin: `pointcore_golden::core_a::weighting`.
+
+use super::datapath::Inputs;
+use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use pointcore_spec::core_a::config::WEIGHT_BITS;
+use pointcore_spec::core_a::{Config, records};
+
+/// Multiplies depth and continuous attributes by the kernel weight.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let program = Program::new("core_a_weighting", "Weighted depth and attributes of a sample.");
+    let sample = Inputs::new(&program, &records::sample(config));
+    let weight = sample.bits("weight");
+    let factor = weight.to_float(config.attribute, WEIGHT_BITS);
+    let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
+    let mut computed = vec![("weighted_depth", &weight * sample.bits("depth"))];
+    computed.extend(names.iter().map(|name| (name.as_str(), &factor * sample.float(config.attribute, name))));
+    sample.output(&program, &records::weighted_sample(config), &computed);
+    compile(&program, options)
+}
