@@ -1,0 +1,46 @@
+# pointcore: everything a user, a developer or CI runs. `make help` lists it.
+SHELL := /bin/bash
+SCENE ?= scenes/knot.toml
+
+.DEFAULT_GOAL := help
+.PHONY: help setup setup-tests run run-scan plan gen test check bench doc clean
+
+help: ## List the targets
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
+	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)).'
+
+setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
+	@./scripts/setup verilator:verilator g++:g++
+
+setup-tests: setup ## Install what the tests need besides: Icarus Verilog, yosys
+	@./scripts/setup iverilog:iverilog yosys:yosys
+
+run: setup ## Render SCENE on the generated hardware, in lockstep with its models, into out/
+	cargo run --release --bin pointcore -- run $(SCENE)
+
+run-scan: setup ## Render a scan given by path: make run-scan SCAN=../shared/data/igea.ply
+	cargo run --release --bin pointcore -- run scenes/igea.toml $(if $(SCAN),--model-file $(abspath $(SCAN)))
+
+plan: ## Show which hardware SCENE calls for, and why
+	cargo run --release --bin pointcore -- plan $(SCENE)
+
+gen: ## Write the Verilog for SCENE into out/verilog
+	cargo run --release --bin pointcore -- gen $(SCENE) -o out/verilog
+
+test: setup-tests ## Run all tests
+	cargo test --workspace
+
+check: ## Formatting, clippy and documentation without warnings
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets -- -D warnings
+	RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
+
+bench: setup ## Measure and merge the figures into out/bench.json
+	cargo run --release --bin pointcore -- bench
+
+doc: ## Build the documentation
+	cargo doc --workspace --no-deps
+
+clean: ## Remove build output, results and the cache of verilated models
+	cargo clean
+	rm -rf out
