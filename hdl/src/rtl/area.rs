@@ -1,5 +1,9 @@
 //! A proxy for area, counted before synthesis.
 
+use super::canonical::{Graph, Need};
+use super::expression::Operation;
+use super::module::Source;
+
 /// What one module holds, without its children.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Area {
@@ -15,4 +19,35 @@ pub struct Area {
     pub adder_bits: usize,
     /// Bits of two-way choices.
     pub mux_bits: usize,
+}
+
+impl Area {
+    /// Counts the hardware of a module.
+    pub(super) fn of(graph: &Graph) -> Self {
+        let mut area = Self::default();
+        for (signal, _) in graph.module.signals.iter().zip(&graph.signals).filter(|(_, need)| **need == Need::Hardware)
+        {
+            if matches!(signal.source, Source::Register { .. } | Source::Read { .. }) {
+                area.register_bits += signal.reference.width();
+            }
+        }
+        for (store, _) in graph.module.stores.iter().zip(&graph.stores).filter(|(_, need)| **need == Need::Hardware) {
+            area.memory_bits += store.depth * store.width;
+        }
+        for node in &graph.nodes[..graph.hardware_nodes] {
+            match node.operation {
+                Operation::Multiply | Operation::MultiplySigned => {
+                    area.multipliers += 1;
+                    area.multiplier_bits += node.width;
+                }
+                Operation::Add | Operation::Subtract => area.adder_bits += node.width,
+                Operation::Less | Operation::LessOrEqual | Operation::LessSigned => {
+                    area.adder_bits += graph.nodes[node.operands[0]].width;
+                }
+                Operation::Mux => area.mux_bits += node.width,
+                _ => {}
+            }
+        }
+        area
+    }
 }

@@ -1,7 +1,11 @@
 //! From a module and everything below it to a design: checked, lowered, measured.
 
 use super::area::Area;
+use super::check::Checker;
+use super::dependencies::Reach;
+use super::emit::PortKind;
 use super::error::ElaborationError;
+use super::lower::Library;
 use super::module::Module;
 
 /// Which way a port goes.
@@ -50,7 +54,7 @@ pub struct Design {
 }
 
 impl Design {
-    /// Verilog-2005 text of all modules, children before parents, the top last.
+    /// Verilog-2005 text of all modules, the top first, parents before children.
     #[must_use]
     pub fn verilog(&self) -> &str {
         &self.verilog
@@ -68,7 +72,7 @@ impl Design {
         &self.ports
     }
 
-    /// Every module of the design, in the order of the Verilog.
+    /// Every module of the design, children before parents, the top last.
     #[must_use]
     pub fn modules(&self) -> &[ModuleSummary] {
         &self.modules
@@ -86,6 +90,38 @@ impl Design {
 /// # Errors
 /// Every fault of the whole hierarchy, each with the path of the module it is in.
 pub fn elaborate(top: &Module) -> Result<Design, ElaborationError> {
-    let _ = top;
-    todo!("lowering")
+    let mut checker = Checker::default();
+    let reach = checker.check(top, top.unit.clone());
+    if !checker.faults.is_empty() {
+        return Err(ElaborationError { faults: checker.faults });
+    }
+    let mut library = Library::default();
+    let index = library.add(top);
+    let names = library.names();
+    let counts = library.instance_counts();
+    let modules = library.modules.iter().zip(&names).zip(counts).map(|((module, name), instances)| ModuleSummary {
+        name: name.clone(),
+        unit: module.unit.clone(),
+        parameters: module.parameters.clone(),
+        area: module.area,
+        instances,
+    });
+    let ports = library.ports(index).iter().map(|(name, width, kind)| {
+        let direction = if *kind == PortKind::Input { Direction::Input } else { Direction::Output };
+        Port { name: name.clone(), width: *width, direction }
+    });
+    Ok(Design {
+        top: names[index].clone(),
+        verilog: library.verilog(&names),
+        ports: ports.collect(),
+        modules: modules.collect(),
+        combinational_paths: paths(top, &reach),
+    })
+}
+
+/// The inputs and outputs of a reach by name.
+fn paths(module: &Module, reach: &Reach) -> Vec<(String, String)> {
+    let output = |port: usize| module.ports[port].shape(module).0;
+    let pairs = reach.iter().flat_map(|(&port, inputs)| inputs.iter().map(move |&input| (input, port)));
+    pairs.map(|(input, port)| (module.signals[input].name.to_string(), output(port).to_string())).collect()
 }

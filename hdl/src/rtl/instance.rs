@@ -32,6 +32,14 @@ pub(super) struct Child {
     pub outputs: Vec<Option<usize>>,
 }
 
+impl Child {
+    /// What drives an input of the child here, by the child's signal; none for its reset, which is the parent's.
+    pub(super) fn driver_of(&self, input: usize) -> Option<&Expr> {
+        let is_input = |port: &PortDeclaration| matches!(port, PortDeclaration::Input(signal) if *signal == input);
+        self.module.ports.iter().position(is_input).and_then(|port| self.inputs[port].as_ref())
+    }
+}
+
 impl PortDeclaration {
     /// Name and width of a port of `module`.
     pub(super) fn shape<'a>(&'a self, module: &'a Module) -> (&'a str, usize) {

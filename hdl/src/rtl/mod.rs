@@ -9,16 +9,23 @@
 //! and instances connect them by themselves.
 
 mod area;
+mod canonical;
+mod check;
+mod dependencies;
 mod elaborate;
+mod emit;
 mod error;
 mod expression;
 mod fold;
+mod frame;
 mod instance;
+mod lower;
 mod memory;
 mod module;
 mod names;
 mod operators;
 mod stream;
+mod text;
 
 pub use area::Area;
 pub use elaborate::{Design, Direction, ModuleSummary, Port, elaborate};

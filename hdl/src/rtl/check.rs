@@ -1,0 +1,112 @@
+//! Finds every fault of a hierarchy before anything is written.
+
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
+
+use super::dependencies::{self, Reach};
+use super::error::{Fault, FaultKind};
+use super::expression::{Expr, Operation};
+use super::memory::Content;
+use super::module::{Module, PortDeclaration, Source};
+
+/// Checks each module once, at the first place where it occurs.
+#[derive(Default)]
+pub(super) struct Checker {
+    pub faults: Vec<Fault>,
+    known: HashMap<*const Module, Rc<Reach>>,
+}
+
+impl Checker {
+    /// Checks a module and all below it; returns which inputs reach which outputs.
+    pub fn check(&mut self, module: &Module, path: String) -> Rc<Reach> {
+        if let Some(reach) = self.known.get(&std::ptr::from_ref(module)) {
+            return reach.clone();
+        }
+        let children: Vec<Rc<Reach>> =
+            module.children.iter().map(|child| self.check(&child.module, format!("{path}/{}", child.name))).collect();
+        let dependencies = dependencies::analyse(module, &children);
+        let mut kinds = module.faults.clone();
+        kinds.extend(undriven(module));
+        kinds.extend(wrong_expressions(module));
+        kinds.extend(dependencies.loops.into_iter().map(FaultKind::Loop));
+        self.faults.extend(kinds.into_iter().map(|kind| Fault { path: path.clone(), kind }));
+        let reach = Rc::new(dependencies.reach);
+        self.known.insert(std::ptr::from_ref(module), reach.clone());
+        reach
+    }
+}
+
+/// Wires, registers, memories and inputs of children without a driver.
+fn undriven(module: &Module) -> Vec<FaultKind> {
+    let mut faults = vec![];
+    for signal in &module.signals {
+        if matches!(signal.source, Source::Wire(None) | Source::Register { next: None, .. }) {
+            faults.push(FaultKind::Undriven(signal.name.to_string()));
+        }
+    }
+    let unwritten = module.stores.iter().filter(|store| matches!(store.content, Content::Written(None)));
+    faults.extend(unwritten.map(|store| FaultKind::Undriven(store.name.clone())));
+    for child in &module.children {
+        for (port, driver) in child.module.ports.iter().zip(&child.inputs) {
+            if matches!(port, PortDeclaration::Input(_)) && driver.is_none() {
+                let port = port.shape(&child.module).0.to_string();
+                faults.push(FaultKind::Unconnected { instance: child.name.clone(), port });
+            }
+        }
+    }
+    faults
+}
+
+/// Every expression that a module keeps, with what it is for.
+fn expressions(module: &Module) -> Vec<(String, &Expr)> {
+    let mut all = vec![];
+    for signal in &module.signals {
+        let user = format!("`{}`", signal.name);
+        let parts: Vec<&Expr> = match &signal.source {
+            Source::Reset | Source::Input | Source::ChildOutput { .. } => vec![],
+            Source::Wire(driver) => driver.iter().collect(),
+            Source::Register { next, .. } => {
+                next.iter().flat_map(|next| next.enable.iter().chain([&next.data])).collect()
+            }
+            Source::Read { enable, address, .. } => enable.iter().chain([address]).collect(),
+            Source::ReadNow { address, .. } | Source::Lookup { address, .. } => vec![address],
+        };
+        all.extend(parts.into_iter().map(|part| (user.clone(), part)));
+    }
+    for store in &module.stores {
+        if let Content::Written(Some(port)) = &store.content {
+            all.extend([&port.enable, &port.address, &port.data].map(|part| (format!("`{}`", store.name), part)));
+        }
+    }
+    for child in &module.children {
+        for (port, driver) in child.module.ports.iter().zip(&child.inputs) {
+            let name = port.shape(&child.module).0;
+            all.extend(driver.iter().map(|driver| (format!("`{}.{name}`", child.name), driver)));
+        }
+    }
+    for port in &module.ports {
+        if let PortDeclaration::Output { name, value } = port {
+            all.push((format!("output `{name}`"), value));
+        }
+    }
+    all.extend(module.assertions.iter().map(|(name, condition)| (format!("assertion `{name}`"), condition)));
+    all
+}
+
+/// Poison and signals from elsewhere, each once, at its first user.
+fn wrong_expressions(module: &Module) -> Vec<FaultKind> {
+    let mut seen = HashSet::new();
+    let mut faults = vec![];
+    for (user, root) in expressions(module) {
+        dependencies::for_each_node(root, &mut |expr| match &expr.node().operation {
+            Operation::Poison(message) if seen.insert(message.to_string()) => {
+                faults.push(FaultKind::Expression { user: user.clone(), message: message.to_string() });
+            }
+            Operation::Signal(signal) if signal.module != module.identity => {
+                faults.push(FaultKind::ForeignSignal { user: user.clone(), signal: signal.name.to_string() });
+            }
+            _ => {}
+        });
+    }
+    faults
+}

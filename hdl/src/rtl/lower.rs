@@ -1,0 +1,149 @@
+//! From checked modules to Verilog: identical ones are folded, the rest are named by unit and parameters.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::fmt::Write as _;
+
+use super::area::Area;
+use super::canonical::Graph;
+use super::emit::{self, Body, PortKind};
+use super::frame::{Frame, FramePort};
+use super::module::Module;
+
+/// The one lint rule that is about files and not about hardware.
+const ONE_FILE: &str =
+    "// The whole design is one file, named after its top.\n/* verilator lint_off DECLFILENAME */\n\n";
+
+/// A module of the design, by content.
+pub(super) struct Lowered {
+    pub unit: String,
+    pub parameters: Vec<(String, String)>,
+    pub area: Area,
+    /// Indices of the modules of its children.
+    pub children: Vec<usize>,
+    summary: String,
+    body: Body,
+    stateful: bool,
+}
+
+/// All modules of a design, children before parents.
+#[derive(Default)]
+pub(super) struct Library {
+    pub modules: Vec<Lowered>,
+    by_address: HashMap<*const Module, usize>,
+    by_content: HashMap<(String, Vec<(String, String)>, Vec<usize>, Body), usize>,
+}
+
+impl Library {
+    /// Adds a module and all below it; returns its index.
+    pub fn add(&mut self, module: &Module) -> usize {
+        if let Some(&known) = self.by_address.get(&std::ptr::from_ref(module)) {
+            return known;
+        }
+        let children: Vec<usize> = module.children.iter().map(|child| self.add(&child.module)).collect();
+        let stateful: Vec<bool> = children.iter().map(|&child| self.modules[child].stateful).collect();
+        let graph = Graph::of(module);
+        let (body, stateful) = emit::body(&graph, &stateful);
+        let content = (module.unit.clone(), module.parameters.clone(), children.clone(), body.clone());
+        let index = *self.by_content.entry(content).or_insert(self.modules.len());
+        if index == self.modules.len() {
+            self.modules.push(Lowered {
+                unit: module.unit.clone(),
+                parameters: module.parameters.clone(),
+                area: Area::of(&graph),
+                children,
+                summary: module.summary.clone(),
+                body,
+                stateful,
+            });
+        }
+        self.by_address.insert(std::ptr::from_ref(module), index);
+        index
+    }
+
+    /// The name of every module: its unit, and where a unit has several, what tells them apart.
+    pub fn names(&self) -> Vec<String> {
+        let mut units: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        for (index, module) in self.modules.iter().enumerate() {
+            units.entry(&module.unit).or_default().push(index);
+        }
+        let mut names: Vec<String> = self.modules.iter().map(|module| module.unit.clone()).collect();
+        let mut taken: HashSet<String> = units.keys().map(|unit| unit.to_string()).collect();
+        for members in units.values().filter(|members| members.len() > 1) {
+            for &member in members {
+                let base = format!("{}{}", self.modules[member].unit, self.suffix(member, members));
+                let mut name = base.clone();
+                let mut ordinal = 1;
+                while !taken.insert(name.clone()) {
+                    ordinal += 1;
+                    name = format!("{base}_v{ordinal}");
+                }
+                names[member] = name;
+            }
+        }
+        names
+    }
+
+    /// `_d16_w64` from the parameters in which the members of a unit differ.
+    fn suffix(&self, member: usize, members: &[usize]) -> String {
+        let parameters = &self.modules[member].parameters;
+        let differs = |name: &str, value: &str| {
+            let same = |&other: &usize| self.modules[other].parameters.iter().any(|(n, v)| n == name && v == value);
+            !members.iter().all(same)
+        };
+        let mut suffix = String::new();
+        for (name, value) in parameters.iter().filter(|(name, value)| differs(name, value)) {
+            let initial = &name[..1];
+            let ambiguous = parameters.iter().filter(|(other, _)| other.starts_with(initial)).count() > 1;
+            let value: String = value.chars().filter(char::is_ascii_alphanumeric).collect();
+            let _ = write!(suffix, "_{}{value}", if ambiguous { name } else { initial });
+        }
+        suffix
+    }
+
+    /// Verilog text of all modules, parents before children: a file named after the top starts with it.
+    pub fn verilog(&self, names: &[String]) -> String {
+        let frames = self.modules.iter().zip(names).rev().map(|(module, name)| frame(module, name, names).verilog());
+        let text = frames.collect::<Vec<_>>().join("\n");
+        if names.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
+    }
+
+    /// Ports of a module in order.
+    pub fn ports(&self, index: usize) -> &[(String, usize, PortKind)] {
+        &self.modules[index].body.ports
+    }
+
+    /// How often each module occurs below (and as) the top, which is the last.
+    pub fn instance_counts(&self) -> Vec<usize> {
+        let mut counts = vec![0; self.modules.len()];
+        if let Some(top) = counts.last_mut() {
+            *top = 1;
+        }
+        for index in (0..self.modules.len()).rev() {
+            for &child in &self.modules[index].children {
+                counts[child] += counts[index];
+            }
+        }
+        counts
+    }
+}
+
+fn frame(module: &Lowered, name: &str, names: &[String]) -> Frame {
+    let mut header = vec![module.summary.clone()];
+    header.extend(module.parameters.iter().map(|(name, value)| format!("{name} = {value}")));
+    let mut body = module.body.before.clone();
+    for ((instance, connections), &child) in module.body.instances.iter().zip(&module.children) {
+        if !body.is_empty() {
+            body.push('\n');
+        }
+        let connections: Vec<String> =
+            connections.iter().map(|(port, value)| format!("    .{port}({value})")).collect();
+        let _ = writeln!(body, "{} {instance} (\n{}\n);", names[child], connections.join(",\n"));
+    }
+    if !body.is_empty() && !module.body.after.is_empty() {
+        body.push('\n');
+    }
+    body += &module.body.after;
+    let ports = module.body.ports.iter();
+    let ports = ports.map(|(name, width, kind)| FramePort { name: name.clone(), width: *width, kind: *kind }).collect();
+    Frame { name: name.into(), header, ports, body }
+}

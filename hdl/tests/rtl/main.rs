@@ -1,0 +1,3 @@
+//! The hardware front end: faults, text, and what the tools make of it.
+
+mod tools;

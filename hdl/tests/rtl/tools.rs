@@ -1,0 +1,123 @@
+//! Verilator, Icarus and yosys take the text of a design with every feature, without a warning.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use pointcore_hdl::rtl::{Design, Module, bit, cat, elaborate, lit, select};
+
+/// Runs a tool in a folder; its absence is told apart from its refusal.
+pub fn run(program: &str, arguments: &[&str], folder: &Path) -> Output {
+    let spawned = Command::new(program).args(arguments).current_dir(folder).output();
+    spawned.unwrap_or_else(|error| panic!("cannot run {program} ({error}): apt-get install verilator iverilog yosys"))
+}
+
+fn accepts(program: &str, arguments: &[&str], folder: &Path, verilog: &str) {
+    let output = run(program, arguments, folder);
+    let text = [&output.stdout[..], &output.stderr[..]].map(String::from_utf8_lossy).concat();
+    let clean = output.status.success() && !text.contains("%Warning") && !text.to_lowercase().contains("warning:");
+    assert!(clean, "{program} {arguments:?} says\n{text}\nabout\n{verilog}");
+}
+
+/// Every tool must take the design without a word.
+pub fn lint(design: &Design) {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = format!("{}.v", design.top());
+    std::fs::write(folder.path().join(&file), design.verilog()).expect("a temporary folder can be written");
+    let top = design.top();
+    let verilator = ["--lint-only", "-Wall", "--top-module", top, &file];
+    accepts("verilator", &verilator, folder.path(), design.verilog());
+    let with_checks = [&verilator[..], &["-DPOINTCORE_ASSERT"]].concat();
+    accepts("verilator", &with_checks, folder.path(), design.verilog());
+    accepts("iverilog", &["-Wall", "-t", "null", &file], folder.path(), design.verilog());
+    let script = format!("read_verilog {file}; hierarchy -check -top {top}; proc; check -assert");
+    accepts("yosys", &["-q", "-p", &script], folder.path(), design.verilog());
+}
+
+/// One module with every construct, two children of one unit that differ, and two that do not.
+fn everything() -> Module {
+    let mut m = Module::new("everything", "Uses every construct once.");
+    m.parameter("width", 8);
+    let (a, b) = (m.input("a", 8), m.input("b", 8));
+    let (select_bit, wide) = (m.input("choose", 1), m.input("wide", 150));
+    m.input("ignored", 3);
+
+    let sum = m.wire("total", &a.add_carry(&b));
+    let product = a.mul_signed(&b);
+    let shifted = a.shl_by(&b.bits(2, 0)) ^ a.shr_by(&b.bits(5, 3)) ^ a.sar(2);
+    let reduced = cat(&[&a.any(), &b.all(), &a.is_zero(), &a.lt_signed(&b), &a.lt_lit(7), &(&a + &b).bit(3)]);
+    let picked = select(&a.bits(1, 0), &[&a, &b, &(&a - &b)]);
+    m.output("sum", &sum);
+    m.output("mixed", &cat(&[&product, &(&a * &b), &shifted, &reduced, &picked, &wide.bits(149, 140)]));
+    m.output("constant", &lit(200, 5));
+
+    let count = m.reg_reset("count", 4, 3);
+    m.next_if(&count, &select_bit, &count.add_lit(1));
+    m.output("count", &count);
+    let data = m.reg("data", 8);
+    m.next(&data, &select_bit.mux(&a, &(!&b | &shifted)));
+
+    let memory = m.memory("entries", 12, 8);
+    m.write(&memory, &select_bit, &a.bits(3, 0), &data);
+    let q = m.read_if(&memory, "q", &a.bit(7), &b.bits(3, 0));
+    let local = m.memory_distributed("local_entries", 16, 8);
+    m.write(&local, &bit(true), &count, &a);
+    let now = m.read_now(&local, "now", &b.bits(7, 4));
+    let later = m.read(&local, "later", &b.bits(7, 4));
+    m.output("read", &cat(&[&q, &now, &later.bits(6, 2)]));
+    let sine = m.rom("sine", &[0, 3, 7, 9, 10], 4, &a.bits(2, 0));
+    let held = m.rom_if("cosine", &[10, 9, 7, 3], 4, &select_bit, &a.bits(1, 0));
+    let code = m.lookup("code", &[1, 2, 4, 8], 4, &a.bits(7, 6));
+    m.output("tables", &cat(&[&sine, &held, &code]));
+
+    for (index, width) in [8, 8, 5].into_iter().enumerate() {
+        let child = m.instance(&format!("stage_{index}"), stage(width));
+        m.connect(&child, "d", &a.trunc(width));
+        if index != 1 {
+            let q = m.out(&child, "q");
+            m.output(&format!("staged_{index}"), &q.bits(3, 0));
+        }
+    }
+
+    let seen = m.reg_reset("seen", 4, 0);
+    m.next(&seen, &count);
+    m.assert("count_moves_by_one", &(seen.eq(&count) | seen.add_lit(1).eq(&count)));
+    let only_checked = &count ^ &seen.expr();
+    m.assert("low_bits_differ_little", &(!only_checked.bits(1, 0).all() | select_bit));
+    m
+}
+
+/// A register as a module of its own, so wide.
+fn stage(width: usize) -> Module {
+    let mut m = Module::new("stage", "One register.");
+    m.parameter("width", width);
+    let d = m.input("d", width);
+    let q = m.reg_reset("q", width, 0);
+    m.next(&q, &d);
+    m.output("q", &q);
+    m
+}
+
+#[test]
+fn tools_take_every_construct_without_warnings() {
+    let design = elaborate(&everything()).expect("the module has no fault");
+    lint(&design);
+    assert!(design.verilog().lines().all(|line| line.len() <= 200), "{}", design.verilog());
+}
+
+#[test]
+fn two_builds_give_the_same_bytes() {
+    let texts = [(); 2].map(|()| elaborate(&everything()).expect("the module has no fault").verilog().to_string());
+    assert_eq!(texts[0], texts[1]);
+}
+
+#[test]
+fn identical_modules_are_one_and_others_are_told_apart() {
+    let design = elaborate(&everything()).expect("the module has no fault");
+    let names: Vec<(&str, usize)> =
+        design.modules().iter().map(|module| (module.name.as_str(), module.instances)).collect();
+    assert_eq!(names, [("stage_w8", 2), ("stage_w5", 1), ("everything", 1)]);
+    assert_eq!(design.modules()[0].area.register_bits, 8);
+    let top = design.modules()[2].area;
+    assert_eq!((top.multipliers, top.multiplier_bits), (2, 32));
+    assert_eq!(top.memory_bits, 12 * 8 + 16 * 8 + 8 * 4 + 4 * 4);
+}
