@@ -3,3 +3,4 @@
 pub mod datapath;
 pub mod float;
 pub mod reference;
+pub mod stream;

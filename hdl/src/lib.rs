@@ -1,3 +1,4 @@
 //! Hardware descriptions: from a configuration to Verilog.
 
 pub mod rtl;
+pub mod stream;

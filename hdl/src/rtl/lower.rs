@@ -16,7 +16,7 @@ const ONE_FILE: &str =
 /// A module of the design, by content.
 pub(super) struct Lowered {
     pub unit: String,
-    pub parameters: Vec<(String, String)>,
+    pub parameters: Parameters,
     pub area: Area,
     /// Indices of the modules of its children.
     pub children: Vec<usize>,
@@ -25,12 +25,18 @@ pub(super) struct Lowered {
     stateful: bool,
 }
 
+/// What makes two modules one: unit, parameters, the modules of the children, text.
+type Content = (String, Parameters, Vec<usize>, Body);
+
+/// Names and values.
+type Parameters = Vec<(String, String)>;
+
 /// All modules of a design, children before parents.
 #[derive(Default)]
 pub(super) struct Library {
     pub modules: Vec<Lowered>,
     by_address: HashMap<*const Module, usize>,
-    by_content: HashMap<(String, Vec<(String, String)>, Vec<usize>, Body), usize>,
+    by_content: HashMap<Content, usize>,
 }
 
 impl Library {

@@ -121,3 +121,16 @@ fn identical_modules_are_one_and_others_are_told_apart() {
     assert_eq!((top.multipliers, top.multiplier_bits), (2, 32));
     assert_eq!(top.memory_bits, 12 * 8 + 16 * 8 + 8 * 4 + 4 * 4);
 }
+
+#[test]
+fn tools_take_the_stream_units() {
+    let layout = [("x", 16), ("y", 1)];
+    for depth in [2, 5, 64] {
+        let design = elaborate(&pointcore_hdl::stream::fifo(depth, &layout)).expect("the unit has no fault");
+        lint(&design);
+        assert_eq!(design.combinational_paths(), []);
+    }
+    let design = elaborate(&pointcore_hdl::stream::skid(&layout)).expect("the unit has no fault");
+    lint(&design);
+    assert_eq!(design.combinational_paths(), []);
+}

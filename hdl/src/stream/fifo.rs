@@ -1,0 +1,71 @@
+//! `stream_fifo`: a queue that cuts every path between its two sides; golden twin: `pointcore_golden::stream::Fifo`.
+//!
+//! It holds `depth` items: a memory, and an output register that is the memory's read register. An item that is pushed
+//! in cycle `t` is in the memory from `t + 1` on, moves to the output register in the first cycle from then on in which
+//! that is empty or popped, and is seen at `out` one cycle later: at `t + 2` in an empty queue. `in_ready` falls in the
+//! cycle after the one that makes `depth` items and rises in the cycle after a pop. Rate: one item a cycle.
+
+use super::{item_width, packed, unpacked};
+use crate::rtl::{Expr, Module, Reg, address_width, lit};
+
+/// A queue of `depth` items (at least 2).
+#[must_use]
+pub fn fifo(depth: usize, layout: &[(impl AsRef<str>, usize)]) -> Module {
+    let mut m = Module::new("stream_fifo", "Queue in a memory with a registered output.");
+    let width = item_width(layout);
+    m.parameter("depth", depth);
+    m.parameter("width", width);
+    let input = m.stream_in("in", layout);
+
+    let address_bits = address_width(depth);
+    let count_bits = address_width(depth + 1);
+    // Items in the queue, and those of them that wait in the memory.
+    let held = m.reg_reset("held", count_bits, 0);
+    let waiting = m.reg_reset("waiting", count_bits, 0);
+    let write_address = m.reg_reset("write_address", address_bits, 0);
+    let read_address = m.reg_reset("read_address", address_bits, 0);
+    let out_valid = m.reg_reset("out_valid", 1, 0);
+
+    let has_room = m.wire("has_room", &!held.eq_lit(depth as u128));
+    m.ready(&input, &has_room);
+    let push = m.wire("push", &input.transfer());
+    let entries = m.memory("entries", depth, width);
+    m.write(&entries, &push, &write_address, &packed(&input));
+
+    let out_ready = m.forward("out_taken", 1);
+    let pop = m.wire("pop", &(&out_valid & &out_ready));
+    let fetch = m.wire("fetch", &(waiting.any() & (!&out_valid | &out_ready)));
+    let item = m.read_if(&entries, "item", &fetch, &read_address);
+    m.next(&out_valid, &(&fetch | (&out_valid & !&out_ready)));
+
+    m.next(&held, &moved(&held, &push, &pop));
+    m.next(&waiting, &moved(&waiting, &push, &fetch));
+    advance(&mut m, &write_address, &push, depth);
+    advance(&mut m, &read_address, &fetch, depth);
+    m.assert("held_in_range", &lit(count_bits, depth as u128).ge(&held));
+    m.assert("held_is_waiting_and_shown", &held.eq(&(&waiting + out_valid.zext(count_bits))));
+
+    let fields = unpacked(&item, layout);
+    let fields: Vec<(&str, &Expr)> = fields.iter().map(|(name, value)| (name.as_str(), value)).collect();
+    let ready = m.stream_out("out", &out_valid, &fields);
+    m.drive(&out_ready, &ready);
+    m
+}
+
+/// A count after one more, one less, or both.
+fn moved(count: &Reg, up: &Expr, down: &Expr) -> Expr {
+    let width = count.width();
+    count + up.zext(width) - down.zext(width)
+}
+
+/// An address that goes round.
+fn advance(m: &mut Module, address: &Reg, step: &Expr, depth: usize) {
+    let next = address.add_lit(1);
+    let next = if depth.is_power_of_two() {
+        next
+    } else {
+        let last = address.eq_lit(depth as u128 - 1);
+        last.mux(&lit(address.width(), 0), &next)
+    };
+    m.next_if(address, step, &next);
+}
