@@ -1,4 +1,5 @@
 //! Hardware descriptions: from a configuration to Verilog.
 
+pub mod float;
 pub mod rtl;
 pub mod stream;

@@ -95,7 +95,8 @@ impl Expr {
     }
 
     /// The value, of a literal.
-    pub(super) fn literal_value(&self) -> Option<u128> {
+    #[must_use]
+    pub fn literal_value(&self) -> Option<u128> {
         match self.0.operation {
             Operation::Literal(value) => Some(value),
             _ => None,

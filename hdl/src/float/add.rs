@@ -1,0 +1,131 @@
+//! Addition `a + b`; a difference is the sum with the sign of `b` flipped.
+//!
+//! Single path: the operand of smaller magnitude is aligned to the larger one with guard, round and sticky bit, the sum's
+//! leading one brought to the top.
+
+use super::delay;
+use super::operand::{Operand, exponent_width, precision};
+use super::pipe::{self, Carried, Operator, Pipe};
+use super::round::{Raw, Special, Underflow, round, round_delays};
+use super::shift::{add_or_subtract, keep_sticky, leading_zeros, shift_right_sticky};
+use crate::rtl::{Expr, cat, lit};
+use pointcore_spec::{Format, Subnormals};
+
+/// Guard, round and sticky bit.
+const EXTRA: usize = 3;
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(format: Format) -> u32 {
+    pipe::stages_for(&delays(format))
+}
+
+/// Width of a sum, carry included.
+fn sum_width(format: Format) -> usize {
+    precision(format) + EXTRA + 1
+}
+
+fn delays(format: Format) -> Vec<u32> {
+    let sum = sum_width(format) as u32;
+    let compare = delay::adder(format.width()) + 2 * delay::LEVEL;
+    let mut delays = vec![compare, delay::shifter(sum)];
+    delays.extend(normalize_sum_delays(format, sum, delay::adder(sum)));
+    delays
+}
+
+/// Module `float_add`.
+#[must_use]
+pub fn module(format: Format, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_add", "Floating-point sum.", &delays(format), stages);
+    pipe.module.parameter("format", format);
+    let (a, b) = (Operand::input(&mut pipe, format, "a"), Operand::input(&mut pipe, format, "b"));
+
+    let magnitude = |operand: &Operand| cat(&[&operand.exponent.trunc(format.exponent as usize), &operand.significand]);
+    let swap = pipe.module.wire("swap", &magnitude(&a).lt(&magnitude(&b)));
+    let sign = pipe.carry("sign", &swap.mux(&b.sign, &a.sign));
+    let nan = &a.nan | &b.nan | (&a.infinite & &b.infinite & (&a.sign ^ &b.sign));
+    let nan = pipe.carry("nan", &nan);
+    let infinite = pipe.carry("infinite", &(&a.infinite | &b.infinite));
+    let mut subtract = pipe.carry("subtract", &(&a.sign ^ &b.sign));
+    let exponent = pipe.carry("exponent", &swap.mux(&b.exponent, &a.exponent).add_lit(1));
+    let [distance, large, small] = pipe.cut([
+        ("distance", &swap.mux(&(&b.exponent - &a.exponent), &(&a.exponent - &b.exponent))),
+        ("large", &swap.mux(&b.significand, &a.significand)),
+        ("small", &swap.mux(&a.significand, &b.significand)),
+    ]);
+
+    let room = lit(EXTRA, 0);
+    let aligned = shift_right_sticky(&cat(&[&small, &room]), &distance.trunc(format.exponent as usize));
+    let [large, aligned] = pipe.cut([("large", &large), ("aligned", &aligned)]);
+
+    let (large, aligned) = (cat(&[&large, &room]).zext(sum_width(format)), aligned.zext(sum_width(format)));
+    let sum = add_or_subtract(&large, &aligned, &pipe.arrive(&mut subtract));
+    normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, exponent, sum })
+}
+
+/// A sum before its leading one is found.
+pub(super) struct Sum {
+    /// Set if negative, unless the operands cancel.
+    pub sign: Carried,
+    /// The result is NaN.
+    pub nan: Carried,
+    /// The result is infinite.
+    pub infinite: Carried,
+    /// The operands' signs differ.
+    pub subtract: Carried,
+    /// Biased exponent of the sum's top bit, at least 1.
+    pub exponent: Carried,
+    /// The sum in the current segment, its lowest bit sticky.
+    pub sum: Expr,
+}
+
+/// Delays of [`normalize_sum`]'s segments; the first follows `preceding`.
+pub(super) fn normalize_sum_delays(format: Format, width: u32, preceding: u32) -> Vec<u32> {
+    let limit = match format.subnormals {
+        Subnormals::Keep => delay::adder(format.exponent) + delay::LEVEL,
+        Subnormals::Flush => 0,
+    };
+    let mut delays = vec![preceding, delay::leading_zeros(width) + limit, delay::shifter(width) + delay::LEVEL];
+    delays.extend(round_delays(format, Underflow::Impossible, 0));
+    delays
+}
+
+/// Takes the sum through a cut, counts leading zeros, cut, shifts them out, cut, and rounds.
+pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operator {
+    let Sum { mut sign, mut nan, mut infinite, mut subtract, mut exponent, sum } = raw;
+    let [sum] = pipe.cut([("sum", &sum)]);
+
+    let (zeros, current_exponent) = (leading_zeros(&sum), pipe.arrive(&mut exponent));
+    let shift = match format.subnormals {
+        // A shift that stops at exponent 1 leaves a subnormal result in place.
+        Subnormals::Keep => {
+            let (limit, wide) = (current_exponent.sub_lit(1), zeros.zext(exponent_width(format)));
+            wide.lt(&limit).mux(&wide, &limit).trunc(zeros.width())
+        }
+        Subnormals::Flush => zeros,
+    };
+    let cancelled = sum.is_zero();
+    let [sign, nan, infinite, subtract] =
+        [&mut sign, &mut nan, &mut infinite, &mut subtract].map(|flag| pipe.arrive(flag));
+    let special = Special { sign: sign & !(&cancelled & subtract), nan, zero: cancelled & !&infinite, infinite };
+    let special = special.carry(&pipe);
+    let [sum, shift] = pipe.cut([("sum", &sum), ("shift", &shift)]);
+
+    let significand = keep_sticky(&sum.shl_by(&shift), precision(format) + 2);
+    let exponent = pipe.arrive(&mut exponent) - shift.zext(exponent_width(format));
+    let [exponent, significand] = pipe.cut([("exponent", &exponent), ("significand", &significand)]);
+
+    round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn latency_is_what_was_asked_for() {
+        for stages in 1..=6 {
+            assert_eq!(module(Format::F32, stages).latency, stages);
+        }
+    }
+}

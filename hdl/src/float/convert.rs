@@ -1,0 +1,51 @@
+//! Conversion between formats.
+
+use super::delay;
+use super::operand::{Operand, normalize, normalize_delays, precision, signed, signed_width};
+use super::pipe::{self, Operator, Pipe};
+use super::round::{Raw, Special, Underflow, round, round_delays};
+use super::shift::keep_sticky;
+use pointcore_spec::{Format, Subnormals};
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(from: Format, to: Format) -> u32 {
+    pipe::stages_for(&delays(from, to))
+}
+
+fn delays(from: Format, to: Format) -> Vec<u32> {
+    let mut delays = normalize_delays(from, delay::adder(from.exponent) + delay::reduction(from.mantissa));
+    delays.extend(round_delays(to, underflow(from, to), 0));
+    delays
+}
+
+/// Whether the smallest operand lies below the result's normal numbers.
+fn underflow(from: Format, to: Format) -> Underflow {
+    let subnormal_bits = match from.subnormals {
+        Subnormals::Keep => from.mantissa as i32,
+        Subnormals::Flush => 0,
+    };
+    if 1 - from.bias() - subnormal_bits < 1 - to.bias() { Underflow::Possible } else { Underflow::Impossible }
+}
+
+/// Module `float_convert`.
+#[must_use]
+pub fn module(from: Format, to: Format, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_convert", "Floating-point format conversion.", &delays(from, to), stages);
+    pipe.module.parameter("from", from);
+    pipe.module.parameter("to", to);
+    let a = Operand::input(&mut pipe, from, "a");
+    let special =
+        Special { sign: a.sign.clone(), nan: a.nan.clone(), infinite: a.infinite.clone(), zero: a.zero.clone() };
+    let special = special.carry(&pipe);
+    let [a] = normalize(&mut pipe, from, [&a]);
+
+    let offset = to.bias() - from.bias();
+    let bits =
+        signed_width(from.exponent_max() as u32 + from.mantissa + offset.unsigned_abs()).max(to.exponent as usize + 1);
+    let [exponent, significand] = pipe.cut([
+        ("exponent", &(a.exponent.sext(bits) + signed(bits, offset))),
+        ("significand", &keep_sticky(&a.significand, precision(to) + 2)),
+    ]);
+    round(pipe, to, underflow(from, to), Raw { special, exponent, significand })
+}

@@ -1,0 +1,93 @@
+//! Division `a / b` and reciprocal `1 / a`, correctly rounded by digit recurrence.
+//!
+//! Restoring, radix 2: the remainder stays below the divisor and a digit is whether twice the remainder reaches it. The
+//! quotient of two significands lies in (1/2, 2): `p + 2` digits hold the result, the bit below it, and one more that
+//! the last remainder joins in the sticky bit.
+
+use super::delay;
+use super::operand::{Normalized, Operand, exponent_width, normalize, normalize_delays, precision};
+use super::pipe::{self, Operator, Pipe};
+use super::round::{CarriedSpecial, Raw, Special, Underflow, round, round_delays};
+use super::shift::keep_sticky;
+use crate::rtl::{bit, cat, lit};
+use pointcore_spec::Format;
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(format: Format) -> u32 {
+    pipe::stages_for(&delays(format))
+}
+
+fn delays(format: Format) -> Vec<u32> {
+    let p = format.mantissa + 1;
+    let mut delays = normalize_delays(format, 0);
+    delays.extend((0..p + 2).map(|_| delay::adder(p + 1) + delay::LEVEL));
+    delays.push(delay::reduction(p) + delay::LEVEL);
+    delays.extend(round_delays(format, Underflow::Possible, 0));
+    delays
+}
+
+/// Module `float_div`: `a / b`.
+#[must_use]
+pub fn module(format: Format, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_div", "Floating-point quotient, correctly rounded.", &delays(format), stages);
+    let [a, b] = ["a", "b"].map(|name| Operand::input(&mut pipe, format, name));
+    let special = Special {
+        sign: &a.sign ^ &b.sign,
+        nan: &a.nan | &b.nan | (&a.zero & &b.zero) | (&a.infinite & &b.infinite),
+        infinite: &a.infinite | &b.zero,
+        zero: &a.zero | &b.infinite,
+    };
+    let special = special.carry(&pipe);
+    let [a, b] = normalize(&mut pipe, format, [&a, &b]);
+    quotient(pipe, format, special, &a, &b)
+}
+
+/// Module `float_recip`: `1 / a`.
+#[must_use]
+pub fn recip(format: Format, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_recip", "Floating-point reciprocal, correctly rounded.", &delays(format), stages);
+    let a = Operand::input(&mut pipe, format, "a");
+    let special = recip_special(&a).carry(&pipe);
+    let [a] = normalize(&mut pipe, format, [&a]);
+    let one = Normalized {
+        exponent: lit(exponent_width(format), format.bias() as u128),
+        significand: lit(precision(format), 1 << format.mantissa),
+    };
+    quotient(pipe, format, special, &one, &a)
+}
+
+/// Special results of a reciprocal.
+pub(super) fn recip_special(a: &Operand) -> Special {
+    Special { sign: a.sign.clone(), nan: a.nan.clone(), infinite: a.zero.clone(), zero: a.infinite.clone() }
+}
+
+/// `a / b` of normalized operands.
+fn quotient(mut pipe: Pipe, format: Format, special: CarriedSpecial, a: &Normalized, b: &Normalized) -> Operator {
+    pipe.module.parameter("format", format);
+    let (p, exponent_bits) = (precision(format), exponent_width(format));
+    let bias = lit(exponent_bits, format.bias() as u128);
+    let mut exponent = pipe.carry("exponent", &(&a.exponent - &b.exponent + bias));
+    let mut divisor = pipe.carry("divisor", &b.significand);
+    let [mut remainder] = pipe.cut([("remainder", &a.significand.zext(p + 1))]);
+
+    let mut quotient = None;
+    for _ in 0..p + 2 {
+        let difference = remainder.zext(p + 2) - pipe.arrive(&mut divisor).zext(p + 2);
+        let digit = !difference.msb();
+        let kept = digit.mux(&difference.trunc(p), &remainder.trunc(p));
+        let digits = quotient.map_or(digit.clone(), |quotient| cat(&[&quotient, &digit]));
+        let [next_remainder, next_quotient] =
+            pipe.cut([("remainder", &cat(&[&kept, &bit(false)])), ("quotient", &digits)]);
+        remainder = next_remainder;
+        quotient = Some(next_quotient);
+    }
+    let quotient = quotient.expect("there are p + 2 digits");
+
+    let below_one = !quotient.msb();
+    let digits = cat(&[&quotient, &remainder.any()]);
+    let exponent = pipe.arrive(&mut exponent) - below_one.zext(exponent_bits);
+    let [exponent, significand] = pipe
+        .cut([("exponent", &exponent), ("significand", &keep_sticky(&below_one.mux(&digits.shl(1), &digits), p + 2))]);
+    round(pipe, format, Underflow::Possible, Raw { special, exponent, significand })
+}

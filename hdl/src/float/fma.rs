@@ -1,0 +1,90 @@
+//! Fused multiply-add `a · b + c`, rounded once.
+//!
+//! The addend is aligned to the product while it is formed, in a field of `3p + 5` bits: the addend leads by at most
+//! `p + 2` places (its `p` bits and two of room keep a lower product from the rounding position), then the product's `2p`
+//! bits, then guard, round and sticky bit. Subnormal factors need no normalizing: the sum's leading one is found anyway.
+
+use super::add::{Sum, normalize_sum, normalize_sum_delays};
+use super::delay;
+use super::operand::{Operand, exponent_width, precision, signed};
+use super::pipe::{self, Operator, Pipe};
+use super::shift::{add_or_subtract, shift_right_sticky};
+use crate::rtl::{cat, lit};
+use pointcore_spec::Format;
+
+/// Guard, round and sticky bit.
+const EXTRA: usize = 3;
+/// Places between addend and a product too small to reach it.
+const ROOM: usize = 2;
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(format: Format) -> u32 {
+    pipe::stages_for(&delays(format))
+}
+
+/// Width of the field in which the sum is formed.
+fn field_width(format: Format) -> usize {
+    3 * precision(format) + ROOM + EXTRA
+}
+
+fn delays(format: Format) -> Vec<u32> {
+    let (p, field) = (format.mantissa + 1, field_width(format) as u32);
+    let exponents = 3 * delay::adder(format.exponent) / 2 + 2 * delay::LEVEL;
+    let mut delays = vec![exponents, delay::multiplier(p, p).max(delay::shifter(field))];
+    delays.extend(normalize_sum_delays(format, field, delay::adder(field) + delay::LEVEL));
+    delays
+}
+
+/// Module `float_fma`.
+#[must_use]
+pub fn module(format: Format, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_fma", "Fused multiply-add, rounded once.", &delays(format), stages);
+    pipe.module.parameter("format", format);
+    let (p, field) = (precision(format), field_width(format));
+    let [a, b, c] = ["a", "b", "c"].map(|name| Operand::input(&mut pipe, format, name));
+
+    let product_sign = &a.sign ^ &b.sign;
+    let product_infinite = &a.infinite | &b.infinite;
+    let product_zero = &a.zero | &b.zero;
+    let opposed = &product_sign ^ &c.sign;
+    let nan = &a.nan
+        | &b.nan
+        | &c.nan
+        | (&a.infinite & &b.zero)
+        | (&a.zero & &b.infinite)
+        | (&product_infinite & &c.infinite & &opposed);
+    let infinite = product_infinite | &c.infinite;
+    // An infinite result takes its sign here: the sum does not know which operand is infinite.
+    let mut sign = pipe.carry("sign", &c.infinite.mux(&c.sign, &product_sign));
+    let mut subtract = pipe.carry("subtract", &(opposed & !&infinite));
+    let nan = pipe.carry("nan", &nan);
+    let infinite = pipe.carry("infinite", &infinite);
+
+    // Biased exponent of the field's top bit: where the addend would stand unshifted.
+    let bits = exponent_width(format) + 1;
+    let lead = signed(bits, (p + EXTRA) as i32 - format.bias());
+    let product_exponent = a.exponent.zext(bits) + b.exponent.zext(bits) + lead;
+    let addend_exponent = c.exponent.zext(bits);
+    let distance = &product_exponent - &addend_exponent;
+    let addend_leads = pipe.module.wire("addend_leads", &(product_zero | distance.msb()));
+    let exponent = addend_leads.mux(&addend_exponent, &product_exponent).trunc(bits - 1);
+    let exponent = pipe.carry("exponent", &exponent);
+    let [distance, left, right, addend] = pipe.cut([
+        ("distance", &(distance & !addend_leads.repeat(bits)).trunc(bits - 1)),
+        ("left", &a.significand),
+        ("right", &b.significand),
+        ("addend", &c.significand),
+    ]);
+
+    let aligned = shift_right_sticky(&cat(&[&addend, &lit(field - p, 0)]), &distance);
+    let [product, aligned] = pipe.cut([("product", &(&left * &right)), ("aligned", &aligned)]);
+
+    let product = cat(&[&product, &lit(EXTRA, 0)]).zext(field);
+    let forward = add_or_subtract(&product.zext(field + 1), &aligned.zext(field + 1), &pipe.arrive(&mut subtract));
+    let addend_larger = pipe.module.wire("addend_larger", &forward.msb());
+    let sum = addend_larger.mux(&(&aligned - &product), &forward.trunc(field));
+    let sign = pipe.arrive(&mut sign) ^ addend_larger;
+    let sign = pipe.carry("sign", &sign);
+    normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, exponent, sum })
+}

@@ -1,0 +1,67 @@
+//! Conversion from fixed point, correctly rounded.
+
+use super::delay;
+use super::operand::{precision, signed, signed_width};
+use super::pipe::{self, Operator, Pipe};
+use super::round::{Raw, Special, Underflow, round, round_delays};
+use super::shift::{keep_sticky, leading_zeros};
+use crate::rtl::bit;
+use pointcore_spec::{Fixed, Format, Signedness};
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(format: Format, fixed: Fixed) -> u32 {
+    pipe::stages_for(&delays(format, fixed))
+}
+
+fn delays(format: Format, fixed: Fixed) -> Vec<u32> {
+    let absolute = match fixed.signed {
+        Signedness::Signed => delay::adder(fixed.width) + delay::LEVEL,
+        Signedness::Unsigned => 0,
+    };
+    let mut delays =
+        vec![absolute, delay::leading_zeros(fixed.width), delay::shifter(fixed.width) + delay::reduction(fixed.width)];
+    delays.extend(round_delays(format, underflow(format, fixed), 0));
+    delays
+}
+
+/// Whether the last place lies below the normal numbers.
+fn underflow(format: Format, fixed: Fixed) -> Underflow {
+    if -(fixed.fraction as i32) < 1 - format.bias() { Underflow::Possible } else { Underflow::Impossible }
+}
+
+/// Module `float_from_fixed`.
+#[must_use]
+pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_from_fixed", "Fixed to floating point.", &delays(format, fixed), stages);
+    fixed_parameters(&mut pipe, format, fixed);
+    let width = fixed.width as usize;
+    let a = pipe.module.input("a", width);
+    let (sign, magnitude) = match fixed.signed {
+        Signedness::Signed => (a.msb(), a.msb().mux(&(!&a).add_lit(1), &a)),
+        Signedness::Unsigned => (bit(false), a),
+    };
+    let special = Special { sign, nan: bit(false), infinite: bit(false), zero: magnitude.is_zero() }.carry(&pipe);
+    let [magnitude] = pipe.cut([("magnitude", &magnitude)]);
+    let [magnitude, zeros] = pipe.cut([("magnitude", &magnitude), ("zeros", &leading_zeros(&magnitude))]);
+
+    let top = format.bias() + fixed.width as i32 - 1 - fixed.fraction as i32;
+    let bits = signed_width(top.unsigned_abs() + fixed.width).max(format.exponent as usize + 1);
+    let [exponent, significand] = pipe.cut([
+        ("exponent", &(signed(bits, top) - zeros.zext(bits))),
+        ("significand", &keep_sticky(&magnitude.shl_by(&zeros), precision(format) + 2)),
+    ]);
+    round(pipe, format, underflow(format, fixed), Raw { special, exponent, significand })
+}
+
+/// Records format and fixed-point format as parameters.
+pub(super) fn fixed_parameters(pipe: &mut Pipe, format: Format, fixed: Fixed) {
+    pipe.module.parameter("format", format);
+    pipe.module.parameter("width", fixed.width);
+    pipe.module.parameter("fraction", fixed.fraction);
+    let signed = match fixed.signed {
+        Signedness::Signed => "signed",
+        Signedness::Unsigned => "unsigned",
+    };
+    pipe.module.parameter("integer", signed);
+}

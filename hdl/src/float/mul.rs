@@ -1,0 +1,58 @@
+//! Multiplication `a · b`.
+//!
+//! Cuts lie on both sides of the raw product, so that it maps to hardware multipliers with registers around them.
+
+use super::delay;
+use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::pipe::{self, Operator, Pipe};
+use super::round::{Raw, Special, Underflow, round, round_delays};
+use super::shift::keep_sticky;
+use crate::rtl::lit;
+use pointcore_spec::Format;
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(format: Format) -> u32 {
+    pipe::stages_for(&delays(format))
+}
+
+fn delays(format: Format) -> Vec<u32> {
+    let p = format.mantissa + 1;
+    let mut delays = normalize_delays(format, 0);
+    delays.push(delay::multiplier(p, p));
+    delays.push(delay::LEVEL + delay::reduction(p));
+    delays.extend(round_delays(format, Underflow::Possible, 0));
+    delays
+}
+
+/// Module `float_mul`.
+#[must_use]
+pub fn module(format: Format, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_mul", "Floating-point product.", &delays(format), stages);
+    pipe.module.parameter("format", format);
+    let [a, b] = ["a", "b"].map(|name| Operand::input(&mut pipe, format, name));
+    let special = Special {
+        sign: &a.sign ^ &b.sign,
+        nan: &a.nan | &b.nan | (&a.infinite & &b.zero) | (&a.zero & &b.infinite),
+        infinite: &a.infinite | &b.infinite,
+        zero: &a.zero | &b.zero,
+    };
+    let special = special.carry(&pipe);
+
+    let [a, b] = normalize(&mut pipe, format, [&a, &b]);
+    let [left, right, exponent] =
+        pipe.cut([("left", &a.significand), ("right", &b.significand), ("exponent", &(&a.exponent + &b.exponent))]);
+
+    let bias = lit(exponent_width(format), format.bias() as u128);
+    let [product, exponent] = pipe.cut([("product", &(&left * &right)), ("exponent", &(&exponent - &bias))]);
+
+    // Both factors lie in [1, 2), the product in [1, 4).
+    let carry = product.msb();
+    let normalized = carry.mux(&product, &product.shl(1));
+    let [significand, exponent] = pipe.cut([
+        ("significand", &keep_sticky(&normalized, precision(format) + 2)),
+        ("exponent", &(&exponent + carry.zext(exponent_width(format)))),
+    ]);
+
+    round(pipe, format, Underflow::Possible, Raw { special, exponent, significand })
+}

@@ -1,0 +1,69 @@
+//! Reciprocal by table and Newton steps `y ← y · (2 − m·y)`: no divider, and not always correctly rounded.
+
+use super::delay;
+use super::div::recip_special;
+use super::newton::{INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction};
+use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::pipe::{self, Operator, Pipe};
+use super::round::{Underflow, round_delays};
+use crate::rtl::lit;
+use pointcore_spec::Format;
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(format: Format) -> u32 {
+    pipe::stages_for(&delays(format))
+}
+
+fn delays(format: Format) -> Vec<u32> {
+    let (p, fraction) = (format.mantissa + 1, fraction_bits(format) as u32);
+    let mut delays = normalize_delays(format, 0);
+    delays.push(3 * delay::LEVEL);
+    for step in 0..steps(format) {
+        let iterate = iterate_fraction(format, step) as u32 + 1;
+        delays.extend([
+            delay::multiplier(p, iterate),
+            delay::adder(fraction + 1),
+            delay::multiplier(iterate, fraction + 1),
+        ]);
+    }
+    delays.extend(round_delays(format, Underflow::Possible, delay::LEVEL));
+    delays
+}
+
+/// `1 / (1 + (2i + 1)/256)`, the middle of interval `i` of 128.
+fn seeds() -> Vec<u128> {
+    let one = f64::from(1 << SEED_FRACTION);
+    (0..1 << INDEX_BITS).map(|index: u32| (one / (1.0 + f64::from(2 * index + 1) / 256.0)).round() as u128).collect()
+}
+
+/// Module `float_recip_newton`.
+#[must_use]
+pub fn module(format: Format, stages: u32) -> Operator {
+    let summary = "Floating-point reciprocal by table and Newton steps.";
+    let mut pipe = Pipe::new("float_recip_newton", summary, &delays(format), stages);
+    pipe.module.parameter("format", format);
+    let (p, fraction) = (precision(format), fraction_bits(format));
+    let a = Operand::input(&mut pipe, format, "a");
+    let special = recip_special(&a).carry(&pipe);
+    let [a] = normalize(&mut pipe, format, [&a]);
+
+    let exponent = lit(exponent_width(format), 2 * format.bias() as u128) - &a.exponent;
+    let mut exponent = pipe.carry("exponent", &exponent);
+    let mut m = pipe.carry("m", &a.significand);
+    let [index] = pipe.cut([("index", &top_fraction(&a.significand, INDEX_BITS))]);
+    let seed = pipe.module.lookup("seed", &seeds(), SEED_FRACTION + 1, &index);
+    let [mut y] = pipe.cut([("y", &seed)]);
+    for step in 0..steps(format) {
+        let y_fraction = iterate_fraction(format, step);
+        let mut iterate = pipe.carry("iterate", &y);
+        let product = pipe.arrive(&mut m) * &y;
+        let [my] = pipe.cut([("my", &floor(&product, p - 1 + y_fraction, fraction, fraction + 1))]);
+        // Modulo 2^(F+1), where 2 is zero.
+        let [e] = pipe.cut([("e", &(lit(fraction + 1, 0) - my))]);
+        let product = pipe.arrive(&mut iterate) * e;
+        [y] = pipe.cut([("y", &floor(&product, y_fraction + fraction, fraction, fraction + 1))]);
+    }
+    let exponent = pipe.arrive(&mut exponent);
+    finish(pipe, format, Underflow::Possible, special, &exponent, &y)
+}

@@ -1,0 +1,122 @@
+//! The shared rounder: to nearest, ties to even, with the format's rule for small results.
+
+use super::delay;
+use super::operand::{precision, width};
+use super::pipe::{Carried, Operator, Pipe};
+use super::shift::shift_right_sticky;
+use crate::rtl::{Expr, cat, lit};
+use pointcore_spec::{Format, Subnormals};
+
+/// The result's sign and whether it is one that no rounding leads to.
+pub(super) struct Special {
+    /// Set if negative.
+    pub sign: Expr,
+    /// The result is NaN, whatever else is set.
+    pub nan: Expr,
+    /// The result is infinite.
+    pub infinite: Expr,
+    /// The result is zero.
+    pub zero: Expr,
+}
+
+/// [`Special`] on its way to the rounder.
+pub(super) struct CarriedSpecial {
+    sign: Carried,
+    nan: Carried,
+    infinite: Carried,
+    zero: Carried,
+}
+
+impl Special {
+    /// Sends it along to the rounder.
+    pub fn carry(&self, pipe: &Pipe) -> CarriedSpecial {
+        CarriedSpecial {
+            sign: pipe.carry("sign", &self.sign),
+            nan: pipe.carry("nan", &self.nan),
+            infinite: pipe.carry("infinite", &self.infinite),
+            zero: pipe.carry("zero", &self.zero),
+        }
+    }
+}
+
+/// Whether a raw result can lie below the normal numbers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Underflow {
+    /// It can.
+    Possible,
+    /// It cannot.
+    Impossible,
+}
+
+impl Underflow {
+    /// Whether results are to be shifted into subnormal position.
+    fn shifts(self, format: Format) -> bool {
+        self == Self::Possible && format.subnormals == Subnormals::Keep
+    }
+}
+
+/// A result before rounding.
+pub(super) struct Raw {
+    /// Sign and special cases.
+    pub special: CarriedSpecial,
+    /// Signed biased exponent of the significand's top bit, of any width.
+    pub exponent: Expr,
+    /// `p + 2` bits: the significand with its leading one on top, the bit below, and whether anything lies below that.
+    /// The leading one may be missing only at exponent 1.
+    pub significand: Expr,
+}
+
+/// Rounds and ends the description. Takes the output's cut and, to shift a result into subnormal position, one before.
+pub(super) fn round(mut pipe: Pipe, format: Format, underflow: Underflow, raw: Raw) -> Operator {
+    let Raw { special, mut exponent, mut significand } = raw;
+    if underflow.shifts(format) {
+        let small = exponent.msb() | exponent.is_zero();
+        let one = lit(exponent.width(), 1);
+        let distance = (&one - &exponent) & small.repeat(exponent.width());
+        let shifted = shift_right_sticky(&significand, &distance);
+        [exponent, significand] = pipe.cut([("exponent", &small.mux(&one, &exponent)), ("significand", &shifted)]);
+    }
+    let result = pack(&mut pipe, format, special, &exponent, &significand);
+    pipe.finish(&result)
+}
+
+/// Delays of [`round`]'s segments, the first following `preceding`.
+pub(super) fn round_delays(format: Format, underflow: Underflow, preceding: u32) -> Vec<u32> {
+    let pack = delay::adder(format.width()) + 2 * delay::LEVEL;
+    if underflow.shifts(format) {
+        vec![preceding + delay::adder(format.exponent) + delay::shifter(format.mantissa + 3), pack]
+    } else {
+        vec![preceding + pack]
+    }
+}
+
+/// Rounds the significand and encodes the number.
+fn pack(pipe: &mut Pipe, format: Format, special: CarriedSpecial, exponent: &Expr, significand: &Expr) -> Expr {
+    let CarriedSpecial { mut sign, mut nan, mut infinite, mut zero } = special;
+    let [sign, nan, infinite, zero] = [&mut sign, &mut nan, &mut infinite, &mut zero].map(|flag| pipe.arrive(flag));
+    let (p, mantissa, exponent_bits) = (precision(format), format.mantissa as usize, format.exponent as usize);
+    let (leading, fraction) = (significand.bit(p + 1), significand.bits(p, 2));
+    let (guard, sticky) = (significand.bit(1), significand.bit(0));
+    let round_up = pipe.module.wire("round_up", &(&guard & (sticky | fraction.bit(0))));
+    let low = exponent.trunc(exponent_bits);
+    let field = match format.subnormals {
+        Subnormals::Keep => &low & leading.repeat(exponent_bits),
+        Subnormals::Flush => low,
+    };
+    // A carry out of the fraction increments the exponent, up to infinity.
+    let rounded = pipe.module.wire("rounded", &(cat(&[&field, &fraction]) + round_up.zext(mantissa + exponent_bits)));
+    let negative = exponent.msb();
+    let overflow = !&negative & exponent.ge_lit(u128::from(format.exponent_max()));
+    let zero = match format.subnormals {
+        Subnormals::Keep => zero,
+        Subnormals::Flush => {
+            let carries = fraction.all() & &guard;
+            let underflow = negative | (exponent.is_zero() & !carries);
+            zero | (underflow & !&infinite)
+        }
+    };
+    let infinity = lit(width(format) - 1, u128::from(format.infinity()));
+    let magnitude = zero.mux(&lit(width(format) - 1, 0), &(infinite | overflow).mux(&infinity, &rounded));
+    let quiet_nan = lit(width(format), u128::from(format.quiet_nan()));
+    nan.mux(&quiet_nan, &cat(&[&sign, &magnitude]))
+}

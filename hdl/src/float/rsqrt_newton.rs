@@ -1,0 +1,80 @@
+//! Reciprocal square root by table and Newton steps `y ← y · (3 − m·y²)/2`: no digit recurrence, and not always correctly
+//! rounded.
+
+use super::delay;
+use super::newton::{INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction};
+use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::pipe::{self, Operator, Pipe};
+use super::round::{Underflow, round_delays};
+use super::rsqrt::rsqrt_special;
+use super::sqrt::even_exponent;
+use crate::rtl::{cat, lit};
+use pointcore_spec::Format;
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(format: Format) -> u32 {
+    pipe::stages_for(&delays(format))
+}
+
+fn delays(format: Format) -> Vec<u32> {
+    let (p, fraction) = (format.mantissa + 1, fraction_bits(format) as u32);
+    let mut delays = normalize_delays(format, delay::LEVEL);
+    delays.push(3 * delay::LEVEL);
+    for step in 0..steps(format) {
+        let iterate = iterate_fraction(format, step) as u32 + 1;
+        delays.extend([
+            delay::multiplier(iterate, iterate),
+            delay::multiplier(p + 1, fraction + 1),
+            delay::adder(fraction + 2),
+            delay::multiplier(iterate, fraction + 2),
+        ]);
+    }
+    delays.extend(round_delays(format, Underflow::Impossible, delay::LEVEL));
+    delays
+}
+
+/// `1/√c` for the middles `c` of 64 intervals of [1, 2), then of 64 of [2, 4).
+fn seeds() -> Vec<u128> {
+    let halves = 1 << (INDEX_BITS - 1);
+    let one = f64::from(1 << SEED_FRACTION);
+    let seed = |index: u32| {
+        let (parity, interval) = (index / halves, index % halves);
+        let middle = (1.0 + f64::from(2 * interval + 1) / f64::from(2 * halves)) * f64::from(1 + parity);
+        (one / middle.sqrt()).round() as u128
+    };
+    (0..2 * halves).map(seed).collect()
+}
+
+/// Module `float_rsqrt_newton`.
+#[must_use]
+pub fn module(format: Format, stages: u32) -> Operator {
+    let summary = "Floating-point reciprocal square root by table and Newton steps.";
+    let mut pipe = Pipe::new("float_rsqrt_newton", summary, &delays(format), stages);
+    pipe.module.parameter("format", format);
+    let (p, fraction) = (precision(format), fraction_bits(format));
+    let a = Operand::input(&mut pipe, format, "a");
+    let special = rsqrt_special(&a).carry(&pipe);
+    let [a] = normalize(&mut pipe, format, [&a]);
+
+    let (m, half) = even_exponent(format, &a);
+    let exponent = lit(exponent_width(format), 2 * format.bias() as u128) - half;
+    let mut exponent = pipe.carry("exponent", &exponent);
+    let mut m = pipe.carry("m", &m);
+    let odd = !a.exponent.bit(0);
+    let [index] = pipe.cut([("index", &cat(&[&odd, &top_fraction(&a.significand, INDEX_BITS - 1)]))]);
+    let seed = pipe.module.lookup("seed", &seeds(), SEED_FRACTION + 1, &index);
+    let [mut y] = pipe.cut([("y", &seed)]);
+    for step in 0..steps(format) {
+        let y_fraction = iterate_fraction(format, step);
+        let mut iterate = pipe.carry("iterate", &y);
+        let [square] = pipe.cut([("square", &floor(&(&y * &y), 2 * y_fraction, fraction, fraction + 1))]);
+        let product = pipe.arrive(&mut m) * square;
+        let [s] = pipe.cut([("s", &floor(&product, p - 1 + fraction, fraction, fraction + 1))]);
+        let [u] = pipe.cut([("u", &(lit(fraction + 2, 3 << fraction) - s.zext(fraction + 2)))]);
+        let product = pipe.arrive(&mut iterate) * u;
+        [y] = pipe.cut([("y", &floor(&product, y_fraction + fraction + 1, fraction, fraction + 1))]);
+    }
+    let exponent = pipe.arrive(&mut exponent);
+    finish(pipe, format, Underflow::Impossible, special, &exponent, &y)
+}

@@ -1,0 +1,60 @@
+//! Leading zeros and shifts that keep track of what they lose.
+
+use crate::rtl::{Expr, bit, cat, lit};
+
+/// Number of zeros above the highest one, `⌈log2(width)⌉` bits wide; of no meaning for the value zero.
+#[must_use]
+pub(super) fn leading_zeros(value: &Expr) -> Expr {
+    let padding = value.width().next_power_of_two() - value.width();
+    if padding == 0 { count(value).1 } else { count(&cat(&[value, &bit(true).repeat(padding)])).1 }
+}
+
+/// Whether a value of 2^k bits is zero, and the zeros above its highest one in k bits; one bit has an empty count,
+/// given as one bit of zero.
+fn count(value: &Expr) -> (Expr, Expr) {
+    if value.width() == 1 {
+        return (!value, bit(false));
+    }
+    let half = value.width() / 2;
+    let (high_zero, high) = count(&value.bits(2 * half - 1, half));
+    let (low_zero, low) = count(&value.bits(half - 1, 0));
+    let zero = &high_zero & &low_zero;
+    if half == 1 { (zero, high_zero) } else { (zero, cat(&[&high_zero, &high_zero.mux(&low, &high)])) }
+}
+
+/// `value` shifted right; the lowest bit of the result is set if any one was shifted out of it.
+#[must_use]
+pub(super) fn shift_right_sticky(value: &Expr, amount: &Expr) -> Expr {
+    let width = value.width();
+    let levels = amount.width().min(width.next_power_of_two().trailing_zeros() as usize);
+    let (mut shifted, mut sticky) = (value.clone(), bit(false));
+    for level in (0..levels).rev() {
+        let (distance, enabled) = (1 << level, amount.bit(level));
+        sticky = sticky | (&enabled & shifted.trunc(distance.min(width)).any());
+        shifted = enabled.mux(&shifted.shr(distance), &shifted);
+    }
+    let result = cat(&[&shifted.bits(width - 1, 1), &(shifted.bit(0) | sticky)]);
+    if amount.width() == levels {
+        return result;
+    }
+    let beyond = amount.bits(amount.width() - 1, levels).any();
+    beyond.mux(&value.any().zext(width), &result)
+}
+
+/// The top `width − 1` bits of `value` and whether any below is set; padded if `value` is narrower.
+#[must_use]
+pub(super) fn keep_sticky(value: &Expr, width: usize) -> Expr {
+    let lost = (value.width() + 1).saturating_sub(width);
+    match lost {
+        0 => cat(&[value, &lit(width - value.width(), 0)]),
+        _ => cat(&[&value.bits(value.width() - 1, lost), &value.trunc(lost).any()]),
+    }
+}
+
+/// `left − right` where `subtract` is set, else `left + right`, from one carry chain.
+#[must_use]
+pub(super) fn add_or_subtract(left: &Expr, right: &Expr, subtract: &Expr) -> Expr {
+    let width = left.width();
+    let addend = right ^ subtract.repeat(width);
+    (cat(&[left, &bit(true)]) + cat(&[&addend, subtract])).bits(width, 1)
+}

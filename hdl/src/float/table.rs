@@ -1,0 +1,54 @@
+//! A sampled function, interpolated linearly.
+//!
+//! For the argument `a = index · fraction`: `v[index] + ⌊(v[index+1] − v[index]) · fraction / 2^fraction_bits⌋`. The table
+//! holds samples and slopes, so that one read gives both.
+
+use super::delay;
+use super::pipe::{self, Operator, Pipe};
+use pointcore_spec::TableShape;
+
+/// Pipeline registers by default.
+#[must_use]
+pub fn stages(shape: TableShape) -> u32 {
+    pipe::stages_for(&delays(shape))
+}
+
+fn delays(shape: TableShape) -> Vec<u32> {
+    let read = shape.index_bits.div_ceil(2) * delay::LEVEL;
+    vec![read, delay::multiplier(shape.value_bits + 1, shape.fraction_bits + 1), delay::adder(shape.value_bits + 1)]
+}
+
+/// Module `float_table`: interpolates those `2^index_bits + 1` samples of `value_bits` bits.
+#[must_use]
+pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
+    let mut pipe = Pipe::new("float_table", "Sampled function, interpolated linearly.", &delays(shape), stages);
+    pipe.module.parameter("index_bits", shape.index_bits);
+    pipe.module.parameter("fraction_bits", shape.fraction_bits);
+    let (value_bits, fraction_bits) = (shape.value_bits as usize, shape.fraction_bits as usize);
+    let slope_mask = (1 << (value_bits + 1)) - 1;
+    let entries: Vec<u128> = samples
+        .windows(2)
+        .map(|ends| {
+            let (start, end) = (u128::from(ends[0]), u128::from(ends[1]));
+            start << (value_bits + 1) | (end.wrapping_sub(start) & slope_mask)
+        })
+        .collect();
+
+    let argument = pipe.module.input("a", fraction_bits + shape.index_bits as usize);
+    let index = argument.bits(argument.width() - 1, fraction_bits);
+    let entry = pipe.module.lookup("samples", &entries, 2 * value_bits + 1, &index);
+    let mut start = pipe.carry("start", &entry.bits(2 * value_bits, value_bits + 1));
+    let [slope, fraction] =
+        pipe.cut([("slope", &entry.trunc(value_bits + 1)), ("fraction", &argument.trunc(fraction_bits))]);
+    let product = slope.mul_signed(&fraction.zext(fraction_bits + 1));
+    let rise = product.bits(value_bits + fraction_bits - 1, fraction_bits);
+    let [rise] = pipe.cut([("rise", &rise)]);
+    let value = pipe.arrive(&mut start) + rise;
+    pipe.finish(&value)
+}
+
+/// Samples at equal distances of a function from [0, 1] to [0, 1].
+pub(super) fn sample(shape: TableShape, function: impl Fn(f64) -> f64) -> Vec<u64> {
+    let (intervals, one) = ((1_u64 << shape.index_bits) as f64, ((1_u64 << shape.value_bits) - 1) as f64);
+    (0..=1_u64 << shape.index_bits).map(|index| (function(index as f64 / intervals) * one).round() as u64).collect()
+}
