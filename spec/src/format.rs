@@ -2,8 +2,8 @@
 //! point (`Fixed`).
 //!
 //! A floating-point value is `sign · exponent · mantissa`, most significant bit first, as in IEEE 754: the exponent is
-//! biased by `2^(exponent−1) − 1`, an exponent of all ones holds infinity and NaN. Every operator rounds to nearest, ties to even,
-//! and returns the canonical quiet NaN ([`Format::quiet_nan`]) whenever its result is a NaN.
+//! biased by `2^(exponent−1) − 1`, an exponent of all ones holds infinity and NaN. Every operator rounds to nearest,
+//! ties to even, and returns the canonical quiet NaN ([`Format::quiet_nan`]) whenever its result is a NaN.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
@@ -73,48 +73,56 @@ impl Format {
     }
 
     /// The same field widths with subnormals flushed to zero.
+    #[inline]
     #[must_use]
     pub const fn flushed(self) -> Self {
         Self { subnormals: Subnormals::Flush, ..self }
     }
 
     /// Total width in bits.
+    #[inline]
     #[must_use]
     pub const fn width(self) -> u32 {
         1 + self.exponent + self.mantissa
     }
 
     /// Exponent bias.
+    #[inline]
     #[must_use]
     pub const fn bias(self) -> i32 {
         (1 << (self.exponent - 1)) - 1
     }
 
     /// The biased exponent of infinity and NaN.
+    #[inline]
     #[must_use]
     pub const fn exponent_max(self) -> u64 {
         (1 << self.exponent) - 1
     }
 
     /// Encoding of positive infinity.
+    #[inline]
     #[must_use]
     pub const fn infinity(self) -> u64 {
         self.exponent_max() << self.mantissa
     }
 
     /// Encoding of the one NaN operators return: positive, quiet, no payload.
+    #[inline]
     #[must_use]
     pub const fn quiet_nan(self) -> u64 {
         self.infinity() | 1 << (self.mantissa - 1)
     }
 
     /// Encoding of one.
+    #[inline]
     #[must_use]
     pub const fn one(self) -> u64 {
         (self.bias() as u64) << self.mantissa
     }
 
     /// Mask of the sign bit.
+    #[inline]
     #[must_use]
     pub const fn sign_mask(self) -> u64 {
         1 << (self.width() - 1)
