@@ -2,9 +2,8 @@
 //!
 //! An exact zero is +0 unless both operands are −0. Infinities of opposite sign sum to NaN.
 
-use super::encoding::{Finite, Value, decode};
+use super::encoding::{Finite, Value, decode, shift_right_sticky};
 use pointcore_spec::Format;
-use std::cmp::Ordering;
 
 /// `a + b`.
 #[must_use]
@@ -32,49 +31,29 @@ pub(super) fn sum(a: Value, b: Value) -> Value {
     }
 }
 
-/// Both significands move to the top of 126 bits, exactly; the smaller is then aligned, with what it loses in a sticky
-/// bit. A loss needs a distance of more than 60 places, where the difference cannot lose more than one leading bit.
+/// Both significands move to the top of 62 bits, exactly, and are then aligned to the larger exponent with what they
+/// lose in a sticky bit. The longest significand, a product's 58 bits, loses nothing to the first four places, and
+/// beyond one place a difference keeps at least 61 bits, of which the rounder needs p + 2.
 #[inline]
 fn sum_of_finite(a: Finite, b: Finite) -> Value {
-    let (exponent_a, wide_a) = widen(a);
-    let (exponent_b, wide_b) = widen(b);
-    let (large, small) = if exponent_a >= exponent_b { (wide_a, wide_b) } else { (wide_b, wide_a) };
-    let small = shift_right_sticky(small, exponent_a.abs_diff(exponent_b));
-    let large_is_negative = if exponent_a >= exponent_b { a.negative } else { b.negative };
+    let (exponent_a, magnitude_a) = normalize(a);
+    let (exponent_b, magnitude_b) = normalize(b);
     let exponent = exponent_a.max(exponent_b);
-    if a.negative == b.negative {
-        return narrow(a.negative, exponent, large + small);
+    let aligned = |magnitude, distance, negative| {
+        let magnitude = shift_right_sticky(magnitude, distance) as i64;
+        if negative { -magnitude } else { magnitude }
+    };
+    let sum = aligned(magnitude_a, exponent - exponent_a, a.negative)
+        + aligned(magnitude_b, exponent - exponent_b, b.negative);
+    if sum == 0 {
+        return Value::Zero { negative: false };
     }
-    match large.cmp(&small) {
-        Ordering::Equal => Value::Zero { negative: false },
-        Ordering::Greater => narrow(large_is_negative, exponent, large - small),
-        Ordering::Less => narrow(!large_is_negative, exponent, small - large),
-    }
+    Value::Finite(Finite { negative: sum < 0, exponent, significand: sum.unsigned_abs() })
 }
 
-/// Normalizes to a leading one at bit 125: two bits of headroom, 62 or more below any significand.
+/// Moves the leading one to bit 61, which leaves room for a carry and the sign.
 #[inline]
-fn widen(value: Finite) -> (i32, u128) {
-    let leading_zeros = value.significand.leading_zeros();
-    let normalized = u128::from(value.significand << leading_zeros) << 62;
-    (value.exponent - leading_zeros as i32 - 62, normalized)
-}
-
-/// Brings a sum back to 64 bits, the lowest one sticky.
-#[inline]
-fn narrow(negative: bool, exponent: i32, sum: u128) -> Value {
-    let leading_zeros = sum.leading_zeros();
-    let normalized = sum << leading_zeros;
-    let sticky = u64::from(normalized as u64 != 0);
-    let significand = (normalized >> 64) as u64 | sticky;
-    Value::Finite(Finite { negative, exponent: exponent - leading_zeros as i32 + 64, significand })
-}
-
-#[inline]
-fn shift_right_sticky(value: u128, distance: u32) -> u128 {
-    if distance > 127 {
-        return 1; // The value is not zero.
-    }
-    let lost = value & ((1 << distance) - 1) != 0;
-    (value >> distance) | u128::from(lost)
+fn normalize(value: Finite) -> (i32, u64) {
+    let shift = value.significand.leading_zeros() - 2;
+    (value.exponent - shift as i32, value.significand << shift)
 }

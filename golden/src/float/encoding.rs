@@ -100,12 +100,10 @@ impl Finite {
             Subnormals::Keep => (1 - biased).max(0),
             Subnormals::Flush => 0,
         };
-        // 65 places already leave less than half a unit, whatever the significand.
-        let dropped = ((63 - f.mantissa) as i32 + below_normal).min(65);
-        let shifted = (u128::from(normalized) << 64) >> dropped;
-        let (kept, rest) = ((shifted >> 64) as u64, shifted as u64);
+        let shifted = shift_right_sticky(normalized, below_normal);
+        let (kept, rest) = (shifted >> (63 - f.mantissa), shifted << (f.mantissa + 1));
         const HALF: u64 = 1 << 63;
-        let round_up = rest > HALF || (rest == HALF && kept & 1 == 1);
+        let round_up = rest > HALF - (kept & 1);
         // The leading one adds to the exponent field, and so does a carry out of the significand.
         let magnitude = (i64::from(biased + below_normal - 1) << f.mantissa) + kept as i64 + i64::from(round_up);
         let smallest_normal = 1 << f.mantissa;
@@ -114,6 +112,14 @@ impl Finite {
         }
         signed(f, self.negative, (magnitude as u64).min(f.infinity()))
     }
+}
+
+/// `value` without its last `distance` bits, its new last bit set if any of them was.
+#[inline]
+pub(super) fn shift_right_sticky(value: u64, distance: i32) -> u64 {
+    let distance = distance.min(63); // One is left of any value, as a sticky bit.
+    let shifted = value >> distance;
+    shifted | u64::from(shifted << distance != value)
 }
 
 /// `magnitude` with a sign bit.

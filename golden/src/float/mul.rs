@@ -9,7 +9,7 @@ pub fn mul(f: Format, a: u64, b: u64) -> u64 {
     product(decode(f, a), decode(f, b)).encode(f)
 }
 
-/// The exact product, up to 60 bits long.
+/// The exact product, up to 58 bits long.
 #[inline]
 pub(super) fn product(a: Value, b: Value) -> Value {
     use Value::{Infinity, Nan, Zero};
