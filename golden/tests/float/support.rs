@@ -1,7 +1,7 @@
 //! Operands, seeds and the comparer that all tests share.
 
 use fastrand::Rng;
-use pointcore_spec::Format;
+use pointcore_spec::{Format, Subnormals};
 
 /// Random cases per operator and format.
 pub const RANDOM_CASES: usize = 200_000;
@@ -19,6 +19,13 @@ pub fn seed() -> u64 {
 /// Every format of the project, flushing variants included.
 pub fn formats() -> impl Iterator<Item = Format> {
     Format::NAMED.into_iter().flat_map(|(_, format)| [format, format.flushed()])
+}
+
+/// [`formats`], and the smallest and the largest that the models take.
+pub fn formats_and_limits() -> impl Iterator<Item = Format> {
+    let limits = [(5, 2), (11, 28)];
+    let limits = limits.map(|(exponent, mantissa)| Format { exponent, mantissa, subnormals: Subnormals::Keep });
+    formats().chain(limits.into_iter().flat_map(|format| [format, format.flushed()]))
 }
 
 /// Whether `bits` encode a NaN.
@@ -74,8 +81,15 @@ pub fn random_operand(rng: &mut Rng, f: Format, anchor: u64) -> u64 {
     }
 }
 
-/// `N` operands a case: all tuples of special operands, then random ones.
-pub fn operand_tuples<const N: usize>(f: Format) -> impl Iterator<Item = [u64; N]> {
+/// `N` operands a case: every tuple where these are few, else all tuples of special operands and random ones.
+pub fn operand_tuples<const N: usize>(f: Format) -> Box<dyn Iterator<Item = [u64; N]>> {
+    const EXHAUSTIVE_BITS: u32 = 16;
+    let width = f.width();
+    if N as u32 * width <= EXHAUSTIVE_BITS {
+        let operand = move |tuple: u64, i: usize| (tuple >> (i as u32 * width)) & (2 * f.sign_mask() - 1);
+        let tuples = 0..1_u64 << (N as u32 * width);
+        return Box::new(tuples.map(move |tuple| std::array::from_fn(|i| operand(tuple, i))));
+    }
     let specials = special_operands(f);
     let mut rng = Rng::with_seed(seed());
     let tuples = specials.len().pow(N as u32);
@@ -88,7 +102,7 @@ pub fn operand_tuples<const N: usize>(f: Format) -> impl Iterator<Item = [u64; N
             anchor
         })
     });
-    directed.chain(random)
+    Box::new(directed.chain(random))
 }
 
 /// Counts cases and mismatches of one operator in one format.
