@@ -90,6 +90,15 @@ fn identity(expr: &Expr) -> Option<Expr> {
     let operands = &node.operands;
     let first = operands.first()?;
     let second = operands.get(1).unwrap_or(first);
+    if operands.len() == 2 && same(first, second) {
+        match &node.operation {
+            Operation::And | Operation::Or => return Some(first.clone()),
+            Operation::Xor | Operation::Subtract => return Some(lit(node.width, 0)),
+            Operation::Equal | Operation::LessOrEqual => return Some(bit(true)),
+            Operation::NotEqual | Operation::Less | Operation::LessSigned => return Some(bit(false)),
+            _ => {}
+        }
+    }
     match &node.operation {
         Operation::Not if first.node().operation == Operation::Not => Some(first.node().operands[0].clone()),
         Operation::And if is_zero(first) || is_ones(second) => Some(first.clone()),

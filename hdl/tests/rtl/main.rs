@@ -1,3 +1,6 @@
 //! The hardware front end: faults, text, and what the tools make of it.
 
+mod expressions;
+mod faults;
+mod text;
 mod tools;

@@ -20,11 +20,16 @@ fn accepts(program: &str, arguments: &[&str], folder: &Path, verilog: &str) {
 
 /// Every tool must take the design without a word.
 pub fn lint(design: &Design) {
+    lint_but(design, &[]);
+}
+
+/// As [`lint`], with flags that let Verilator overlook a rule.
+pub fn lint_but(design: &Design, overlooked: &[&str]) {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = format!("{}.v", design.top());
     std::fs::write(folder.path().join(&file), design.verilog()).expect("a temporary folder can be written");
     let top = design.top();
-    let verilator = ["--lint-only", "-Wall", "--top-module", top, &file];
+    let verilator = [&["--lint-only", "-Wall", "--top-module", top, &file], overlooked].concat();
     accepts("verilator", &verilator, folder.path(), design.verilog());
     let with_checks = [&verilator[..], &["-DPOINTCORE_ASSERT"]].concat();
     accepts("verilator", &with_checks, folder.path(), design.verilog());
@@ -133,4 +138,17 @@ fn tools_take_the_stream_units() {
     let design = elaborate(&pointcore_hdl::stream::skid(&layout)).expect("the unit has no fault");
     lint(&design);
     assert_eq!(design.combinational_paths(), []);
+}
+
+#[test]
+fn synthesis_finds_block_ram() {
+    let design = elaborate(&pointcore_hdl::stream::fifo(512, &[("item", 36)])).expect("the unit has no fault");
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    std::fs::write(folder.path().join("fifo.v"), design.verilog()).expect("a temporary folder can be written");
+    for (flow, block_ram) in [("synth_ecp5", "DP16KD"), ("synth_ice40", "SB_RAM40_4K"), ("synth_xilinx", "RAMB18E1")] {
+        let script = format!(
+            "read_verilog fifo.v; {flow} -top stream_fifo -run begin:map_ffram; select -assert-min 1 t:{block_ram}"
+        );
+        accepts("yosys", &["-q", "-p", &script], folder.path(), design.verilog());
+    }
 }
