@@ -1,0 +1,38 @@
+//! How much of a clock cycle an operation takes that has no registers inside.
+//!
+//! One level is half a 4-input look-up table with its wiring: a coarse measure, which only has to keep chains short.
+
+use super::ir::{Node, Operation};
+use super::types::Type;
+
+/// Levels that may follow each other between two registers: three gates, or an adder and a gate.
+pub(super) const CYCLE_LEVELS: u32 = 6;
+/// Levels allowed in front of an operator, whose first stage comes in the same cycle: one gate or a choice of two.
+pub(super) const OPERATOR_INPUT_LEVELS: u32 = 2;
+/// A gate or a choice of two.
+const GATE_LEVELS: u32 = 2;
+/// Entry into and exit from a carry chain.
+const CARRY_BASE_LEVELS: u32 = 3;
+/// Bits of a carry chain that take one level.
+const CARRY_BITS_PER_LEVEL: u32 = 16;
+/// Ratio of inputs in a tree of gates, as a power of two.
+const TREE_RADIX_LOG2: u32 = 2;
+
+/// Levels of a combinational operation, whose operands have type `operand`. Wiring and sign bits cost nothing.
+pub(super) fn levels(node: &Node, operand: Type) -> u32 {
+    let carry = CARRY_BASE_LEVELS + operand.width() / CARRY_BITS_PER_LEVEL;
+    let levels = match node.operation {
+        Operation::Add | Operation::Subtract | Operation::Less | Operation::LessEqual => carry,
+        Operation::Negate if !operand.is_float() => carry,
+        Operation::Minimum | Operation::Maximum => carry + GATE_LEVELS,
+        Operation::Equal => GATE_LEVELS * (1 + operand.width().ilog2() / TREE_RADIX_LOG2),
+        Operation::Not | Operation::And | Operation::Or | Operation::Xor | Operation::Select => GATE_LEVELS,
+        _ => 0,
+    };
+    levels.min(CYCLE_LEVELS)
+}
+
+/// Levels of a choice among so many.
+pub(super) const fn choice_levels(ways: u32) -> u32 {
+    GATE_LEVELS * ways.next_power_of_two().ilog2()
+}

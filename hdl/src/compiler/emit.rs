@@ -1,0 +1,223 @@
+//! The hardware of a scheduled program: operators, what chooses their operands, delays, and the streams at both ends.
+//!
+//! A token's validity runs beside its data, one register an initiation interval; what data registers hold besides valid
+//! tokens is never looked at.
+
+use super::bind::{Unit, bind};
+use super::delay::{Delays, stages};
+use super::emitter::Emitter;
+use super::ir::{Graph, Operation, ValueId};
+use super::lower::combinational;
+use super::manifest::{Manifest, OperatorUse};
+use super::plan::{Plan, Timing};
+use super::schedule::Schedule;
+use super::types::Type;
+use crate::rtl::{Expr, Instance, Module, Stream, lit, select};
+use crate::stream::skid;
+use std::collections::{BTreeMap, HashMap};
+
+/// Ports of an operator, in the order of an operation's operands.
+const OPERAND_PORTS: [&str; 3] = ["a", "b", "c"];
+
+/// Builds the module and its manifest.
+pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_interval: u32) -> (Module, Manifest) {
+    let mut module = Module::new(graph.unit(), graph.doc());
+    module.parameter("latency", schedule.latency);
+    module.parameter("initiation_interval", initiation_interval);
+    let inputs = ports(graph, &Operation::Input);
+    let input = module.stream_in("in", &layout(graph, &inputs));
+    let uniforms = ports(graph, &Operation::Uniform);
+    let results: Vec<(String, ValueId)> = graph.outputs().to_vec();
+    let queue = module.instance("queue", skid(&layout(graph, &results)));
+    let advance = module.out(&queue, "in_ready");
+
+    let mut names: Vec<String> =
+        ["in", "out"].iter().flat_map(|s| [format!("{s}_valid"), format!("{s}_ready")]).collect();
+    names.extend(inputs.iter().map(|(name, _)| format!("in_{name}")));
+    names.extend(results.iter().map(|(name, _)| format!("out_{name}")));
+    names.extend(uniforms.iter().map(|(name, _)| name.clone()));
+    names.extend(["clk", "rst", "queue"].map(str::to_owned));
+    let values: HashMap<ValueId, Expr> = inputs
+        .iter()
+        .map(|(name, id)| (*id, input.field(name)))
+        .chain(uniforms.iter().map(|(name, id)| (*id, module.input(name, width(graph, *id)))))
+        .collect();
+    let mut emitter = Emitter::new(module, initiation_interval, &advance, names.into_iter().collect());
+    emitter.module.ready(&input, &emitter.load(0).clone());
+
+    let delays = Delays::new(graph, plan, schedule, &mut emitter);
+    let mut body = Body { graph, plan, schedule, emitter, delays, values };
+    let units = bind(graph, plan, schedule, initiation_interval);
+    let instances: Vec<Instance> = units.iter().map(|unit| body.instance(unit)).collect();
+    for index in 0..graph.nodes().len() {
+        body.value(ValueId(index));
+    }
+    for (unit, instance) in units.iter().zip(&instances) {
+        body.operands(unit, instance);
+    }
+    body.results(&input, &queue, &results);
+    body.finish()
+}
+
+/// Ports of one kind with their names.
+fn ports(graph: &Graph, kind: &Operation) -> Vec<(String, ValueId)> {
+    let nodes = graph.nodes().iter().enumerate().filter(|(_, node)| node.operation == *kind);
+    nodes.map(|(index, _)| (graph.label(ValueId(index)), ValueId(index))).collect()
+}
+
+fn layout(graph: &Graph, fields: &[(String, ValueId)]) -> Vec<(String, usize)> {
+    fields.iter().map(|(name, id)| (name.clone(), width(graph, *id))).collect()
+}
+
+fn width(graph: &Graph, id: ValueId) -> usize {
+    graph.node(id).ty.width() as usize
+}
+
+/// The datapath between the streams.
+struct Body<'a> {
+    graph: &'a Graph,
+    plan: &'a Plan,
+    schedule: &'a Schedule,
+    emitter: Emitter,
+    delays: Delays,
+    /// Values in the cycle in which they are there.
+    values: HashMap<ValueId, Expr>,
+}
+
+impl Body<'_> {
+    /// An operator; its output is the value of every operation it carries out.
+    fn instance(&mut self, unit: &Unit) -> Instance {
+        let class = &self.plan.classes[unit.class];
+        let name = self.emitter.unique(&format!("{}_unit", class.name.replace(['.', '-'], "_")));
+        let advance = self.emitter.advance().clone();
+        let module = &mut self.emitter.module;
+        let instance = module.instance(&name, class.operator.module.clone());
+        module.connect(&instance, "enable", &advance);
+        let result = module.out(&instance, "y");
+        self.values.extend(unit.by_phase.iter().flatten().map(|&index| (ValueId(index), result.clone())));
+        instance
+    }
+
+    /// Makes a value and holds it as long as needed.
+    fn value(&mut self, id: ValueId) {
+        let node = self.graph.node(id);
+        let label = self.graph.label(id);
+        let live = match self.values.get(&id) {
+            Some(live) => live.clone(),
+            None => self.combinational(id, &label),
+        };
+        if !self.plan.is_static(id) {
+            self.delays.hold(&mut self.emitter, id, &label, &live, self.schedule.available[id.0]);
+        }
+        debug_assert_eq!(live.width(), node.ty.width() as usize, "{label}");
+        self.values.insert(id, live);
+    }
+
+    fn combinational(&mut self, id: ValueId, label: &str) -> Expr {
+        let node = self.graph.node(id);
+        if let Operation::Constant(value) = node.operation {
+            return lit(width(self.graph, id), value.into());
+        }
+        let operands: Vec<Expr> = node.operands.iter().map(|&operand| self.operand(operand, id.0)).collect();
+        let types: Vec<Type> = node.operands.iter().map(|&operand| self.graph.node(operand).ty).collect();
+        let value = combinational(&node.operation, &operands, &types, node.ty);
+        let is_wiring = matches!(self.plan.of(id), Timing::Static { levels: 0 } | Timing::Combinational { levels: 0 });
+        if is_wiring && node.name.is_none() {
+            return value;
+        }
+        let name = self.emitter.unique(label);
+        self.emitter.module.wire(&name, &value)
+    }
+
+    /// An operand when the node `user` takes it.
+    fn operand(&self, operand: ValueId, user: usize) -> Expr {
+        self.read(operand, self.schedule.start[user])
+    }
+
+    /// A value in some cycle of its token.
+    fn read(&self, id: ValueId, cycle: u32) -> Expr {
+        if self.plan.is_static(id) {
+            return self.values[&id].clone();
+        }
+        self.delays.tap(id, stages(cycle - self.schedule.available[id.0], self.emitter.initiation_interval()))
+    }
+
+    /// Leads the operands of all its operations to an operator.
+    fn operands(&mut self, unit: &Unit, instance: &Instance) {
+        let class = &self.plan.classes[unit.class];
+        let count = unit.by_phase.iter().flatten().map(|&index| self.graph.nodes()[index].operands.len()).max();
+        for (position, port) in OPERAND_PORTS.iter().enumerate().take(count.unwrap_or(0)) {
+            let by_phase = unit.by_phase.iter();
+            let sources: Vec<Option<Expr>> = by_phase
+                .map(|slot| slot.map(|index| self.operand(self.graph.nodes()[index].operands[position], index)))
+                .collect();
+            let mut chosen = self.choose(&sources);
+            if class.operand_registers {
+                let advance = self.emitter.advance().clone();
+                chosen = self.emitter.register_if(&format!("{}_{port}", instance.name()), &advance, &chosen);
+            }
+            self.emitter.module.connect(instance, port, &chosen);
+        }
+    }
+
+    /// The source of the current phase; in phases without one, that of an earlier phase.
+    fn choose(&self, sources: &[Option<Expr>]) -> Expr {
+        let mut filler = sources.iter().flatten().next().expect("an instance carries out an operation").clone();
+        let every_phase: Vec<Expr> = sources
+            .iter()
+            .map(|source| {
+                filler = source.clone().unwrap_or_else(|| filler.clone());
+                filler.clone()
+            })
+            .collect();
+        match self.emitter.phase() {
+            Some(phase) if sources.iter().flatten().count() > 1 => {
+                select(phase, &every_phase.iter().collect::<Vec<_>>())
+            }
+            _ => filler,
+        }
+    }
+
+    /// Sends finished tokens to the output queue.
+    fn results(&mut self, input: &Stream, queue: &Instance, results: &[(String, ValueId)]) {
+        let latency = self.schedule.latency;
+        let mut valid = input.valid.clone();
+        for stage in 1..=stages(latency, self.emitter.initiation_interval()) {
+            valid = self.emitter.register_reset(&format!("valid_d{stage}"), 0, &valid);
+        }
+        if let Some(condition) = self.graph.keep() {
+            valid = &valid & self.read(condition, latency);
+        }
+        if let Some(in_phase) = self.emitter.in_phase(self.emitter.phase_of(latency)) {
+            valid = &valid & in_phase;
+        }
+        let fields: Vec<(String, Expr)> =
+            results.iter().map(|(name, id)| (name.clone(), self.read(*id, latency))).collect();
+        let module = &mut self.emitter.module;
+        module.connect(queue, "in_valid", &valid);
+        for (name, value) in &fields {
+            module.connect(queue, &format!("in_{name}"), value);
+        }
+        let out = module.stream_from(queue, "out");
+        module.stream_export("out", &out);
+    }
+
+    fn finish(mut self) -> (Module, Manifest) {
+        let delay_memory_bits = self.delays.finish(&mut self.emitter);
+        let mut operators: BTreeMap<String, OperatorUse> = BTreeMap::new();
+        for class in &self.plan.classes {
+            let total = operators.entry(class.name.clone()).or_default();
+            total.instances += class.instances;
+            total.operations += class.operations;
+        }
+        let manifest = Manifest {
+            unit: self.graph.unit().to_owned(),
+            latency: self.schedule.latency,
+            initiation_interval: self.emitter.initiation_interval(),
+            operators,
+            register_bits: self.emitter.register_bits(),
+            delay_memory_bits,
+        };
+        (self.emitter.module, manifest)
+    }
+}

@@ -1,0 +1,125 @@
+//! The module under construction and what all its parts share.
+//!
+//! Everything steps with `advance`, which is high while the output queue has room; `phase` counts the steps modulo the
+//! initiation interval.
+
+use crate::rtl::{Expr, Module, address_width};
+use std::collections::HashSet;
+
+/// A module with its pipeline control.
+pub(super) struct Emitter {
+    pub module: Module,
+    initiation_interval: u32,
+    advance: Expr,
+    phase: Option<Expr>,
+    loads: Vec<Expr>,
+    names: HashSet<String>,
+    register_bits: u64,
+}
+
+impl Emitter {
+    /// Adds phase counter and enables to a module that has the signals `names` already.
+    pub fn new(mut module: Module, initiation_interval: u32, advance: &Expr, names: HashSet<String>) -> Self {
+        let mut emitter_bits = 0;
+        let phase = (initiation_interval > 1).then(|| {
+            let phase = module.reg_reset("phase", address_width(initiation_interval as usize), 0);
+            let last = u128::from(initiation_interval - 1);
+            let next = phase.eq_lit(last).mux(&phase.sub_lit(last), &phase.add_lit(1));
+            module.next_if(&phase, advance, &next);
+            emitter_bits = phase.width() as u64;
+            phase.expr()
+        });
+        let loads = match &phase {
+            None => vec![advance.clone()],
+            Some(phase) => (0..initiation_interval)
+                .map(|index| module.wire(&format!("load_{index}"), &(advance & phase.eq_lit(index.into()))))
+                .collect(),
+        };
+        let mut emitter = Self {
+            module,
+            initiation_interval,
+            advance: advance.clone(),
+            phase,
+            loads,
+            names,
+            register_bits: emitter_bits,
+        };
+        emitter.names.insert("phase".to_owned());
+        emitter.names.extend((0..initiation_interval).map(|index| format!("load_{index}")));
+        emitter
+    }
+
+    pub const fn initiation_interval(&self) -> u32 {
+        self.initiation_interval
+    }
+
+    /// The phase in which something happens in that cycle of a token.
+    pub const fn phase_of(&self, cycle: u32) -> u32 {
+        cycle % self.initiation_interval
+    }
+
+    /// The pipeline steps.
+    pub const fn advance(&self) -> &Expr {
+        &self.advance
+    }
+
+    /// The phase counter; there is none when there is only one phase.
+    pub const fn phase(&self) -> Option<&Expr> {
+        self.phase.as_ref()
+    }
+
+    /// The pipeline steps, in that phase.
+    pub fn load(&self, phase: u32) -> &Expr {
+        &self.loads[phase as usize]
+    }
+
+    /// The pipeline is in that phase.
+    pub fn in_phase(&self, phase: u32) -> Option<Expr> {
+        self.phase.as_ref().map(|counter| counter.eq_lit(phase.into()))
+    }
+
+    /// A register that loads in one phase.
+    pub fn register(&mut self, name: &str, phase: u32, data: &Expr) -> Expr {
+        let enable = self.load(phase).clone();
+        self.register_if(name, &enable, data)
+    }
+
+    /// A register with an enable of its own.
+    pub fn register_if(&mut self, name: &str, enable: &Expr, data: &Expr) -> Expr {
+        let name = self.unique(name);
+        let register = self.module.reg(&name, data.width());
+        self.module.next_if(&register, enable, data);
+        self.count_registers(data.width());
+        register.expr()
+    }
+
+    /// A register that loads in one phase and is cleared by reset.
+    pub fn register_reset(&mut self, name: &str, phase: u32, data: &Expr) -> Expr {
+        let name = self.unique(name);
+        let register = self.module.reg_reset(&name, data.width(), 0);
+        self.module.next_if(&register, &self.loads[phase as usize], data);
+        self.count_registers(data.width());
+        register.expr()
+    }
+
+    /// Adds to the manifest's count.
+    pub fn count_registers(&mut self, bits: usize) {
+        self.register_bits += bits as u64;
+    }
+
+    /// Flip-flops so far.
+    pub const fn register_bits(&self) -> u64 {
+        self.register_bits
+    }
+
+    /// A name that nothing else in the module has, close to the one wanted.
+    pub fn unique(&mut self, wanted: &str) -> String {
+        let mut name = wanted.to_owned();
+        let mut copy = 1;
+        while !self.names.insert(name.clone()) {
+            copy += 1;
+            name = format!("{wanted}_copy{copy}");
+        }
+        name
+    }
+}

@@ -1,0 +1,110 @@
+//! The arithmetic compiler (thesis 6.6): from a straight-line program over typed values to a pipelined, stallable module.
+//!
+//! A program is written with [`Program`] and the operators of [`Value`], or built node by node as a [`Graph`].
+//! [`compile`] folds constants and common subexpressions, schedules every operation for the latency of its operator and
+//! the wanted initiation interval, lets operations of one kind share operators, holds values until they are needed, and
+//! wraps the result in `valid`/`ready` streams:
+//!
+//! * `in`: ports `in_valid`, `in_ready`, `in_<input>`; one port `<uniform>` each; `out`: `out_valid`, `out_ready`,
+//!   `out_<output>`.
+//! * The pipeline steps in cycles in which the output queue of two entries, as it was at the start of the cycle, has
+//!   room. A phase counter starts at 0 after reset and steps with it, modulo the initiation interval. `in_ready` is
+//!   high when the pipeline steps in phase 0.
+//! * A token's results enter the queue exactly [`Manifest::latency`] steps after the step that accepted it, if its keep
+//!   condition holds. Nothing at `out` depends on `in`, or the reverse, within a cycle.
+//!
+//! The golden twin of this timing is `pointcore_golden::datapath`.
+
+mod bind;
+mod cost;
+mod delay;
+mod emit;
+mod emitter;
+mod encode;
+mod error;
+mod fold;
+mod ir;
+mod lower;
+mod manifest;
+mod multiply;
+mod operators;
+mod optimize;
+mod plan;
+mod program;
+mod schedule;
+mod table;
+mod types;
+mod typing;
+
+pub use error::CompileError;
+pub use ir::{Graph, Node, Operation, ValueId};
+pub use manifest::{Manifest, OperatorUse};
+pub use operators::OperatorStages;
+pub use program::{Program, Value};
+pub use table::Table;
+pub use types::{Type, WIDTH_MAX};
+
+use crate::rtl::Module;
+
+/// Above it, choosing among operands costs more than the operators that sharing saves.
+pub const INITIATION_INTERVAL_MAX: u32 = 64;
+
+/// What to make of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Pipeline steps from one token to the next; operators are shared among as many operations.
+    pub initiation_interval: u32,
+    /// Pipeline stages of operators.
+    pub stages: OperatorStages,
+}
+
+impl Default for Options {
+    /// A token a cycle, operators with as many stages as they like.
+    fn default() -> Self {
+        Self { initiation_interval: 1, stages: OperatorStages::default() }
+    }
+}
+
+impl Options {
+    /// The same at another initiation interval.
+    #[must_use]
+    pub fn with_interval(&self, initiation_interval: u32) -> Self {
+        Self { initiation_interval, ..self.clone() }
+    }
+}
+
+/// A compiled program.
+pub struct Datapath {
+    /// The hardware.
+    pub module: Module,
+    /// Its timing and cost.
+    pub manifest: Manifest,
+}
+
+/// Compiles a program written in Rust.
+///
+/// # Errors
+/// The first mistake made while building the program; no output; an initiation interval out of range.
+pub fn compile(program: &Program, options: &Options) -> Result<Datapath, CompileError> {
+    compile_graph(&program.graph()?, options)
+}
+
+/// Compiles a program from any front end.
+///
+/// # Errors
+/// No output; an initiation interval out of range.
+pub fn compile_graph(graph: &Graph, options: &Options) -> Result<Datapath, CompileError> {
+    let initiation_interval = options.initiation_interval;
+    if graph.outputs().is_empty() {
+        return Err(CompileError::NoOutput { unit: graph.unit().to_owned() });
+    }
+    if !(1..=INITIATION_INTERVAL_MAX).contains(&initiation_interval) {
+        let (unit, maximum) = (graph.unit().to_owned(), INITIATION_INTERVAL_MAX);
+        return Err(CompileError::InitiationInterval { unit, initiation_interval, maximum });
+    }
+    let graph = optimize::optimize(graph);
+    let plan = plan::Plan::new(&graph, initiation_interval, &options.stages);
+    let schedule = schedule::schedule(&graph, &plan, initiation_interval);
+    let (module, manifest) = emit::emit(&graph, &plan, &schedule, initiation_interval);
+    Ok(Datapath { module, manifest })
+}
