@@ -7,7 +7,8 @@ use super::canonical::{Graph, Need};
 use super::expression::{Expr, Operation};
 use super::memory::{Content, Store, Style};
 use super::module::{Module, PortDeclaration, Source};
-use super::text::{Writer, braced, literal, range};
+use super::text::{braced, literal, range};
+use super::writer::Writer;
 
 /// A module as text, but for its name and those of its children.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -30,37 +31,6 @@ pub(super) enum PortKind {
     OutputWire,
     /// Assigned in a clocked or combinational block.
     OutputReg,
-}
-
-/// Assignments that happen under one condition, or always.
-struct Guarded {
-    enable: Option<String>,
-    lines: Vec<String>,
-}
-
-/// Appends to the group of that condition, in order of first appearance.
-fn add_guarded(groups: &mut Vec<Guarded>, enable: Option<String>, line: String) {
-    match groups.iter_mut().find(|group| group.enable == enable) {
-        Some(group) => group.lines.push(line),
-        None => groups.push(Guarded { enable, lines: vec![line] }),
-    }
-}
-
-fn write_guarded(groups: &[Guarded], indent: &str, out: &mut String) {
-    for group in groups {
-        match &group.enable {
-            None => group.lines.iter().for_each(|line| {
-                let _ = writeln!(out, "{indent}{line}");
-            }),
-            Some(enable) => {
-                let _ = writeln!(out, "{indent}if ({enable}) begin");
-                for line in &group.lines {
-                    let _ = writeln!(out, "{indent}    {line}");
-                }
-                let _ = writeln!(out, "{indent}end");
-            }
-        }
-    }
 }
 
 /// Something below needs `clk` and `rst`.
@@ -111,7 +81,7 @@ impl Emitter<'_> {
         let outputs = self.child_outputs();
         let assigns = self.output_assignments();
         let instances = self.instances(children_have_state);
-        let clocked = self.clocked(Need::Hardware);
+        let clocked = self.writer.clocked(Need::Hardware);
         if children_have_state.contains(&true) {
             self.writer.read_all("rst");
         }
@@ -220,72 +190,6 @@ impl Emitter<'_> {
         instances
     }
 
-    /// The clocked blocks of the registers and memories that are there for `need`.
-    fn clocked(&mut self, need: Need) -> String {
-        let module = self.module;
-        let (mut free, mut resets, mut running) = (vec![], vec![], vec![]);
-        for (index, signal) in module.signals.iter().enumerate() {
-            let Source::Register { reset, next: Some(next) } = &signal.source else { continue };
-            if self.writer.graph.signals[index] != need {
-                continue;
-            }
-            let enable = next.enable.as_ref().and_then(|enable| self.condition(enable));
-            let line = format!("{} <= {};", signal.name, self.writer.expression(&next.data));
-            match reset {
-                None => add_guarded(&mut free, enable, line),
-                Some(value) => {
-                    resets.push(format!("{} <= {};", signal.name, literal(signal.reference.width(), *value)));
-                    add_guarded(&mut running, enable, line);
-                }
-            }
-        }
-        let mut out = String::new();
-        if !resets.is_empty() {
-            self.writer.read_all("rst");
-            write_reset_block(resets, &running, &mut out);
-        }
-        write_block(&free, &mut out);
-        for index in 0..module.stores.len() {
-            if self.writer.graph.stores[index] == need {
-                let groups = self.store_ports(index);
-                write_block(&groups, &mut out);
-            }
-        }
-        out
-    }
-
-    /// The text of an enable; none where it is always set.
-    fn condition(&mut self, enable: &Expr) -> Option<String> {
-        (enable.literal_value() != Some(1)).then(|| self.writer.expression(enable))
-    }
-
-    /// Write and registered reads of a memory, in the shape that synthesis recognizes.
-    fn store_ports(&mut self, index: usize) -> Vec<Guarded> {
-        let module = self.module;
-        let store = &module.stores[index];
-        let mut groups = vec![];
-        if let Content::Written(Some(port)) = &store.content {
-            let enable = self.condition(&port.enable);
-            let (address, data) = (self.writer.expression(&port.address), self.writer.expression(&port.data));
-            groups.push(Guarded { enable, lines: vec![format!("{}[{address}] <= {data};", store.name)] });
-        }
-        let mut reads = vec![];
-        for (signal, record) in module.signals.iter().enumerate() {
-            match &record.source {
-                Source::Read { store: read, enable, address }
-                    if *read == index && self.writer.graph.signals[signal] != Need::Nobody =>
-                {
-                    let enable = enable.as_ref().and_then(|enable| self.condition(enable));
-                    let address = self.writer.expression(address);
-                    add_guarded(&mut reads, enable, format!("{} <= {}[{address}];", record.name, store.name));
-                }
-                _ => {}
-            }
-        }
-        groups.extend(reads);
-        groups
-    }
-
     /// The assertions and all that only they need.
     fn checks(&mut self) -> String {
         if self.module.assertions.is_empty() {
@@ -294,7 +198,7 @@ impl Emitter<'_> {
         // Only names that are new from here on are of interest to the sink inside the directive.
         self.writer.bits_read.clear();
         let state = self.state_declarations(Need::Assertions);
-        let clocked = self.clocked(Need::Assertions);
+        let clocked = self.writer.clocked(Need::Assertions);
         let mut checks = String::from("always @(posedge clk) begin\n    if (!rst) begin\n");
         for (name, condition) in &self.module.assertions {
             let condition = self.writer.expression(condition);
@@ -322,32 +226,6 @@ fn declare_store(store: &Store, out: &mut String) {
         }
         out.push_str("end\n");
     }
-}
-
-fn write_block(groups: &[Guarded], out: &mut String) {
-    if !groups.is_empty() {
-        out.push_str("always @(posedge clk) begin\n");
-        write_guarded(groups, "    ", out);
-        out.push_str("end\n");
-    }
-}
-
-fn write_reset_block(resets: Vec<String>, running: &[Guarded], out: &mut String) {
-    out.push_str("always @(posedge clk) begin\n");
-    write_guarded(&[Guarded { enable: Some("rst".into()), lines: resets }], "    ", out);
-    // The closing `end` of the reset branch continues as its `else`.
-    out.truncate(out.len() - "    end\n".len());
-    match running {
-        [Guarded { enable: Some(enable), lines }] => {
-            let _ = writeln!(out, "    end else if ({enable}) begin");
-            write_guarded(&[Guarded { enable: None, lines: lines.clone() }], "        ", out);
-        }
-        _ => {
-            out.push_str("    end else begin\n");
-            write_guarded(running, "        ", out);
-        }
-    }
-    out.push_str("    end\nend\n");
 }
 
 /// A wire that reads what nothing else does, so that lint knows it is meant.

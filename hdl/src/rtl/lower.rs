@@ -142,7 +142,7 @@ fn frame(module: &Lowered, name: &str, names: &[String]) -> Frame {
             body.push('\n');
         }
         let connections: Vec<String> =
-            connections.iter().map(|(port, value)| format!("    .{port}({value})")).collect();
+            connections.iter().map(|(port, value)| format!("    .{port}({})", value.replace('\n', "\n    "))).collect();
         let _ = writeln!(body, "{} {instance} (\n{}\n);", names[child], connections.join(",\n"));
     }
     if !body.is_empty() && !module.body.after.is_empty() {

@@ -11,6 +11,8 @@
 mod area;
 mod canonical;
 mod check;
+mod clocked;
+mod compose;
 mod dependencies;
 mod elaborate;
 mod emit;
@@ -26,6 +28,7 @@ mod names;
 mod operators;
 mod stream;
 mod text;
+mod writer;
 
 pub use area::Area;
 pub use elaborate::{Design, Direction, ModuleSummary, Port, elaborate};

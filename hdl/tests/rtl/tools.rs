@@ -152,3 +152,24 @@ fn synthesis_finds_block_ram() {
         accepts("yosys", &["-q", "-p", &script], folder.path(), design.verilog());
     }
 }
+
+#[test]
+fn assertions_fire_where_they_are_switched_on() {
+    let mut m = Module::new("counter", "Counts, and must not reach 3.");
+    let count = m.reg_reset("count", 4, 0);
+    m.next(&count, &count.add_lit(1));
+    m.assert("below_three", &count.lt_lit(3));
+    m.output("count", &count);
+    let design = elaborate(&m).expect("the module has no fault");
+    let bench = "module testbench;\nreg clk = 0, rst = 1;\ncounter uut (.clk(clk), .rst(rst), .count());\n\
+        always #1 clk = ~clk;\ninitial begin #4 rst = 0; #20 $finish; end\nendmodule\n";
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    std::fs::write(folder.path().join("bench.v"), format!("{}{bench}", design.verilog())).expect("it can be written");
+    for (define, fires) in [("-DPOINTCORE_ASSERT", true), ("-DNOTHING", false)] {
+        let compiled = run("iverilog", &[define, "-s", "testbench", "-o", "bench", "bench.v"], folder.path());
+        assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+        let output = run("vvp", &["-n", "bench"], folder.path());
+        let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!(printed.contains("assertion failed: below_three in testbench.uut"), fires, "{printed}");
+    }
+}
