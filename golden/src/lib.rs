@@ -1,6 +1,9 @@
 //! Bit-exact, cycle-accurate models of the hardware, and the f64 reference they are judged by.
 
+pub mod core_a;
 pub mod datapath;
 pub mod float;
+pub mod number;
 pub mod reference;
 pub mod stream;
+pub mod unit;

@@ -1,0 +1,228 @@
+//! Accumulator: depth test and sums of every sample on its pixel, in the slots of the tile cache (eqs. 5.8, 5.11, 5.12).
+//!
+//! Weights and depths are summed as exact integers, attributes in the attribute format, stored operand first. A blend whose weight
+//! sum would overflow changes nothing. A sample waits while an earlier one of the same pixel is under way, so that the sums
+//! depend on the order of samples alone.
+
+use super::depth_test;
+use super::records::{Pixel, Shape, WeightedSample};
+use super::tile_cache::{Fill, Slot, SlotPixel};
+use crate::number::Number;
+use crate::stream::Fifo;
+use crate::unit::{Model, Record, Visitor, optional, stream};
+use pointcore_spec::Format;
+use pointcore_spec::core_a::Config;
+use pointcore_spec::core_a::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, WEIGHT_SUM_BITS};
+use std::collections::VecDeque;
+
+const WEIGHT_SUM_MAX: u32 = (1 << WEIGHT_SUM_BITS) - 1;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Samples.
+    pub input: Option<WeightedSample>,
+    /// A bit for each slot that may be accumulated into.
+    pub slot_ready: u64,
+    /// Write to a slot.
+    pub fill: Option<Fill>,
+    /// Read of a slot.
+    pub drain: Option<SlotPixel>,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a sample is accepted.
+    pub in_ready: bool,
+    /// The last sample of a copy is accumulated.
+    pub retire: Option<Slot>,
+    /// Every sample of the frame is accumulated.
+    pub frame_end: bool,
+    /// The pixel of the last [`In::drain`].
+    pub drained: Pixel,
+    /// What happened in the cycle before.
+    pub events: Events,
+}
+
+/// Why the accumulator worked or waited.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Events {
+    /// It took a sample inside a splat.
+    pub accumulate: bool,
+    /// An earlier sample of the pixel was under way.
+    pub hazard: bool,
+    /// The slot was not ready.
+    pub slot_wait: bool,
+}
+
+/// A sample under way.
+#[derive(Clone, Copy, Debug)]
+struct Stage {
+    /// The pixel's index in the slots, if the sample lies inside its splat.
+    index: Option<usize>,
+    retire: Option<Slot>,
+    /// The pixel's new value, if it changes.
+    result: Option<Pixel>,
+}
+
+/// The accumulator.
+#[derive(Clone, Debug)]
+pub struct Accumulator {
+    shape: Shape,
+    attribute: Format,
+    input: Fifo<WeightedSample>,
+    /// The pixels of all slots.
+    pixels: Vec<Pixel>,
+    /// Front: the sample issued last. As many as the adders have stages, and one that writes.
+    stages: VecDeque<Option<Stage>>,
+    retire: Option<Slot>,
+    frame_end: bool,
+    drained: Pixel,
+    events: Events,
+}
+
+impl Accumulator {
+    /// The unit after reset.
+    #[must_use]
+    pub fn new(config: &Config) -> Self {
+        Self {
+            shape: Shape::new(config),
+            attribute: config.attribute,
+            input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
+            pixels: vec![Pixel::default(); (config.tile_slots * TILE_PIXELS) as usize],
+            stages: vec![None; config.accumulate_stages as usize + 1].into(),
+            retire: None,
+            frame_end: false,
+            drained: Pixel::default(),
+            events: Events::default(),
+        }
+    }
+
+    /// Whether the sample at the head of the queue waits, and for what.
+    fn stall(&self, sample: &WeightedSample, slot_ready: u64) -> Events {
+        let place = &sample.place;
+        let index = index(place.slot, place.pixel);
+        let slot_wait = place.inside && slot_ready >> place.slot & 1 == 0;
+        let hazard = place.inside && !slot_wait && self.stages.iter().flatten().any(|stage| stage.index == Some(index));
+        Events { accumulate: place.inside && !slot_wait && !hazard, hazard, slot_wait }
+    }
+
+    fn start(&self, sample: &WeightedSample) -> Stage {
+        let place = &sample.place;
+        let index = place.inside.then(|| index(place.slot, place.pixel));
+        let result = index.and_then(|index| self.accumulate(&self.pixels[index], sample));
+        Stage { index, retire: place.last.then_some(Slot { slot: place.slot }), result }
+    }
+
+    /// The pixel with the sample in it; `None` if it does not change.
+    fn accumulate(&self, stored: &Pixel, sample: &WeightedSample) -> Option<Pixel> {
+        let weight = sample.place.weight;
+        let WeightedSample { depth_low, depth_high, .. } = *sample;
+        let limits = depth_test::In { weight: stored.weight, depth: stored.depth, depth_low, depth_high };
+        let outcome = depth_test::test(&limits);
+        if outcome.fail {
+            return None;
+        }
+        if outcome.pass {
+            let (weight_sum, depth) = (u32::from(weight), sample.weighted_depth);
+            return Some(Pixel { weight: weight_sum, depth, peak: weight, attributes: sample.attributes });
+        }
+        let weight_sum = stored.weight + u32::from(weight);
+        if weight_sum > WEIGHT_SUM_MAX {
+            return None;
+        }
+        let (peak, mut attributes) =
+            if stored.peak < weight { (weight, sample.attributes) } else { (stored.peak, stored.attributes) };
+        let number = |bits: &u32| Number::new(self.attribute, *bits);
+        let sums = stored.attributes.iter().zip(&sample.attributes).map(|(old, new)| number(old) + number(new));
+        for (attribute, sum) in attributes[..self.shape.continuous].iter_mut().zip(sums) {
+            *attribute = sum.bits();
+        }
+        Some(Pixel { weight: weight_sum, depth: stored.depth + sample.weighted_depth, peak, attributes })
+    }
+}
+
+fn index(slot: u8, pixel: u8) -> usize {
+    usize::from(slot) * TILE_PIXELS as usize + usize::from(pixel)
+}
+
+impl Model for Accumulator {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out {
+            in_ready: self.input.in_ready(),
+            retire: self.retire,
+            frame_end: self.frame_end,
+            drained: self.drained,
+            events: self.events,
+        }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        self.frame_end = false;
+        self.events = Events::default();
+        let mut issued = false;
+        let mut started = None;
+        if let Some(sample) = self.input.out() {
+            if sample.place.end {
+                issued = self.stages.iter().all(Option::is_none);
+                self.frame_end = issued;
+            } else {
+                self.events = self.stall(sample, inputs.slot_ready);
+                issued = !self.events.hazard && !self.events.slot_wait;
+                started = issued.then(|| self.start(sample));
+            }
+        }
+        if let Some(SlotPixel { slot, pixel }) = inputs.drain {
+            self.drained = self.pixels[index(slot, pixel)];
+        }
+
+        let finished = self.stages.pop_back().flatten();
+        self.stages.push_front(started);
+        self.retire = finished.and_then(|stage| stage.retire);
+        if let Some(Stage { index: Some(index), result: Some(result), .. }) = finished {
+            self.pixels[index] = result;
+        }
+        if let Some(Fill { place, value }) = inputs.fill {
+            self.pixels[index(place.slot, place.pixel)] = value;
+        }
+        self.input.step(inputs.input, issued);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("slot_ready", &mut self.slot_ready);
+        stream(visitor, shape, "fill_", &mut self.fill);
+        optional(visitor, shape, "drain_", "enable", &mut self.drain);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "retire_", &mut self.retire);
+        visitor.field("frame_end", &mut self.frame_end);
+        visitor.prefix("drain_");
+        self.drained.visit(shape, visitor);
+        visitor.prefix("");
+        self.events.visit(visitor);
+    }
+}
+
+impl Events {
+    pub(super) fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.field("event_accumulate", &mut self.accumulate);
+        visitor.field("event_hazard", &mut self.hazard);
+        visitor.field("event_slot_wait", &mut self.slot_wait);
+    }
+}

@@ -1,0 +1,49 @@
+//! Core A, the surface-splat renderer, unit by unit as docs/core_a.md describes it.
+//!
+//! A unit is a [`Model`](crate::unit::Model) over the typed records of [`records`]; [`Ported`](crate::unit::Ported) gives it the
+//! ports of the specification.
+
+pub mod accumulator;
+pub mod depth_test;
+pub mod heap;
+pub mod normalizer;
+pub mod rasterizer;
+pub mod records;
+pub mod reorder;
+pub mod setup;
+pub mod splitter;
+#[cfg(test)]
+mod testing;
+pub mod tile_cache;
+pub mod top;
+pub mod transform;
+pub mod uniforms;
+pub mod weighting;
+
+pub use accumulator::Accumulator;
+pub use depth_test::DepthTest;
+pub use heap::Heap;
+pub use normalizer::Normalizer;
+pub use rasterizer::Rasterizer;
+pub use reorder::Reorder;
+pub use setup::Setup;
+pub use splitter::Splitter;
+pub use tile_cache::TileCache;
+pub use top::Top;
+pub use transform::Transform;
+pub use weighting::Weighting;
+
+/// Stages of the compiled pipelines, from the manifests that the generator writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Latencies {
+    /// Of the transform unit.
+    pub transform: u32,
+    /// Of the setup unit.
+    pub setup: u32,
+    /// Of the rasterizer.
+    pub rasterizer: u32,
+    /// Of the weighting unit.
+    pub weighting: u32,
+    /// Of the normalizer.
+    pub normalizer: u32,
+}

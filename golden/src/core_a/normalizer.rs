@@ -1,0 +1,113 @@
+//! Normalizer: divides a pixel's sums by its weight (eq. 5.13) and tells where in the image it lies.
+//!
+//! One reciprocal in the geometry format; attributes are converted to it and back.
+
+use super::records::{FinishedPixel, Fragment, Shape};
+use crate::datapath::Datapath;
+use crate::number::Number;
+use crate::unit::{Model, Record, Visitor, stream};
+use pointcore_spec::Format;
+use pointcore_spec::core_a::Config;
+use pointcore_spec::core_a::config::{DEPTH_BITS, DEPTH_SUM_BITS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS};
+
+const SIZE: u32 = TILE_SIZE;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Pixels that hold a weight.
+    pub input: Option<FinishedPixel>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a pixel is accepted.
+    pub in_ready: bool,
+    /// Fragments.
+    pub out: Option<Fragment>,
+}
+
+/// The normalizer.
+#[derive(Clone, Debug)]
+pub struct Normalizer {
+    shape: Shape,
+    geometry: Format,
+    attribute: Format,
+    tile_column_bits: u32,
+    datapath: Datapath<Fragment>,
+}
+
+impl Normalizer {
+    /// The unit with a pipeline of `latency` stages.
+    #[must_use]
+    pub fn new(config: &Config, latency: u32) -> Self {
+        Self {
+            shape: Shape::new(config),
+            geometry: config.geometry,
+            attribute: config.attribute,
+            tile_column_bits: config.tile_column_bits(),
+            datapath: Datapath::new(latency, 1),
+        }
+    }
+
+    fn normalize(&self, finished: &FinishedPixel) -> Fragment {
+        if finished.end {
+            return Fragment { end: true, ..Fragment::default() };
+        }
+        let placed = &finished.placed;
+        let mut attributes = placed.value.attributes;
+        let weight = u64::from(placed.value.weight);
+        let r = Number::from_fixed(self.geometry, weight, WEIGHT_SUM_BITS, WEIGHT_BITS).recip();
+        let depth = Number::from_fixed(self.geometry, placed.value.depth, DEPTH_SUM_BITS, WEIGHT_BITS + DEPTH_BITS) * r;
+        for attribute in &mut attributes[..self.shape.continuous] {
+            let sum = Number::new(self.attribute, *attribute).convert(self.geometry);
+            *attribute = (sum * r).convert(self.attribute).bits();
+        }
+        let [tile_column, tile_row] =
+            [placed.tile & ((1 << self.tile_column_bits) - 1), placed.tile >> self.tile_column_bits];
+        let pixel = u32::from(placed.pixel);
+        Fragment {
+            end: false,
+            column: (tile_column * SIZE + pixel % SIZE) as u16,
+            row: (tile_row * SIZE + pixel / SIZE) as u16,
+            depth: depth.bits(),
+            attributes,
+        }
+    }
+}
+
+impl Model for Normalizer {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready()).map(|pixel| self.normalize(pixel));
+        self.datapath.step(accepted, inputs.out_ready);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "out_", &mut self.out);
+    }
+}

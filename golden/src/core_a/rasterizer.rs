@@ -1,0 +1,234 @@
+//! Rasterizer: intersects the viewing ray of every pixel in a copy's bounds with the splat's plane (thesis 5.4.2, table 5.2).
+//!
+//! A pixel a cycle, in the geometry format; samples outside the splat are dropped, but for a copy's last. Depth band and
+//! attributes wait in a queue beside the datapath and meet each of their samples at its end.
+
+use super::records::{Attributes, Band, PlacedCopy, Sample, SamplePlace, Shape};
+use crate::datapath::Datapath;
+use crate::float::{Table, kernel_table};
+use crate::number::Number;
+use crate::stream::Fifo;
+use crate::unit::{Model, Record, Visitor, stream};
+use pointcore_spec::core_a::Config;
+use pointcore_spec::core_a::config::{
+    COPY_QUEUE_DEPTH, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS,
+};
+use pointcore_spec::{Format, TableShape};
+use std::sync::Arc;
+
+const SIZE: u16 = TILE_SIZE as u16;
+const KERNEL_BITS: u32 = KERNEL_INDEX_BITS + KERNEL_FRACTION_BITS;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Copies with their slots.
+    pub input: Option<PlacedCopy>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+    /// Reciprocal of the screen filter's squared radius.
+    pub filter_scale: u32,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a copy is accepted.
+    pub in_ready: bool,
+    /// Samples.
+    pub out: Option<Sample>,
+    /// What happened in the cycle before.
+    pub events: Events,
+}
+
+/// Use of the datapath.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Events {
+    /// A sample entered.
+    pub sample: bool,
+    /// There was no copy to work on.
+    pub starved: bool,
+    /// What follows held it.
+    pub blocked: bool,
+}
+
+/// The copy under rasterization and its next pixel, in tile coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Scan {
+    placed: PlacedCopy,
+    column: u16,
+    row: u16,
+}
+
+impl Scan {
+    fn new(placed: PlacedCopy) -> Self {
+        Self { placed, column: placed.copy.bounds.left, row: placed.copy.bounds.top }
+    }
+
+    fn is_last(&self) -> bool {
+        let copy = &self.placed.copy;
+        copy.end || (self.column == copy.bounds.right && self.row == copy.bounds.bottom)
+    }
+
+    fn step(&mut self) {
+        let bounds = &self.placed.copy.bounds;
+        if self.column == bounds.right {
+            (self.column, self.row) = (bounds.left, self.row + 1);
+        } else {
+            self.column += 1;
+        }
+    }
+}
+
+/// The rasterizer.
+#[derive(Clone, Debug)]
+pub struct Rasterizer {
+    shape: Shape,
+    geometry: Format,
+    tile_column_bits: u32,
+    kernel: Arc<Table>,
+    scan: Option<Scan>,
+    copies: Fifo<(Band, Attributes)>,
+    datapath: Datapath<SamplePlace>,
+    events: Events,
+}
+
+impl Rasterizer {
+    /// The unit with a pipeline of `latency` stages.
+    #[must_use]
+    pub fn new(config: &Config, latency: u32) -> Self {
+        let kernel =
+            TableShape { index_bits: KERNEL_INDEX_BITS, fraction_bits: KERNEL_FRACTION_BITS, value_bits: WEIGHT_BITS };
+        Self {
+            shape: Shape::new(config),
+            geometry: config.geometry,
+            tile_column_bits: config.tile_column_bits(),
+            kernel: Arc::new(kernel_table(config.kernel_gamma, kernel)),
+            scan: None,
+            copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
+            datapath: Datapath::new(latency, 1),
+            events: Events::default(),
+        }
+    }
+
+    fn in_ready(&self) -> bool {
+        self.datapath.in_ready() && self.scan.as_ref().is_none_or(Scan::is_last) && self.copies.in_ready()
+    }
+
+    /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.
+    fn sample(&self, scan: &Scan, filter_scale: u32) -> Option<SamplePlace> {
+        let PlacedCopy { copy, slot } = &scan.placed;
+        if copy.end {
+            return Some(SamplePlace { end: true, ..SamplePlace::default() });
+        }
+        let squared = self.squared_distance(scan, filter_scale);
+        let inside = squared.is_below(Number::from_fixed(self.geometry, 1, 1, 0));
+        let last = scan.is_last();
+        (inside || last).then(|| SamplePlace {
+            end: false,
+            last,
+            inside,
+            slot: *slot,
+            pixel: (scan.row * SIZE + scan.column) as u8,
+            weight: self.kernel.interpolate(squared.to_fixed(KERNEL_BITS, KERNEL_BITS)) as u16,
+        })
+    }
+
+    /// `ρ²` at the scan's pixel.
+    fn squared_distance(&self, scan: &Scan, filter_scale: u32) -> Number {
+        let copy = &scan.placed.copy;
+        let number = |bits| Number::new(self.geometry, bits);
+        let [tile_column, tile_row] =
+            [copy.tile & ((1 << self.tile_column_bits) - 1), copy.tile >> self.tile_column_bits];
+        let [center_x, center_y] = copy.footprint.center.map(number);
+        let [ax, ay] = copy.footprint.a.map(number);
+        let [bx, by] = copy.footprint.b.map(number);
+        let [mx, my] = copy.footprint.m.map(number);
+        let delta = number(copy.footprint.delta);
+
+        let x = self.sample_position(tile_column, scan.column) - center_x;
+        let y = self.sample_position(tile_row, scan.row) - center_y;
+        let determinant = delta + x * mx + y * my;
+        let on_splat = if determinant.is_negative() == delta.is_negative() {
+            let (s1, s2) = (x * ay - y * ax, x * by - y * bx);
+            (s1 * s1 + s2 * s2) / (determinant * determinant)
+        } else {
+            number(self.geometry.infinity() as u32)
+        };
+        if self.shape.screen_filter.is_on() { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
+    }
+
+    /// The middle of a pixel: its index with half a pixel appended.
+    fn sample_position(&self, tile: u32, local: u16) -> Number {
+        const HALF_PIXELS_BITS: u32 = 16;
+        let pixel = tile * TILE_SIZE + u32::from(local);
+        Number::from_fixed(self.geometry, u64::from(pixel << 1 | 1), HALF_PIXELS_BITS, 1)
+    }
+}
+
+impl Model for Rasterizer {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        let out = self.datapath.out().map(|&place| {
+            let (band, attributes) = self.copies.out().copied().unwrap_or_default();
+            Sample { place, band, attributes }
+        });
+        Out { in_ready: self.in_ready(), out, events: self.events }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let advances = self.datapath.in_ready();
+        let busy = self.scan.is_some();
+        let taken = inputs.input.filter(|_| self.in_ready());
+        let sample = self.scan.as_ref().filter(|_| advances).and_then(|scan| self.sample(scan, inputs.filter_scale));
+        self.events = Events {
+            sample: advances && self.scan.as_ref().is_some_and(|scan| !scan.placed.copy.end),
+            starved: advances && !busy,
+            blocked: busy && !advances,
+        };
+        if advances {
+            match &mut self.scan {
+                Some(scan) if !scan.is_last() => scan.step(),
+                scan => *scan = taken.map(Scan::new),
+            }
+        }
+        let left = self.datapath.step(sample, inputs.out_ready);
+        let copy = taken
+            .filter(|placed| !placed.copy.end)
+            .map(|PlacedCopy { copy, .. }| (copy.footprint.band, copy.attributes));
+        self.copies.step(copy, left.is_some_and(|place| place.last));
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+        if shape.screen_filter.is_on() {
+            visitor.field("filter_scale", &mut self.filter_scale);
+        }
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "out_", &mut self.out);
+        self.events.visit(visitor);
+    }
+}
+
+impl Events {
+    pub(super) fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.field("event_sample", &mut self.sample);
+        visitor.field("event_starved", &mut self.starved);
+        visitor.field("event_blocked", &mut self.blocked);
+    }
+}

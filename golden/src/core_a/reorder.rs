@@ -1,0 +1,128 @@
+//! Reorder stage: sorts copies by tile while many are on their way (thesis 5.5.2).
+//!
+//! The heap sorts tiles and pointers; the rest of a copy waits in a payload memory. An end record leaves after all copies before
+//! it, and nothing after it enters until it left.
+
+use super::heap::{self, Heap, HeapEntry};
+use super::records::{Shape, SplatCopy};
+use crate::stream::Fifo;
+use crate::stream::Skid;
+use crate::unit::{Model, Record, Visitor, stream};
+use pointcore_spec::core_a::Config;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Copies in order of arrival.
+    pub input: Option<SplatCopy>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a copy is accepted.
+    pub in_ready: bool,
+    /// Copies in order of tiles.
+    pub out: Option<SplatCopy>,
+}
+
+/// The reorder stage.
+#[derive(Clone, Debug)]
+pub struct Reorder {
+    shape: Shape,
+    input: Skid<SplatCopy>,
+    heap: Heap,
+    payloads: Vec<SplatCopy>,
+    /// Pointers never used yet count up to the number of payloads.
+    fresh: usize,
+    returned: Fifo<u16>,
+    /// An end record waits for the copies before it.
+    draining: bool,
+    read: Option<SplatCopy>,
+    out: Skid<SplatCopy>,
+}
+
+impl Reorder {
+    /// The unit after reset.
+    #[must_use]
+    pub fn new(config: &Config) -> Self {
+        let pointers = 1 << config.heap_levels;
+        Self {
+            shape: Shape::new(config),
+            input: Skid::default(),
+            heap: Heap::new(config),
+            payloads: vec![SplatCopy::default(); pointers],
+            fresh: 0,
+            returned: Fifo::new(pointers),
+            draining: false,
+            read: None,
+            out: Skid::default(),
+        }
+    }
+
+    fn free_pointer(&self) -> Option<u16> {
+        if self.fresh < self.payloads.len() { Some(self.fresh as u16) } else { self.returned.out().copied() }
+    }
+}
+
+impl Model for Reorder {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out { in_ready: self.input.in_ready(), out: self.out.out().copied() }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let heap = self.heap.outputs();
+        let head = self.input.out().filter(|_| !self.draining);
+        let ends = head.is_some_and(|copy| copy.end);
+        let offer = head.filter(|copy| !copy.end).and_then(|copy| {
+            let pointer = self.free_pointer()?;
+            Some((HeapEntry { tile: copy.tile, pointer }, *copy))
+        });
+
+        // The output side, as the registers stand before this cycle.
+        let out_has_room = self.out.in_ready();
+        let advances = self.read.is_none() || out_has_room;
+        let drained = self.draining && heap.empty && self.read.is_none() && out_has_room;
+        let out = if drained { Some(SplatCopy { end: true, ..SplatCopy::default() }) } else { self.read };
+        let leaving = heap.out.filter(|_| advances);
+        if advances {
+            self.read = leaving.map(|entry| self.payloads[usize::from(entry.pointer)]);
+        }
+
+        let inserted = offer.filter(|_| heap.in_ready);
+        let takes_fresh = self.fresh < self.payloads.len();
+        self.returned.step(leaving.map(|entry| entry.pointer), inserted.is_some() && !takes_fresh);
+        if let Some((entry, copy)) = inserted {
+            self.payloads[usize::from(entry.pointer)] = copy;
+            self.fresh += usize::from(takes_fresh);
+        }
+        self.draining = ends || (self.draining && !drained);
+        self.heap.clock(&heap::In { input: offer.map(|(entry, _)| entry), out_ready: advances });
+        self.input.step(inputs.input, ends || inserted.is_some());
+        self.out.step(out, inputs.out_ready);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "out_", &mut self.out);
+    }
+}

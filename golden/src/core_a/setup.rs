@@ -1,0 +1,215 @@
+//! Setup unit: projection, bounds and depth band of a splat (thesis tables 5.1 and 5.2, recentred as docs/core_a.md derives).
+//!
+//! A datapath of interval `setup_interval`, in the geometry format. Bounds are rounded outwards to pixels; a splat that crosses
+//! the eye plane has the viewport for bounds. Dropped are splats behind the far plane and splats without a pixel.
+
+use super::records::{Band, Footprint, Rectangle, SetupSplat, Shape, Splat};
+use super::uniforms::SetupUniforms;
+use crate::datapath::Datapath;
+use crate::number::Number;
+use crate::unit::{Model, Record, Visitor, stream};
+use pointcore_spec::Format;
+use pointcore_spec::core_a::Config;
+use pointcore_spec::core_a::config::DEPTH_BITS;
+use std::ops::Range;
+
+/// `e` below `2^−12` counts as crossing the eye plane.
+const CROSSING_FRACTION_BITS: u32 = 12;
+/// Bounds as fixed-point numbers: 13 integer bits hold every image edge.
+const BOUND_BITS: u32 = 21;
+/// Fraction bits of the bounds.
+const BOUND_FRACTION_BITS: u32 = 8;
+/// The largest bound in pixels before the conversion.
+const BOUND_MAX_PX: u64 = 8191;
+/// Half a pixel less a margin of 1/256 px, rounded up to the next pixel: `255 − 128 − 1`.
+const FIRST_OFFSET: u64 = 126;
+/// Half a pixel and a margin of 2/256 px.
+const PAST_OFFSET: u64 = 130;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Splats in camera space.
+    pub input: Option<Splat>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+    /// Constants of the frame.
+    pub uniforms: SetupUniforms,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a splat is accepted.
+    pub in_ready: bool,
+    /// Splats with footprint and bounds.
+    pub out: Option<SetupSplat>,
+}
+
+/// The setup unit.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    shape: Shape,
+    geometry: Format,
+    edges: [u64; 2],
+    datapath: Datapath<SetupSplat>,
+}
+
+/// What the bounds of both axes and the depth share.
+struct Slant {
+    alpha: Number,
+    beta: Number,
+    /// `q = α² + β²`.
+    squared: Number,
+    /// `f = 1/e`, `None` if the splat crosses the eye plane.
+    whole: Option<Number>,
+}
+
+impl Setup {
+    /// The unit with a pipeline of `latency` stages.
+    #[must_use]
+    pub fn new(config: &Config, latency: u32) -> Self {
+        Self {
+            shape: Shape::new(config),
+            geometry: config.geometry,
+            edges: [config.width, config.height].map(u64::from),
+            datapath: Datapath::new(latency, config.setup_interval),
+        }
+    }
+
+    fn number(&self, bits: u32) -> Number {
+        Number::new(self.geometry, bits)
+    }
+
+    fn constant(&self, value: u64, fraction: u32) -> Number {
+        Number::from_fixed(self.geometry, value, BOUND_BITS, fraction)
+    }
+
+    /// The splat with footprint and bounds; `None` if it lies behind the far plane or covers no pixel.
+    fn setup(&self, splat: &Splat, uniforms: &SetupUniforms) -> Option<SetupSplat> {
+        if splat.end {
+            return Some(SetupSplat { end: true, ..SetupSplat::default() });
+        }
+        let [ux, uy, uz] = splat.center.map(|bits| self.number(bits));
+        let [[a1x, a1y, a1z], [a2x, a2y, a2z]] = splat.tangents.map(|tangent| tangent.map(|bits| self.number(bits)));
+        let [scale_x, scale_y] = uniforms.scale.map(|bits| self.number(bits));
+        let [origin_x, origin_y] = uniforms.center.map(|bits| self.number(bits));
+
+        let r = uz.recip();
+        let (vx, vy) = (ux * r, uy * r);
+        let slant = self.slant(a1z * r, a2z * r);
+        let (alpha, beta) = (slant.alpha, slant.beta);
+        let (ax, bx) = (scale_x * (a1x * r - vx * alpha), scale_x * (a2x * r - vx * beta));
+        let (ay, by) = (scale_y * (a1y * r - vy * alpha), scale_y * (a2y * r - vy * beta));
+        let (cx, cy) = (scale_x * vx + origin_x, scale_y * vy + origin_y);
+
+        let columns = self.bounds(0, cx, ax, bx, &slant, uniforms);
+        let rows = self.bounds(1, cy, ay, by, &slant, uniforms);
+        let band = self.band(r, &slant, uniforms)?;
+        if columns.is_empty() || rows.is_empty() {
+            return None;
+        }
+        let footprint = Footprint {
+            center: [cx, cy].map(Number::bits),
+            a: [ax, ay].map(Number::bits),
+            b: [bx, by].map(Number::bits),
+            delta: (ax * by - bx * ay).bits(),
+            m: [beta * ay - alpha * by, alpha * bx - beta * ax].map(Number::bits),
+            band,
+        };
+        let bounds = Rectangle {
+            left: columns.start as u16,
+            right: (columns.end - 1) as u16,
+            top: rows.start as u16,
+            bottom: (rows.end - 1) as u16,
+        };
+        Some(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds })
+    }
+
+    fn slant(&self, alpha: Number, beta: Number) -> Slant {
+        let squared = alpha * alpha + beta * beta;
+        let e = self.constant(1, 0) - squared;
+        let whole = self.constant(1, CROSSING_FRACTION_BITS).is_below(e).then(|| e.recip());
+        Slant { alpha, beta, squared, whole }
+    }
+
+    /// Pixels along one axis whose samples may lie inside the splat.
+    fn bounds(
+        &self,
+        axis: usize,
+        c: Number,
+        a: Number,
+        b: Number,
+        slant: &Slant,
+        uniforms: &SetupUniforms,
+    ) -> Range<u64> {
+        let edge = self.edges[axis];
+        let Some(f) = slant.whole else { return 0..edge };
+        let t = (a * slant.alpha + b * slant.beta) * f;
+        let h = (t * t + (a * a + b * b) * f).sqrt();
+        let (mut low, mut high) = ((c - t) - h, (c - t) + h);
+        if self.shape.screen_filter.is_on() {
+            let radius = self.number(uniforms.filter_radius);
+            low = low.min(c - radius);
+            high = high.max(c + radius);
+        }
+        let zero = self.number(0);
+        let low = low.max(zero).to_fixed(BOUND_BITS, BOUND_FRACTION_BITS);
+        let high = high.min(self.constant(BOUND_MAX_PX, 0)).max(zero).to_fixed(BOUND_BITS, BOUND_FRACTION_BITS);
+        let first = (low + FIRST_OFFSET) >> BOUND_FRACTION_BITS;
+        let past = (high + PAST_OFFSET) >> BOUND_FRACTION_BITS;
+        first..past.min(edge)
+    }
+
+    /// Depth and ε-band (eqs. 5.8, 5.9); `None` behind the far plane.
+    fn band(&self, r: Number, slant: &Slant, uniforms: &SetupUniforms) -> Option<Band> {
+        let one = self.constant(1, 0);
+        let b = self.number(uniforms.depth_b) * r;
+        let center = self.number(uniforms.depth_a) + b;
+        if !center.is_at_most(one) {
+            return None;
+        }
+        let (depth, half_depth) = match slant.whole {
+            Some(f) => (center + b * (slant.squared * f), (b.abs() * (slant.squared.sqrt() * f)).min(one)),
+            None => (center, b.abs().min(one)),
+        };
+        let epsilon = half_depth * self.number(uniforms.epsilon_scale) + self.number(uniforms.epsilon_bias);
+        let fixed = |depth: Number| depth.max(self.number(0)).to_fixed(DEPTH_BITS, DEPTH_BITS) as u32;
+        Some(Band { depth: fixed(depth), low: fixed(depth - epsilon), high: fixed(depth + epsilon) })
+    }
+}
+
+impl Model for Setup {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
+        let accepted = accepted.and_then(|splat| self.setup(splat, &inputs.uniforms));
+        self.datapath.step(accepted, inputs.out_ready);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+        self.uniforms.visit(shape, visitor);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "out_", &mut self.out);
+    }
+}

@@ -1,0 +1,118 @@
+//! Transform unit: model-view transformation and culling (thesis 5.4.1, table 5.1).
+//!
+//! A datapath of interval `transform_interval`, in the geometry format. Splats that face away, splats at or behind the near
+//! plane and splats with a NaN in what decides it are dropped.
+
+use super::records::{Shape, Splat};
+use super::uniforms::TransformUniforms;
+use crate::datapath::Datapath;
+use crate::number::Number;
+use crate::unit::{Model, Record, Visitor, stream};
+use pointcore_spec::Format;
+use pointcore_spec::core_a::{Config, Feature};
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Splats in world space.
+    pub input: Option<Splat>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+    /// Constants of the frame.
+    pub uniforms: TransformUniforms,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a splat is accepted.
+    pub in_ready: bool,
+    /// Splats in camera space.
+    pub out: Option<Splat>,
+}
+
+/// The transform unit.
+#[derive(Clone, Debug)]
+pub struct Transform {
+    shape: Shape,
+    geometry: Format,
+    culling: Feature,
+    datapath: Datapath<Splat>,
+}
+
+impl Transform {
+    /// The unit with a pipeline of `latency` stages.
+    #[must_use]
+    pub fn new(config: &Config, latency: u32) -> Self {
+        Self {
+            shape: Shape::new(config),
+            geometry: config.geometry,
+            culling: config.culling,
+            datapath: Datapath::new(latency, config.transform_interval),
+        }
+    }
+
+    /// The splat in camera space; `None` if it is culled.
+    fn transform(&self, splat: &Splat, uniforms: &TransformUniforms) -> Option<Splat> {
+        if splat.end {
+            return Some(Splat { end: true, ..Splat::default() });
+        }
+        let number = |bits| Number::new(self.geometry, bits);
+        let matrix = uniforms.model_view.map(|row| row.map(number));
+        let rotate = |[x, y, z]: [Number; 3]| matrix.map(|m| m[0] * x + m[1] * y + m[2] * z);
+        let rotated = rotate(splat.center.map(number));
+        let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
+        let [a1, a2] = splat.tangents.map(|tangent| rotate(tangent.map(number)));
+
+        let visible = number(uniforms.near).is_below(center[2])
+            && (!self.culling.is_on() || facing(center, a1, a2).is_at_most(number(0)));
+        visible.then(|| Splat {
+            center: center.map(Number::bits),
+            tangents: [a1, a2].map(|tangent| tangent.map(Number::bits)),
+            ..*splat
+        })
+    }
+}
+
+/// `⟨u, a1 × a2⟩`: positive where the eye is behind the splat's plane.
+fn facing([ux, uy, uz]: [Number; 3], [a1x, a1y, a1z]: [Number; 3], [a2x, a2y, a2z]: [Number; 3]) -> Number {
+    let nx = a1y * a2z - a1z * a2y;
+    let ny = a1z * a2x - a1x * a2z;
+    let nz = a1x * a2y - a1y * a2x;
+    ux * nx + uy * ny + uz * nz
+}
+
+impl Model for Transform {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
+        let accepted = accepted.and_then(|splat| self.transform(splat, &inputs.uniforms));
+        self.datapath.step(accepted, inputs.out_ready);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+        self.uniforms.visit(shape, visitor);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "out_", &mut self.out);
+    }
+}

@@ -1,0 +1,92 @@
+//! Weighting unit: what a sample contributes to its pixel's sums (eq. 5.10).
+//!
+//! The weighted depth is an exact integer product; a continuous attribute is multiplied by the weight rounded to the attribute
+//! format, cardinal ones pass.
+
+use super::records::{Sample, Shape, WeightedSample};
+use crate::datapath::Datapath;
+use crate::number::Number;
+use crate::unit::{Model, Record, Visitor, stream};
+use pointcore_spec::Format;
+use pointcore_spec::core_a::Config;
+use pointcore_spec::core_a::config::WEIGHT_BITS;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Samples.
+    pub input: Option<Sample>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a sample is accepted.
+    pub in_ready: bool,
+    /// Samples with their contributions.
+    pub out: Option<WeightedSample>,
+}
+
+/// The weighting unit.
+#[derive(Clone, Debug)]
+pub struct Weighting {
+    shape: Shape,
+    attribute: Format,
+    datapath: Datapath<WeightedSample>,
+}
+
+impl Weighting {
+    /// The unit with a pipeline of `latency` stages.
+    #[must_use]
+    pub fn new(config: &Config, latency: u32) -> Self {
+        Self { shape: Shape::new(config), attribute: config.attribute, datapath: Datapath::new(latency, 1) }
+    }
+
+    fn weigh(&self, sample: &Sample) -> WeightedSample {
+        let Sample { place, band, mut attributes } = *sample;
+        if place.end {
+            return WeightedSample { place, ..WeightedSample::default() };
+        }
+        let weight = Number::from_fixed(self.attribute, u64::from(place.weight), WEIGHT_BITS, WEIGHT_BITS);
+        for attribute in &mut attributes[..self.shape.continuous] {
+            *attribute = (weight * Number::new(self.attribute, *attribute)).bits();
+        }
+        let weighted_depth = u64::from(place.weight) * u64::from(band.depth);
+        WeightedSample { place, weighted_depth, depth_low: band.low, depth_high: band.high, attributes }
+    }
+}
+
+impl Model for Weighting {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready()).map(|sample| self.weigh(sample));
+        self.datapath.step(accepted, inputs.out_ready);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "out_", &mut self.out);
+    }
+}

@@ -1,0 +1,109 @@
+//! A floating-point value that knows its format, so that models read like the equations they state.
+//!
+//! Every operator rounds once, as in [`float`]. Both operands have the same format.
+
+use crate::float;
+use pointcore_spec::{Fixed, Format, Signedness};
+use std::ops::{Add, Div, Mul, Sub};
+
+/// A value of a format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Number {
+    format: Format,
+    bits: u64,
+}
+
+impl Number {
+    /// The value that `bits` encode.
+    #[must_use]
+    pub const fn new(format: Format, bits: u32) -> Self {
+        Self { format, bits: bits as u64 }
+    }
+
+    /// `value · 2^−fraction` of an unsigned number of `width` bits, rounded.
+    #[must_use]
+    pub fn from_fixed(format: Format, value: u64, width: u32, fraction: u32) -> Self {
+        Self { format, bits: float::from_fixed(format, value, Fixed { width, fraction, signed: Signedness::Unsigned }) }
+    }
+
+    /// The encoding; every named format fits 32 bits.
+    #[must_use]
+    pub const fn bits(self) -> u32 {
+        self.bits as u32
+    }
+
+    /// Truncated to an unsigned number of `width` bits, saturated; NaN becomes 0.
+    #[must_use]
+    pub fn to_fixed(self, width: u32, fraction: u32) -> u64 {
+        float::to_fixed(self.format, self.bits, Fixed { width, fraction, signed: Signedness::Unsigned })
+    }
+
+    /// The value in another format.
+    #[must_use]
+    pub fn convert(self, format: Format) -> Self {
+        Self { format, bits: float::convert(self.format, format, self.bits) }
+    }
+
+    /// `1/self`.
+    #[must_use]
+    pub fn recip(self) -> Self {
+        Self { bits: float::recip(self.format, self.bits), ..self }
+    }
+
+    /// The square root.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        Self { bits: float::sqrt(self.format, self.bits), ..self }
+    }
+
+    /// The magnitude.
+    #[must_use]
+    pub const fn abs(self) -> Self {
+        Self { bits: self.bits & !self.format.sign_mask(), ..self }
+    }
+
+    /// The sign bit.
+    #[must_use]
+    pub const fn is_negative(self) -> bool {
+        self.bits & self.format.sign_mask() != 0
+    }
+
+    /// The smaller one; prefers the operand that is not NaN.
+    #[must_use]
+    pub fn min(self, other: Self) -> Self {
+        Self { bits: float::min(self.format, self.bits, other.bits), ..self }
+    }
+
+    /// The larger one; prefers the operand that is not NaN.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Self { bits: float::max(self.format, self.bits, other.bits), ..self }
+    }
+
+    /// `self < other`; false with a NaN.
+    #[must_use]
+    pub fn is_below(self, other: Self) -> bool {
+        float::lt(self.format, self.bits, other.bits)
+    }
+
+    /// `self ≤ other`; false with a NaN.
+    #[must_use]
+    pub fn is_at_most(self, other: Self) -> bool {
+        float::le(self.format, self.bits, other.bits)
+    }
+}
+
+macro_rules! operators {
+    ($($operator:ident $method:ident $model:path),*) => {
+        $(impl $operator for Number {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                debug_assert_eq!(self.format, other.format);
+                Self { bits: $model(self.format, self.bits, other.bits), ..self }
+            }
+        })*
+    };
+}
+
+operators!(Add add float::add, Sub sub float::sub, Mul mul float::mul, Div div float::div);
