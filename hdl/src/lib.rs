@@ -1,6 +1,7 @@
 //! Hardware descriptions: from a configuration to Verilog.
 
 pub mod compiler;
+pub mod core_a;
 pub mod float;
 pub mod rtl;
 pub mod stream;

@@ -56,7 +56,7 @@ impl TransformUniforms {
 impl Record<Shape> for TransformUniforms {
     fn visit(&mut self, _shape: Shape, visitor: &mut impl Visitor) {
         self.visit_matrix(visitor);
-        visitor.field("near", &mut self.near);
+        visitor.field("near_plane", &mut self.near);
     }
 }
 
@@ -64,8 +64,8 @@ impl SetupUniforms {
     fn visit_viewport(&mut self, visitor: &mut impl Visitor) {
         visitor.field("scale_x", &mut self.scale[0]);
         visitor.field("scale_y", &mut self.scale[1]);
-        visitor.field("center_x", &mut self.center[0]);
-        visitor.field("center_y", &mut self.center[1]);
+        visitor.field("origin_x", &mut self.center[0]);
+        visitor.field("origin_y", &mut self.center[1]);
         visitor.field("depth_a", &mut self.depth_a);
         visitor.field("depth_b", &mut self.depth_b);
     }
@@ -95,7 +95,7 @@ impl Uniforms {
     fn visit(&mut self, visitor: &mut impl Visitor) {
         self.transform.visit_matrix(visitor);
         self.setup.visit_viewport(visitor);
-        visitor.field("near", &mut self.transform.near);
+        visitor.field("near_plane", &mut self.transform.near);
         self.setup.visit_epsilon(visitor);
         visitor.field("filter_radius", &mut self.setup.filter_radius);
         visitor.field("filter_scale", &mut self.filter_scale);

@@ -1,6 +1,13 @@
 //! Core A, the surface-splat renderer. `docs/core_a.md` states what every unit does in every cycle; each file names the
 //! thesis section it implements.
 
+mod datapath;
+pub mod normalizer;
+pub mod rasterizer;
+pub mod setup;
+pub mod transform;
+pub mod weighting;
+
 use crate::rtl::{Module, StreamIn};
 use pointcore_spec::core_a::Field;
 

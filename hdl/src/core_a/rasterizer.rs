@@ -4,6 +4,7 @@
 use super::datapath::{Inputs, uniform};
 use super::{layout, stream_in};
 use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
+use crate::float::exp_neg;
 use crate::rtl::{Expr, Instance, Module, Reg, Stream, cat};
 use crate::stream;
 use pointcore_spec::core_a::config::{
@@ -29,27 +30,21 @@ fn position(config: &Config) -> Vec<Field> {
 
 /// exp(−γρ²) for ρ² in `[0, 1]`.
 fn kernel(gamma: f64) -> Result<Rc<Table>, CompileError> {
-    let shape = TableShape {
-        index_bits: KERNEL_INDEX_BITS,
-        fraction_bits: KERNEL_FRACTION_BITS,
-        value_bits: WEIGHT_BITS,
-    };
-    let intervals = 1u32 << KERNEL_INDEX_BITS;
-    let full = f64::from((1u32 << WEIGHT_BITS) - 1);
-    let sample = |i| ((-gamma * f64::from(i) / f64::from(intervals)).exp() * full).round() as u64;
-    Table::new(shape, (0..=intervals).map(sample).collect()).map(Rc::new)
+    let shape =
+        TableShape { index_bits: KERNEL_INDEX_BITS, fraction_bits: KERNEL_FRACTION_BITS, value_bits: WEIGHT_BITS };
+    Table::new(shape, exp_neg::samples(gamma, shape)).map(Rc::new)
 }
 
 /// Intersects the viewing ray of each sample with the splat's plane (table 5.2, recentred) and weighs it.
 fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let format = config.geometry;
-    let program = Program::new("core_a_evaluation", "Distance of a sample from its splat's centre, and its kernel weight.");
+    let program =
+        Program::new("core_a_evaluation", "Distance of a sample from its splat's centre, and its kernel weight.");
     let input = Inputs::new(&program, &position(config));
     let coefficient = |name| input.float(format, name);
     let half = program.unsigned(1, 1);
-    let offset = |pixel: &str, center: &str| {
-        input.bits(pixel).concat(&half).to_float(format, 1) - input.float(format, center)
-    };
+    let offset =
+        |pixel: &str, center: &str| input.bits(pixel).concat(&half).to_float(format, 1) - input.float(format, center);
     let (x, y) = (offset("column", "center_x"), offset("row", "center_y"));
 
     let s1 = &x * coefficient("ay") - &y * coefficient("ax");
@@ -103,7 +98,7 @@ impl Scanner {
         let local = LOCAL_BITS as usize;
         Self {
             busy: m.reg_reset("busy", 1, 0),
-            end: m.reg("end", 1),
+            end: m.reg("is_end", 1),
             slot: m.reg("slot", config.slot_bits() as usize),
             tile: m.reg("tile", config.tile_bits() as usize),
             column: m.reg("column", local),
@@ -166,7 +161,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let advance = m.out(&evaluation, "in_ready");
 
     let shared = records::shared(config);
-    let queue = m.instance("shared", stream::fifo::module(COPY_QUEUE_DEPTH as usize, &layout(&shared)));
+    let queue = m.instance("shared", stream::fifo(COPY_QUEUE_DEPTH as usize, &layout(&shared)));
     let queue_ready = m.out(&queue, "in_ready");
 
     let scanner = Scanner::new(&mut m, config);
@@ -213,5 +208,5 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         m.next(&register, &event);
         m.output(name, &register);
     }
-    Ok(Datapath { module: Rc::new(m), manifest })
+    Ok(Datapath { module: m, manifest })
 }

@@ -43,6 +43,8 @@ struct Frame<'a> {
     f: Value,
     /// The splat lies wholly in front of the eye.
     whole: Value,
+    /// Radius of the screen filter, where there is one.
+    filter_radius: Option<Value>,
 }
 
 impl Frame<'_> {
@@ -60,16 +62,15 @@ impl Frame<'_> {
         let v = component("center") * &self.r;
         let a = &scale * (component("tangent1") * &self.r - &v * &self.alpha);
         let b = &scale * (component("tangent2") * &self.r - &v * &self.beta);
-        let center = &scale * &v + self.uniform(&format!("center_{axis}"));
+        let center = &scale * &v + self.uniform(&format!("origin_{axis}"));
 
         let t = (&a * &self.alpha + &b * &self.beta) * &self.f;
         let h = (&t * &t + (&a * &a + &b * &b) * &self.f).sqrt();
         let middle = &center - &t;
         let (mut low, mut high) = (&middle - &h, &middle + &h);
-        if self.config.screen_filter.is_on() {
-            let radius = self.uniform("filter_radius");
-            low = low.min(&(&center - &radius));
-            high = high.max(&(&center + &radius));
+        if let Some(radius) = &self.filter_radius {
+            low = low.min(&(&center - radius));
+            high = high.max(&(&center + radius));
         }
         let (first, last, occupied) = self.pixels(&low, &high, edge, bits);
         Axis { center, a, b, first, last, occupied }
@@ -80,7 +81,8 @@ impl Frame<'_> {
         let sum_bits = BOUND.width + 1;
         let constant = |value| self.program.unsigned(sum_bits, value);
         let zero = self.constant(0.0);
-        let round = |bound: Value, offset| (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)).shr(BOUND.fraction);
+        let round =
+            |bound: Value, offset| (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)).shr(BOUND.fraction);
         let first = round(low.max(&zero), FIRST_OFFSET);
         let past = round(high.min(&self.constant(BOUND_MAX)).max(&zero), PAST_OFFSET);
         let edge = constant(edge.into());
@@ -108,7 +110,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let e = &one - &q;
     let f = e.recip();
     let whole = program.float(format, WHOLE_MIN).lt(&e).named("whole");
-    let frame = Frame { config, program: &program, splat: &splat, r, alpha, beta, f, whole };
+    let filter_radius = config.screen_filter.is_on().then(|| uniform(&program, format, "filter_radius"));
+    let frame = Frame { config, program: &program, splat: &splat, r, alpha, beta, f, whole, filter_radius };
     let x = frame.axis("x", config.width, config.column_bits());
     let y = frame.axis("y", config.height, config.row_bits());
     let Frame { r, alpha, beta, f, whole, .. } = &frame;

@@ -14,7 +14,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let record = records::splat(config);
     let splat = Inputs::new(&program, &record);
     let matrix: [_; 12] = std::array::from_fn(|i| uniform(&program, format, UNIFORMS[i]));
-    let near = uniform(&program, format, "near");
+    let near = uniform(&program, format, "near_plane");
     let rows: [[_; 3]; 3] = std::array::from_fn(|row| std::array::from_fn(|column| matrix[4 * row + column].clone()));
 
     let vector = |name: &str| ["x", "y", "z"].map(|axis| splat.float(format, &format!("{name}_{axis}")));

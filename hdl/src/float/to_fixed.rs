@@ -4,7 +4,7 @@ use super::delay;
 use super::from_fixed::fixed_parameters;
 use super::operand::{Normalized, Operand, normalize, normalize_delays, precision, signed, signed_width};
 use super::pipe::{self, Operator, Pipe};
-use crate::rtl::{cat, lit};
+use crate::rtl::lit;
 use pointcore_spec::{Fixed, Format, Signedness, Subnormals};
 
 /// Pipeline registers by default.
@@ -69,7 +69,7 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
         ("significand", &a.significand),
     ]);
 
-    let padded = cat(&[&significand, &lit(wide - precision(format), 0)]);
+    let padded = significand.zext(wide).shl(wide - precision(format));
     let [magnitude] = pipe.cut([("magnitude", &padded.shr_by(&distance).trunc(width))]);
 
     let [mut vanishes, mut saturates] = [vanishes, saturates];

@@ -26,8 +26,8 @@ pub struct Port {
 
 /// Names of the uniform registers: constants of a frame, written before its first splat. Their order is their address.
 ///
-/// `m00…m23` model-view matrix by rows, `scale_x…center_y` viewport (px), `depth_a + depth_b/z` depth in `[0, 1]`, `near`
-/// plane, `epsilon_scale` and `epsilon_bias` of eq. 5.9, `filter_radius` (px) and the reciprocal of its square.
+/// `m00…m23` model-view matrix by rows, `scale_x…origin_y` viewport (px), `depth_a + depth_b/z` depth in `[0, 1]`, `near_plane`,
+/// `epsilon_scale` and `epsilon_bias` of eq. 5.9, `filter_radius` (px) and the reciprocal of its square.
 pub const UNIFORMS: [&str; 23] = [
     "m00",
     "m01",
@@ -43,11 +43,11 @@ pub const UNIFORMS: [&str; 23] = [
     "m23",
     "scale_x",
     "scale_y",
-    "center_x",
-    "center_y",
+    "origin_x",
+    "origin_y",
     "depth_a",
     "depth_b",
-    "near",
+    "near_plane",
     "epsilon_scale",
     "epsilon_bias",
     "filter_radius",
@@ -133,7 +133,7 @@ fn tile_and_pixel(config: &Config) -> Vec<Field> {
 pub fn transform(config: &Config) -> Vec<Port> {
     let splat = records::splat(config);
     let ports = Ports::new().stream_in("in", &splat).stream_out("out", &splat);
-    ports.uniforms(config, &UNIFORMS[..12]).uniforms(config, &["near"]).0
+    ports.uniforms(config, &UNIFORMS[..12]).uniforms(config, &["near_plane"]).0
 }
 
 /// Ports of the setup unit.
