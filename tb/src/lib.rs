@@ -1,1 +1,3 @@
 //! Co-simulation of the generated hardware with its models, and the `pointcore` command.
+
+pub mod toolchain;
