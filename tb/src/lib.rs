@@ -1,3 +1,4 @@
 //! Co-simulation of the generated hardware with its models, and the `pointcore` command.
 
 pub mod toolchain;
+pub mod verilated;

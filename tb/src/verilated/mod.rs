@@ -1,0 +1,155 @@
+//! Verilog, run: verilated, compiled and loaded into this process.
+//!
+//! [`Builder::build`] turns a [`Source`] into a [`Library`], from a cache where it can; [`Library::instantiate`] makes
+//! [`Model`]s of it, as many as wanted. Inputs and outputs cross in two arrays, one foreign call a cycle.
+
+mod build;
+mod cache;
+mod model;
+mod shim;
+
+use std::path::PathBuf;
+
+pub use build::Builder;
+pub use model::{Library, Model, RESET};
+
+use crate::toolchain::ToolchainError;
+
+/// Which way a port points, seen from the hardware.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Driven by the testbench.
+    Input,
+    /// Driven by the hardware.
+    Output,
+}
+
+/// A port of a top module.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Port {
+    /// Its name in the Verilog.
+    pub name: String,
+    /// Bits, 1 to 64.
+    pub width: u32,
+    /// Which way it points.
+    pub direction: Direction,
+}
+
+impl Port {
+    /// An input port.
+    #[must_use]
+    pub fn input(name: &str, width: u32) -> Self {
+        Self { name: name.to_owned(), width, direction: Direction::Input }
+    }
+
+    /// An output port.
+    #[must_use]
+    pub fn output(name: &str, width: u32) -> Self {
+        Self { name: name.to_owned(), width, direction: Direction::Output }
+    }
+}
+
+/// Verilog text and what of it is to be run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// The whole design.
+    pub verilog: String,
+    /// Name of the top module.
+    pub top: String,
+    /// All its ports in declaration order. `clk` is driven by the harness, `rst` is an input like any other.
+    pub ports: Vec<Port>,
+}
+
+/// How hard the compiler works on a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Optimization {
+    /// Builds soonest: for units, which run for thousands of cycles.
+    #[default]
+    Quick,
+    /// Runs fastest: for whole cores, which run for millions.
+    Full,
+}
+
+/// Whether a model can write waveforms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Trace {
+    /// It cannot, and is faster for it.
+    #[default]
+    Off,
+    /// It can, see [`Model::open_trace`].
+    On,
+}
+
+/// Choices of a build.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Options {
+    /// How hard the compiler works.
+    pub optimization: Optimization,
+    /// Whether waveforms can be written.
+    pub trace: Trace,
+}
+
+/// Why a model could not be built, loaded or stepped.
+#[derive(Debug, thiserror::Error)]
+pub enum VerilatedError {
+    /// A tool is missing or too old.
+    #[error(transparent)]
+    Toolchain(#[from] ToolchainError),
+    /// The design has a port that cannot be exchanged.
+    #[error("port `{name}` of `{top}` is {width} bits wide; ports have 1 to 64 bits, split it into several")]
+    PortWidth {
+        /// The top module.
+        top: String,
+        /// The port.
+        name: String,
+        /// Its width.
+        width: u32,
+    },
+    /// The design has a port whose name Verilator would change.
+    #[error("port `{name}` of `{top}`: use letters, digits and single underscores, beginning with a letter")]
+    PortName {
+        /// The top module.
+        top: String,
+        /// The port.
+        name: String,
+    },
+    /// A tool refused its input.
+    #[error("{tool} failed on `{top}`:\n{output}")]
+    Tool {
+        /// The program.
+        tool: String,
+        /// The top module, or what else was built.
+        top: String,
+        /// Everything it printed.
+        output: String,
+    },
+    /// A file of the cache could not be read or written.
+    #[error("{action} {}: {source}", path.display())]
+    File {
+        /// What was tried.
+        action: &'static str,
+        /// The file or folder.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// The compiled model could not be loaded.
+    #[error("cannot load {}: {source}", path.display())]
+    Load {
+        /// The shared object.
+        path: PathBuf,
+        /// What the loader said.
+        source: libloading::Error,
+    },
+    /// The hardware stopped itself: an assertion failed or the simulation cannot go on.
+    #[error("the hardware stopped:\n{0}")]
+    Stopped(String),
+    /// Waveforms were asked of a model that was built without them, or of a path that cannot be written.
+    #[error("cannot write the waveform {}: {reason}", path.display())]
+    Waveform {
+        /// The file.
+        path: PathBuf,
+        /// Why not.
+        reason: &'static str,
+    },
+}
