@@ -1,1 +1,2 @@
 //! Hardware against golden models, one module a unit.
+mod harness;

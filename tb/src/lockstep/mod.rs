@@ -1,0 +1,26 @@
+//! Hardware and golden model, stepped side by side and compared in every output of every cycle.
+//!
+//! [`Lockstep::run`] is the one driver for unit tests (a [`StreamTestbench`] with random stalls) and for whole cores
+//! (a [`Stimulus`] that plays memory and scene). The first difference, broken stream protocol or failed assertion ends
+//! the run with a [`Failure`] that says where, and replays the last cycles into a waveform.
+
+mod comparison;
+mod driver;
+mod failure;
+mod fault;
+mod protocol;
+mod replay;
+mod seed;
+mod stall;
+mod stimulus;
+mod stream;
+mod testbench;
+
+pub use driver::{Lockstep, RESET_CYCLES, Report, Run};
+pub use failure::{Cause, Difference, Failure, LockstepError, Violation, Waveform};
+pub use fault::inject;
+pub use seed::{SEED_VARIABLE, seed, seeds};
+pub use stall::Stall;
+pub use stimulus::{Flow, Golden, Stimulus};
+pub use stream::{Stream, Streams};
+pub use testbench::{StreamTestbench, TestbenchError};

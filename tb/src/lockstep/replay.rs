@@ -1,0 +1,71 @@
+//! The same run once more, hardware only, with a waveform of its last cycles.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::driver::RESET_CYCLES;
+use super::failure::Waveform;
+use super::stimulus::{Flow, Stimulus};
+use crate::verilated::{Library, VerilatedError};
+
+/// Where and how a run failed.
+pub struct Replay<'a> {
+    pub library: &'a Arc<Library>,
+    pub seed: u64,
+    /// The cycle that failed.
+    pub cycle: u64,
+    /// The hardware's outputs in that cycle.
+    pub outputs: &'a [u64],
+    /// Cycles to record, up to and with the failing one.
+    pub recorded: u64,
+}
+
+impl Replay<'_> {
+    /// Runs `stimulus` from its beginning up to the failing cycle.
+    pub fn run(&self, stimulus: impl Stimulus) -> Waveform {
+        self.record(stimulus).unwrap_or_else(Waveform::Unavailable)
+    }
+
+    fn record(&self, mut stimulus: impl Stimulus) -> Result<Waveform, VerilatedError> {
+        let path = self.path()?;
+        let mut model = self.library.traced()?.instantiate(self.seed);
+        let mut inputs = self.library.reset_inputs();
+        let mut outputs = vec![0; self.library.outputs().len()];
+        let first = (RESET_CYCLES + self.cycle + 1).saturating_sub(self.recorded);
+        for step in 0..=RESET_CYCLES + self.cycle {
+            if step == first {
+                model.open_trace(&path)?;
+            }
+            if step == RESET_CYCLES {
+                inputs.fill(0);
+            }
+            if step >= RESET_CYCLES && stimulus.drive(step - RESET_CYCLES, &outputs, &mut inputs) == Flow::Done {
+                return Ok(Waveform::Diverged(path));
+            }
+            match model.step(&inputs, &mut outputs) {
+                // The failure may be that the hardware stopped, so that is no reason not to have a waveform.
+                Ok(()) | Err(VerilatedError::Stopped(_)) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(if outputs == self.outputs { Waveform::Written(path) } else { Waveform::Diverged(path) })
+    }
+
+    /// A file beside the cached builds; its name says which run it is of.
+    fn path(&self) -> Result<PathBuf, VerilatedError> {
+        let folder = self.library.cache().join("waveforms");
+        std::fs::create_dir_all(&folder).map_err(|source| VerilatedError::File {
+            action: "create",
+            path: folder.clone(),
+            source,
+        })?;
+        let name = format!(
+            "{}_{}_seed{}_cycle{}.fst",
+            self.library.source().top,
+            self.library.digest(),
+            self.seed,
+            self.cycle
+        );
+        Ok(folder.join(name))
+    }
+}
