@@ -90,7 +90,9 @@ fn squared_distance_on_splat(projection: &Projection, x: f64, y: f64) -> f64 {
 fn backward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, Shape), Culled> {
     let [alpha, beta] = projection.slant;
     let e = projection.eye_clearance();
-    let bounds = if e > 0.0 {
+    let bounds = if projection.crosses_eye_plane() {
+        Bounds::viewport(rendering)
+    } else {
         let filter = rendering.filter_radius_px.unwrap_or(0.0);
         let extent = |center: f64, [a, b]: [f64; 2]| {
             let middle = -(a * alpha + b * beta) / e;
@@ -100,8 +102,6 @@ fn backward(projection: &Projection, rendering: &Rendering) -> Result<(Bounds, S
         let (low_x, high_x) = extent(projection.center[0], projection.gradient_x);
         let (low_y, high_y) = extent(projection.center[1], projection.gradient_y);
         Bounds::of_samples([low_x, low_y], [high_x, high_y], rendering)?
-    } else {
-        Bounds::viewport(rendering)
     };
     Ok((bounds, Shape::Backward { projection: *projection, filter_radius_px: rendering.filter_radius_px }))
 }

@@ -13,21 +13,25 @@
 //!
 //! The line `x' = const` touches the unit circle in `(s, t)` iff `x'² = (A_x − x'α)² + (B_x − x'β)²`. With
 //! `e = 1 − α² − β²` its two solutions are `p ± h`, `p = −(A_x·α + B_x·β)/e` and `h² = p² + (A_x² + B_x²)/e`.
-//! They bound the splat iff `w > 0` on all of it, i.e. `e > 0`.
+//! They bound the splat iff `w > 0` on all of it, i.e. `e > 0`. Near zero `e` says nothing in a narrow number format and
+//! the bounds exceed any viewport, so a splat counts as crossing the eye plane up to [`CROSSING_CLEARANCE`].
 //!
 //! Depth is `depth_a + depth_b·r/w`. With `m = sqrt(α² + β²)`, `w` ranges over `1 ± m`, so `1/w` ranges over
 //! `(1 ± m)/e`, whose middle is `1 + m²/e` and whose half width is `m/e`.
 //!
-//! A splat that crosses the eye plane (`e ≤ 0`) has no such bounds: it may cover any pixel and reaches from the near
-//! plane backwards, so its bounds are the viewport, its depth is its center's, and its half depth range is
-//! [`WHOLE_DEPTH_RANGE`], which covers every stored depth.
+//! A splat that crosses the eye plane has no such bounds: it may cover any pixel and reaches from the near plane
+//! backwards, so its bounds are the viewport, its depth is its center's, and its half depth range is that of a splat
+//! with `m/e = 1`. No half depth range exceeds 1: depths lie in `0..=1`, so no two differ by more.
 
 use glam::DVec3;
 use pointcore_spec::{Camera, Rendering, Splat};
 use std::ops::Range;
 
-/// Half depth range of a splat that crosses the eye plane: depths lie in `0..=1`, so no two differ by more.
-pub const WHOLE_DEPTH_RANGE: f64 = 1.0;
+/// The largest `e` of a splat that counts as crossing the eye plane.
+pub const CROSSING_CLEARANCE: f64 = 1.0 / 4096.0;
+
+/// The largest half depth range.
+const HALF_DEPTH_MAX: f64 = 1.0;
 
 /// Why a splat is not drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,11 +116,11 @@ impl Projection {
             |scale: f64, v: f64, a1: f64, a2: f64| [scale * (a1 * r - v * alpha), scale * (a2 * r - v * beta)];
         let squared_slant = alpha * alpha + beta * beta;
         let e = 1.0 - squared_slant;
-        let (depth, half_depth) = if e > 0.0 {
-            let depth_scale = camera.depth_b * r;
+        let depth_scale = camera.depth_b * r;
+        let (depth, half_depth) = if e > CROSSING_CLEARANCE {
             (center_depth + depth_scale * squared_slant / e, depth_scale.abs() * squared_slant.sqrt() / e)
         } else {
-            (center_depth, WHOLE_DEPTH_RANGE)
+            (center_depth, depth_scale.abs())
         };
         Ok(Self {
             center: [camera.scale_x * vx + camera.center_x, camera.scale_y * vy + camera.center_y],
@@ -124,19 +128,19 @@ impl Projection {
             gradient_y: gradient(camera.scale_y, vy, a1.y, a2.y),
             slant: [alpha, beta],
             depth,
-            half_depth,
+            half_depth: half_depth.min(HALF_DEPTH_MAX),
         })
     }
 
-    /// `e`: positive iff the splat lies wholly in front of the eye plane.
+    /// `e`: positive if the splat lies wholly in front of the eye plane.
     pub(super) fn eye_clearance(&self) -> f64 {
         let [alpha, beta] = self.slant;
         1.0 - alpha * alpha - beta * beta
     }
 
-    /// Whether part of the splat lies behind the eye plane.
+    /// Whether part of the splat lies behind the eye plane, or too close to it to tell.
     #[must_use]
     pub fn crosses_eye_plane(&self) -> bool {
-        self.eye_clearance() <= 0.0
+        self.eye_clearance() <= CROSSING_CLEARANCE
     }
 }

@@ -62,16 +62,17 @@ impl Pixel {
             Decision::Pass => {
                 *self = Self { decisions: self.decisions, ..Self::default() };
                 self.decisions.pass += 1;
-                self.accumulate(splat, projection.depth, weight);
+                self.accumulate(splat, projection.depth.clamp(0.0, 1.0), weight);
             }
             Decision::Blend => {
                 self.decisions.blend += 1;
-                self.accumulate(splat, projection.depth, weight);
+                self.accumulate(splat, projection.depth.clamp(0.0, 1.0), weight);
             }
         }
     }
 
-    /// Eq. 5.8 with the ε of eq. 5.9; the stored depth is normalized first. Equality with a limit blends.
+    /// Eq. 5.8 with the ε of eq. 5.9; the stored depth is normalized first. Equality with a limit blends. Of a splat that
+    /// ends before the near plane, the far limit is the near plane, where its depth is stored.
     fn test(&self, projection: &Projection, rendering: &Rendering) -> Decision {
         if self.weight == 0.0 {
             return Decision::Pass;
@@ -80,7 +81,7 @@ impl Pixel {
         let stored = self.weighted_depth / self.weight;
         if stored < projection.depth - epsilon {
             Decision::Fail
-        } else if stored > projection.depth + epsilon {
+        } else if stored > (projection.depth + epsilon).max(0.0) {
             Decision::Pass
         } else {
             Decision::Blend
