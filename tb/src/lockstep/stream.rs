@@ -111,8 +111,10 @@ mod tests {
     fn fields_go_to_the_longest_stream_name() {
         let inputs = ["in_valid", "in_x", "in_far_valid", "in_far_x", "out_ready", "threshold"];
         let outputs = ["in_ready", "out_valid", "out_sum", "pulse_valid"];
-        let streams =
-            Streams::from_ports(&inputs.map(|name| Port::input(name, 1)), &outputs.map(|name| Port::output(name, 1)));
+        let ports = |names: &[&str], direction| -> Vec<_> {
+            names.iter().map(|name| Port { name: (*name).to_owned(), width: 1, direction }).collect()
+        };
+        let streams = Streams::from_ports(&ports(&inputs, Direction::Input), &ports(&outputs, Direction::Output));
         let find = |name| streams.get(name).unwrap_or_else(|| panic!("no stream {name}"));
         assert_eq!(find("in").fields, [1]);
         assert_eq!(find("in").ready, Some(0));

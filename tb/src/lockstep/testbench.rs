@@ -45,7 +45,7 @@ pub enum TestbenchError {
         /// The port.
         port: String,
         /// Its width.
-        width: u32,
+        width: usize,
         /// The value.
         value: u64,
     },

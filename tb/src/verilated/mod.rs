@@ -12,42 +12,11 @@ use std::path::PathBuf;
 
 pub use build::Builder;
 pub use model::{Library, Model, RESET};
+pub use pointcore_hdl::rtl::{Direction, Port};
+
+use pointcore_hdl::rtl::Design;
 
 use crate::toolchain::ToolchainError;
-
-/// Which way a port points, seen from the hardware.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// Driven by the testbench.
-    Input,
-    /// Driven by the hardware.
-    Output,
-}
-
-/// A port of a top module.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Port {
-    /// Its name in the Verilog.
-    pub name: String,
-    /// Bits, 1 to 64.
-    pub width: u32,
-    /// Which way it points.
-    pub direction: Direction,
-}
-
-impl Port {
-    /// An input port.
-    #[must_use]
-    pub fn input(name: &str, width: u32) -> Self {
-        Self { name: name.to_owned(), width, direction: Direction::Input }
-    }
-
-    /// An output port.
-    #[must_use]
-    pub fn output(name: &str, width: u32) -> Self {
-        Self { name: name.to_owned(), width, direction: Direction::Output }
-    }
-}
 
 /// Verilog text and what of it is to be run.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,8 +25,14 @@ pub struct Source {
     pub verilog: String,
     /// Name of the top module.
     pub top: String,
-    /// All its ports in declaration order. `clk` is driven by the harness, `rst` is an input like any other.
+    /// All its ports in declaration order, 1 to 64 bits wide. `clk` is driven by the harness, `rst` is an input like any other.
     pub ports: Vec<Port>,
+}
+
+impl From<&Design> for Source {
+    fn from(design: &Design) -> Self {
+        Self { verilog: design.verilog().to_owned(), top: design.top().to_owned(), ports: design.ports().to_vec() }
+    }
 }
 
 /// How hard the compiler works on a model.
@@ -103,7 +78,7 @@ pub enum VerilatedError {
         /// The port.
         name: String,
         /// Its width.
-        width: u32,
+        width: usize,
     },
     /// The design has a port whose name Verilator would change.
     #[error("port `{name}` of `{top}`: use letters, digits and single underscores, beginning with a letter")]

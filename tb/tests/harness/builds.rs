@@ -5,9 +5,10 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
 use pointcore::toolchain::{Toolchain, ToolchainError};
-use pointcore::verilated::{Builder, Options, Port, Trace, VerilatedError};
+use pointcore::verilated::{Builder, Direction, Model, Options, Source, Trace, VerilatedError};
+use pointcore_hdl::rtl::{Module, elaborate};
 
-use super::{FIFO, library, source};
+use super::{FIFO, library, port, source};
 
 /// A Verilator that appends a line to a file each time it translates.
 fn counting_verilator(folder: &Path) -> (PathBuf, PathBuf) {
@@ -81,9 +82,9 @@ fn a_design_that_is_not_clean_is_refused_with_the_message_of_verilator() {
 fn ports_that_cannot_be_exchanged_are_refused() {
     let builder = Builder::new().unwrap();
     let mut wide = source(FIFO);
-    wide.ports.push(Port::output("wide", 65));
+    wide.ports.push(port("wide", 65, Direction::Output));
     let mut odd = source(FIFO);
-    odd.ports.push(Port::output("odd__name", 1));
+    odd.ports.push(port("odd__name", 1, Direction::Output));
     assert!(matches!(builder.build(&wide, Options::default()), Err(VerilatedError::PortWidth { width: 65, .. })));
     assert!(matches!(builder.build(&odd, Options::default()), Err(VerilatedError::PortName { .. })));
 }
@@ -94,7 +95,7 @@ fn outputs_are_those_before_the_edge() {
     let mut model = library.instantiate(1);
     model.reset(2).unwrap();
     let mut outputs = [9; 4];
-    let valid = |model: &mut pointcore::verilated::Model, outputs: &mut [u64], inputs: [u64; 5]| {
+    let valid = |model: &mut Model, outputs: &mut [u64], inputs: [u64; 5]| {
         model.step(&inputs, outputs).unwrap();
         (outputs[0], outputs[1], outputs[2])
     };
@@ -102,6 +103,27 @@ fn outputs_are_those_before_the_edge() {
     assert_eq!(valid(&mut model, &mut outputs, [0, 0, 0, 0, 1]), (1, 1, 0x1ffff), "and is at the front after it");
     assert_eq!(outputs[3], 1);
     assert_eq!(valid(&mut model, &mut outputs, [0, 0, 0, 0, 1]).1, 0, "it was taken");
+}
+
+#[test]
+fn elaborated_designs_run() {
+    let mut accumulator = Module::new("accumulator", "Sums its input.");
+    let step = accumulator.input("step", 8);
+    let sum = accumulator.reg_reset("sum", 40, 5);
+    accumulator.next(&sum, &(sum.expr() + step.zext(40)));
+    accumulator.output("total", &sum.expr());
+    let source = Source::from(&elaborate(&accumulator).unwrap());
+    let mut model = Builder::new().unwrap().build(&source, Options::default()).unwrap().instantiate(1);
+    model.reset(2).unwrap();
+    let step = model.library().inputs().iter().position(|port| port.name == "step").expect("it was declared");
+    let mut inputs = vec![0; model.library().inputs().len()];
+    inputs[step] = 200;
+    let totals = [5, 205, 405].map(|expected| {
+        let mut outputs = [0];
+        model.step(&inputs, &mut outputs).unwrap();
+        (outputs[0], expected)
+    });
+    assert!(totals.iter().all(|(total, expected)| total == expected), "{totals:?}");
 }
 
 #[test]

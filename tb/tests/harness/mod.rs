@@ -6,25 +6,21 @@ mod lockstep;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use pointcore::verilated::{Builder, Library, Options, Port, Source};
+use pointcore::verilated::{Builder, Direction, Library, Options, Port, Source};
 
 /// The queue's Verilog.
 const FIFO: &str = include_str!("fifo.v");
 
+fn port(name: &str, width: usize, direction: Direction) -> Port {
+    Port { name: name.to_owned(), width, direction }
+}
+
 /// The queue, or a broken one, with its ports.
 fn source(verilog: &str) -> Source {
-    let ports = vec![
-        Port::input("clk", 1),
-        Port::input("rst", 1),
-        Port::input("in_valid", 1),
-        Port::output("in_ready", 1),
-        Port::input("in_value", 16),
-        Port::input("in_last", 1),
-        Port::output("out_valid", 1),
-        Port::input("out_ready", 1),
-        Port::output("out_value", 17),
-        Port::output("out_last", 1),
-    ];
+    let inputs = [("clk", 1), ("rst", 1), ("in_valid", 1), ("in_value", 16), ("in_last", 1), ("out_ready", 1)];
+    let outputs = [("in_ready", 1), ("out_valid", 1), ("out_value", 17), ("out_last", 1)];
+    let ports = inputs.map(|(name, width)| port(name, width, Direction::Input)).into_iter();
+    let ports = ports.chain(outputs.map(|(name, width)| port(name, width, Direction::Output))).collect();
     Source { verilog: verilog.to_owned(), top: "fifo".to_owned(), ports }
 }
 
