@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 /// The oldest Verilator whose generated code the shim is written for.
 pub const OLDEST_VERILATOR: Version = Version { major: 5, minor: 6 };
@@ -108,12 +109,17 @@ pub struct Toolchain {
 }
 
 impl Toolchain {
-    /// `verilator` and `g++` from the search path.
+    /// `verilator` and `g++` from the search path, asked for their versions once in a process.
     ///
     /// # Errors
     /// When one of them is missing or too old.
     pub fn find() -> Result<Self, ToolchainError> {
-        Self::with(Path::new("verilator"), Path::new("g++"))
+        static FOUND: OnceLock<Toolchain> = OnceLock::new();
+        if let Some(found) = FOUND.get() {
+            return Ok(found.clone());
+        }
+        let found = Self::with(Path::new("verilator"), Path::new("g++"))?;
+        Ok(FOUND.get_or_init(|| found).clone())
     }
 
     /// The named programs.
