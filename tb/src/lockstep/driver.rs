@@ -87,7 +87,7 @@ impl<G: Golden> Lockstep<G> {
         self
     }
 
-    /// The number of cycles after which the run fails as stuck.
+    /// The number of cycles after which the run fails as stuck; a finished run takes fewer.
     #[must_use]
     pub fn limit(mut self, cycles: u64) -> Self {
         self.limit = cycles;
@@ -123,8 +123,10 @@ impl<G: Golden> Lockstep<G> {
         state.inputs.fill(0);
         let mut cycle = 0;
         while stimulus.drive(cycle, &state.outputs, &mut state.inputs) == Flow::Continue {
-            let outcome =
-                if cycle == self.limit { Err(Cause::Unfinished) } else { self.step(&mut hardware, &mut state)? };
+            let mut outcome = self.step(&mut hardware, &mut state)?;
+            if outcome.is_ok() && cycle + 1 == self.limit {
+                outcome = Err(Cause::Unfinished);
+            }
             if let Err(cause) = outcome {
                 return Err(self.explain(cycle, cause, &state, initial));
             }

@@ -83,32 +83,48 @@ impl Builder {
         let shim = shim::generate(source, options.trace);
         let key = self.key(&[&source.verilog, &source.top, &shim, RUNTIME_HEADER, RUNTIME_SOURCE], options);
         let entry = self.cache.entry(&key, |content| {
-            let support = self.support(options.optimization)?;
-            Build { toolchain: &self.toolchain, source, options, support: &support, content }.run(&shim)
+            let runtime = self.runtime(options.optimization)?;
+            let waveform_writer = match options.trace {
+                Trace::On => Some(self.waveform_writer(options.optimization)?),
+                Trace::Off => None,
+            };
+            Build { toolchain: &self.toolchain, source, options, runtime, waveform_writer, content }.run(&shim)
         })?;
         Library::load(&entry.join(LIBRARY), key, source.clone(), options, Arc::clone(self))
     }
 
     /// The run-time library and the precompiled header, shared by all models of one optimization.
-    fn support(&self, optimization: Optimization) -> Result<PathBuf, VerilatedError> {
+    fn runtime(&self, optimization: Optimization) -> Result<PathBuf, VerilatedError> {
         let options = Options { optimization, trace: Trace::Off };
-        let key = self.key(&["support", RUNTIME_HEADER, RUNTIME_SOURCE], options);
+        let threads = self.toolchain.include.join("verilated_threads.cpp");
+        let jobs = [
+            ["-xc++-header", "runtime.h", "-o", "runtime.h.gch"],
+            ["-c", "runtime.cpp", "-o", "runtime.o"],
+            ["-c", &threads.to_string_lossy(), "-o", "threads.o"],
+        ];
+        self.precompiled("Verilator's run-time library", options, &jobs)
+    }
+
+    /// The writer of waveforms, which needs a library that simulation does not.
+    fn waveform_writer(&self, optimization: Optimization) -> Result<PathBuf, VerilatedError> {
+        let options = Options { optimization, trace: Trace::On };
+        let writer = self.toolchain.include.join("verilated_fst_c.cpp");
+        let jobs = [["-c", &writer.to_string_lossy(), "-o", "waveform.o"]];
+        self.precompiled("the waveform writer (needs `apt-get install zlib1g-dev`)", options, &jobs)
+    }
+
+    /// The cache entry with the results of these compilations.
+    fn precompiled(&self, what: &str, options: Options, jobs: &[[&str; 4]]) -> Result<PathBuf, VerilatedError> {
+        let key = self.key(&[what, RUNTIME_HEADER, RUNTIME_SOURCE], options);
         self.cache.entry(&key, |content| {
             write(&content.join("runtime.h"), RUNTIME_HEADER)?;
             write(&content.join("runtime.cpp"), RUNTIME_SOURCE)?;
-            let include = &self.toolchain.include;
-            let jobs = [
-                ["-xc++-header", "runtime.h", "-o", "runtime.h.gch"],
-                ["-c", "runtime.cpp", "-o", "runtime.o"],
-                ["-c", &include.join("verilated_threads.cpp").to_string_lossy(), "-o", "threads.o"],
-                ["-c", &include.join("verilated_fst_c.cpp").to_string_lossy(), "-o", "waveform.o"],
-            ]
-            .map(|arguments| {
-                let mut command = compiler(&self.toolchain, optimization);
+            let compilations = jobs.iter().map(|arguments| {
+                let mut command = compiler(&self.toolchain, options.optimization);
                 command.arg("-I.").args(arguments);
                 command
             });
-            run_all(jobs.into(), "Verilator's run-time library (needs zlib1g-dev)", content)
+            run_all(compilations.collect(), what, content)
         })
     }
 
@@ -125,7 +141,8 @@ struct Build<'a> {
     toolchain: &'a Toolchain,
     source: &'a Source,
     options: Options,
-    support: &'a Path,
+    runtime: PathBuf,
+    waveform_writer: Option<PathBuf>,
     content: &'a Path,
 }
 
@@ -149,16 +166,16 @@ impl Build<'_> {
                 command.arg("-O0");
             }
             command.args(["-c", &format!("{unit}.cpp"), "-o", &format!("{unit}.o")]);
-            command.arg("-I").arg(self.support).args(["-I.", "-Imodel"]);
+            command.arg("-I").arg(&self.runtime).args(["-I.", "-Imodel"]);
             command
         });
         run_all(compilations.collect(), &self.source.top, work)?;
         let mut link = Command::new(&self.toolchain.compiler.program);
         link.args(["-shared", "-Wl,--no-undefined", "-pthread", "-o"]).arg(self.content.join(LIBRARY));
         link.args(units.iter().map(|unit| format!("{unit}.o")));
-        link.args(["runtime.o", "threads.o"].map(|object| self.support.join(object)));
-        if self.options.trace == Trace::On {
-            link.arg(self.support.join("waveform.o")).arg("-lz");
+        link.args(["runtime.o", "threads.o"].map(|object| self.runtime.join(object)));
+        if let Some(writer) = &self.waveform_writer {
+            link.arg(writer.join("waveform.o")).arg("-lz");
         }
         run_all(vec![link], &self.source.top, work)
     }

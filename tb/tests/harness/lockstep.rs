@@ -128,6 +128,7 @@ fn a_run_that_never_ends_fails() {
     let no_sink = StreamTestbench::new(&library, 1).source("in", items(), Stall::Never).unwrap();
     let failure = failure(Lockstep::new(&library, golden(), 1).limit(1000).run(no_sink));
     assert!(matches!(failure.cause, Cause::Unfinished), "{failure}");
+    assert!(matches!(failure.waveform, Waveform::Written(_)), "{failure}");
 }
 
 #[test]
