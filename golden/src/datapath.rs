@@ -121,7 +121,7 @@ mod tests {
         let mut datapath = Datapath::new(2, 1);
         let mut sent = 0;
         for _ in 0..20 {
-            let token = datapath.in_ready().then(|| sent);
+            let token = datapath.in_ready().then_some(sent);
             sent += u32::from(token.is_some());
             assert_eq!(datapath.step(token, false), None);
         }

@@ -163,3 +163,46 @@ impl Visitor for Writer<'_> {
 
     fn prefix(&mut self, _prefix: &'static str) {}
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Clone, Copy, Debug, Default)]
+    struct Count {
+        value: u32,
+    }
+
+    impl Record<()> for Count {
+        fn visit(&mut self, (): (), visitor: &mut impl Visitor) {
+            visitor.field("value", &mut self.value);
+        }
+    }
+
+    impl Model for Count {
+        type Shape = ();
+        type In = Self;
+        type Out = Self;
+
+        fn shape(&self) {}
+
+        fn outputs(&self) -> Self {
+            *self
+        }
+
+        fn clock(&mut self, inputs: &Self) {
+            self.value += inputs.value;
+        }
+    }
+
+    #[test]
+    fn shows_then_clocks_then_resets() {
+        let mut unit = Ported::new(Count { value: 7 });
+        let shown = [[0, 1], [0, 2], [1, 3], [0, 4], [0, 0]].map(|inputs| {
+            let mut outputs = [0];
+            unit.step(&inputs, &mut outputs);
+            outputs[0]
+        });
+        assert_eq!(shown, [7, 8, 10, 7, 11]);
+    }
+}

@@ -226,3 +226,97 @@ impl Events {
         visitor.field("event_slot_wait", &mut self.slot_wait);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::core_a::records::SamplePlace;
+
+    /// A sample whose ε-band reaches 100 to either side.
+    fn sample(pixel: u8, weight: u16, depth: u32) -> WeightedSample {
+        let place = SamplePlace { end: false, last: true, inside: true, slot: 1, pixel, weight };
+        let weighted_depth = u64::from(weight) * u64::from(depth);
+        let mut attributes = [0; 14];
+        attributes[0] = 0x3c00; // 1.0 in f16
+        attributes[1] = u32::from(weight);
+        WeightedSample { place, weighted_depth, depth_low: depth - 100, depth_high: depth + 100, attributes }
+    }
+
+    /// Feeds the samples as fast as they are taken, with slot 1 ready from a cycle on; returns the unit and when copies retired.
+    fn run(config: &Config, samples: &[WeightedSample], ready_from: u32) -> (Accumulator, Vec<u32>, Events) {
+        let mut unit = Accumulator::new(config);
+        let mut samples = samples.iter().copied();
+        let mut input = samples.next();
+        let (mut retired, mut seen) = (Vec::new(), Events::default());
+        for cycle in 0..200 {
+            let out = unit.outputs();
+            retired.extend(out.retire.map(|_| cycle));
+            seen.hazard |= out.events.hazard;
+            seen.slot_wait |= out.events.slot_wait;
+            unit.clock(&In { input, slot_ready: u64::from(cycle >= ready_from) << 1, fill: None, drain: None });
+            if out.in_ready {
+                input = samples.next();
+            }
+        }
+        (unit, retired, seen)
+    }
+
+    fn config() -> Config {
+        Config { continuous: 1, cardinal: 1, accumulate_stages: 3, ..Config::default() }
+    }
+
+    #[test]
+    fn other_pixels_follow_at_once_and_the_same_pixel_waits() {
+        let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(2, 5, 1000)], 0);
+        // Two cycles to the queue's output, issue, E + 1 stages, then the register.
+        assert_eq!(retired, [7, 8]);
+        assert!(!seen.hazard && !seen.slot_wait);
+        let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(1, 5, 1000)], 0);
+        assert_eq!(retired, [7, 12], "issued in the cycle after stage E + 1 wrote");
+        assert!(seen.hazard && !seen.slot_wait);
+        let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000)], 50);
+        assert_eq!(retired, [55]);
+        assert!(seen.slot_wait);
+    }
+
+    #[test]
+    fn pixels_are_blended_replaced_and_kept() {
+        let pixel = |samples: &[WeightedSample]| {
+            let unit = run(&config(), samples, 0).0;
+            let Pixel { weight, depth, peak, attributes } = unit.pixels[index(1, 9)];
+            (weight, depth, peak, attributes[0], attributes[1])
+        };
+        let base = [sample(9, 10, 1000), sample(9, 20, 1050)];
+        let blended = (30, 31_000, 20, 0x4000, 20);
+        assert_eq!(pixel(&base), blended);
+        assert_eq!(pixel(&[base[0], base[1], sample(9, 7, 9000)]), blended, "hidden");
+        assert_eq!(pixel(&[base[0], base[1], sample(9, 7, 1000)]), (37, 38_000, 20, 0x4200, 20), "a smaller weight");
+        assert_eq!(pixel(&[base[1], sample(9, 7, 500)]), (7, 3500, 7, 0x3c00, 7), "nearer");
+    }
+
+    #[test]
+    fn a_full_weight_sum_takes_no_more() {
+        let unit = Accumulator::new(&config());
+        let stored =
+            Pixel { weight: WEIGHT_SUM_MAX - 5, depth: u64::from(WEIGHT_SUM_MAX - 5) * 1000, ..Pixel::default() };
+        assert_eq!(unit.accumulate(&stored, &sample(0, 5, 1000)).map(|pixel| pixel.weight), Some(WEIGHT_SUM_MAX));
+        assert_eq!(unit.accumulate(&stored, &sample(0, 6, 1000)), None);
+    }
+
+    #[test]
+    fn the_end_comes_after_every_sample() {
+        let end =
+            WeightedSample { place: SamplePlace { end: true, ..SamplePlace::default() }, ..WeightedSample::default() };
+        let mut unit = Accumulator::new(&config());
+        let mut ended = None;
+        let mut retired = None;
+        for cycle in 0..20 {
+            let out = unit.outputs();
+            retired = out.retire.map(|_| cycle).or(retired);
+            ended = if out.frame_end { Some(cycle) } else { ended };
+            let input = [Some(sample(1, 5, 1000)), Some(end)].get(cycle).copied().flatten();
+            unit.clock(&In { input, slot_ready: 2, fill: None, drain: None });
+        }
+        assert_eq!((retired, ended), (Some(7), Some(8)), "all stages are empty when the last sample retires");
+    }
+}

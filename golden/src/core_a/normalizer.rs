@@ -111,3 +111,22 @@ impl Record<Shape> for Out {
         stream(visitor, shape, "out_", &mut self.out);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::core_a::records::{Pixel, PlacedPixel};
+
+    #[test]
+    fn divides_by_the_weight() {
+        let unit = Normalizer::new(&Config { continuous: 1, cardinal: 1, ..Config::default() }, 1);
+        let mut attributes = [0; 14];
+        attributes[..2].copy_from_slice(&[0x4500, 77]); // 5.0 in f16
+        // A weight of 2 and a depth of ¾.
+        let value = Pixel { weight: 2 << WEIGHT_BITS, depth: 3 << (WEIGHT_BITS + DEPTH_BITS - 1), peak: 1, attributes };
+        let placed = PlacedPixel { tile: 3 << 5 | 9, pixel: 2 << 3 | 5, value };
+        let fragment = unit.normalize(&FinishedPixel { end: false, placed });
+        assert_eq!((fragment.column, fragment.row, fragment.depth), (77, 26, 0.75_f32.to_bits()));
+        assert_eq!(fragment.attributes[..2], [0x4100, 77]); // 2.5 in f16
+    }
+}

@@ -232,3 +232,57 @@ impl Events {
         visitor.field("event_blocked", &mut self.blocked);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::core_a::records::{Footprint, Rectangle, SplatCopy};
+
+    fn bits(number: f32) -> u32 {
+        number.to_bits()
+    }
+
+    /// A disc of 3 px radius that faces the eye, in tile (1, 1) of the default image, about the tile's fourth pixel's corner.
+    fn disc(slot: u8) -> PlacedCopy {
+        let footprint = Footprint {
+            center: [bits(12.0); 2],
+            a: [bits(3.0), 0],
+            b: [0, bits(3.0)],
+            delta: bits(9.0),
+            m: [0; 2],
+            band: Band { depth: u32::from(slot), low: 1, high: 2 },
+        };
+        let bounds = Rectangle { left: 1, right: 6, top: 1, bottom: 6 };
+        PlacedCopy { copy: SplatCopy { footprint, bounds, tile: 1 << 5 | 1, ..SplatCopy::default() }, slot }
+    }
+
+    #[test]
+    fn samples_cover_the_disc_and_the_last_closes_it() {
+        let mut unit = Rasterizer::new(&Config::default(), 4);
+        let mut copies = (0..4).map(disc).collect::<Vec<_>>().into_iter();
+        let mut input = copies.next();
+        let mut samples = Vec::new();
+        let mut evaluated = 0;
+        for _ in 0..4 * 36 + 12 {
+            let out = unit.outputs();
+            samples.extend(out.out);
+            evaluated += u32::from(out.events.sample);
+            unit.clock(&In { input, out_ready: true, filter_scale: bits(1.0) });
+            if out.in_ready {
+                input = copies.next();
+            }
+        }
+        assert_eq!(evaluated, 4 * 36, "a sample a cycle, without a gap between copies");
+        for (slot, samples) in (0..).zip(samples.chunk_by(|a, _| !a.place.last)) {
+            let (last, inside) = samples.split_last().expect("a chunk is not empty");
+            assert!(!last.place.inside && last.place.pixel == 6 * 8 + 6, "the corner lies outside");
+            assert_eq!(inside.len(), 32, "6 by 6 pixels without the corners");
+            for sample in inside {
+                let [x, y] = [sample.place.pixel % 8, sample.place.pixel / 8].map(|i| f64::from(i) - 3.5);
+                let weight = (-2.0 * (x * x + y * y) / 9.0).exp() * 65535.0;
+                assert!(sample.place.inside && (f64::from(sample.place.weight) - weight).abs() < 3.0);
+                assert_eq!((sample.place.slot, sample.band.depth), (slot, u32::from(slot)));
+            }
+        }
+    }
+}

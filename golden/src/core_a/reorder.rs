@@ -126,3 +126,55 @@ impl Record<Shape> for Out {
         stream(visitor, shape, "out_", &mut self.out);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::core_a::testing::for_each_seed;
+
+    /// Frames of copies, random stalls: what leaves is what entered, frame by frame, in order of arrival within a tile.
+    #[test]
+    fn copies_of_a_tile_stay_in_order_and_frames_apart() {
+        for_each_seed("reorder", |random| {
+            let mut reorder = Reorder::new(&Config { heap_levels: 3, sequence_bits: 4, ..Config::default() });
+            let copy = |number: u32, random: &mut fastrand::Rng| {
+                let mut copy = SplatCopy { end: number % 50 == 49, tile: random.u32(0..6), ..SplatCopy::default() };
+                copy.attributes[0] = number;
+                copy
+            };
+            let mut sent: Vec<Vec<SplatCopy>> = vec![Vec::new()];
+            let mut received = sent.clone();
+            let mut number = 0;
+            let mut input = None;
+            let mut changes = 0;
+            while received.len() < 5 {
+                let out = reorder.outputs();
+                if input.is_none() && number < 200 && random.u8(0..4) > 0 {
+                    input = Some(copy(number, random));
+                    number += 1;
+                }
+                let out_ready = random.u8(0..4) == 0;
+                if let Some(copy) = out.out.filter(|_| out_ready) {
+                    let frame = received.last_mut().expect("there is a frame from the start on");
+                    if copy.end {
+                        received.push(Vec::new());
+                    } else {
+                        changes += usize::from(frame.last().is_none_or(|last| last.tile != copy.tile));
+                        frame.push(copy);
+                    }
+                }
+                reorder.clock(&In { input, out_ready });
+                if let Some(copy) = input.take_if(|_| out.in_ready) {
+                    let frame = sent.last_mut().expect("there is a frame from the start on");
+                    if copy.end { sent.push(Vec::new()) } else { frame.push(copy) }
+                }
+            }
+            for (sent, received) in sent.iter_mut().zip(&mut received) {
+                sent.sort_by_key(|copy| copy.tile);
+                received.sort_by_key(|copy| copy.tile);
+                assert_eq!(sent, received, "both sorts are stable");
+            }
+            assert!(changes < 130, "196 copies changed the tile {changes} times");
+        });
+    }
+}

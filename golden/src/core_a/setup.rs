@@ -213,3 +213,62 @@ impl Record<Shape> for Out {
         stream(visitor, shape, "out_", &mut self.out);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn uniforms() -> SetupUniforms {
+        let bits = f32::to_bits;
+        SetupUniforms {
+            scale: [bits(100.0); 2],
+            center: [bits(128.0), bits(64.0)],
+            depth_a: bits(1.0),
+            depth_b: bits(-1.0),
+            epsilon_scale: bits(1.0),
+            epsilon_bias: bits(0.0),
+            filter_radius: bits(1.0),
+        }
+    }
+
+    /// A splat at depth 2 on the axis, with the given tangents.
+    fn setup(tangents: [[f32; 3]; 2]) -> Option<SetupSplat> {
+        let unit = Setup::new(&Config { height: 128, ..Config::default() }, 1);
+        let center = [0.0, 0.0, 2.0].map(f32::to_bits);
+        let tangents = tangents.map(|tangent| tangent.map(f32::to_bits));
+        unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms())
+    }
+
+    fn bounds(splat: &SetupSplat) -> [u16; 4] {
+        let Rectangle { left, right, top, bottom } = splat.bounds;
+        [left, right, top, bottom]
+    }
+
+    #[test]
+    fn a_facing_disc_has_the_bounds_of_its_circle() {
+        // 0.2 at distance 2: 10 px about (128, 64); samples lie at half pixels.
+        let splat = setup([[0.2, 0.0, 0.0], [0.0, 0.2, 0.0]]).expect("it is in view");
+        assert_eq!(bounds(&splat), [118, 137, 54, 73]);
+        let Band { depth, low, high } = splat.footprint.band;
+        assert_eq!([depth, low, high], [1 << 23; 3], "all of it lies at depth ½");
+        let tiny = setup([[1e-6, 0.0, 0.0], [0.0, 1e-6, 0.0]]).expect("the filter shows it");
+        assert_eq!(bounds(&tiny), [127, 128, 63, 64]);
+    }
+
+    #[test]
+    fn a_slanted_disc_has_a_depth_range() {
+        let splat = setup([[0.2, 0.0, 1.0], [0.0, 0.2, 0.0]]).expect("it is in view");
+        let Band { low, high, .. } = splat.footprint.band;
+        // It reaches from z = 1 to z = 3: depths 0 and ⅔.
+        let error =
+            [(low, 0.0), (high, 2.0 / 3.0)].map(|(bits, depth)| (f64::from(bits) / f64::from(1 << 24) - depth).abs());
+        assert!(error.into_iter().all(|error| error < 1e-6), "{low}, {high}");
+    }
+
+    #[test]
+    fn a_splat_across_the_eye_plane_has_the_viewport() {
+        let splat = setup([[0.2, 0.0, 2.0], [0.0, 0.2, 0.0]]).expect("it is in view");
+        assert_eq!(bounds(&splat), [0, 255, 0, 127]);
+        assert_eq!(splat.footprint.band, Band { depth: 1 << 23, low: 0, high: (1 << 24) - 1 });
+    }
+}

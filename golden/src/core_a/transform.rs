@@ -116,3 +116,31 @@ impl Record<Shape> for Out {
         stream(visitor, shape, "out_", &mut self.out);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moves_centers_rotates_tangents_and_culls() {
+        let bits = f32::to_bits;
+        let unit = Transform::new(&Config::default(), 1);
+        // A quarter turn about z and 3 along it.
+        let model_view = [[0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 3.0]].map(|row| row.map(bits));
+        let uniforms = TransformUniforms { model_view, near: bits(1.0) };
+        let splat = |z: f32, tangents: [[f32; 3]; 2]| Splat {
+            center: [bits(1.0), bits(2.0), bits(z)],
+            tangents: tangents.map(|tangent| tangent.map(bits)),
+            ..Splat::default()
+        };
+        // Their cross product points towards the eye, along −z.
+        let front = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+        let moved = unit.transform(&splat(5.0, front), &uniforms).expect("it faces the eye");
+        assert_eq!(moved.center.map(f32::from_bits), [-2.0, 1.0, 8.0]);
+        assert_eq!(moved.tangents.map(|tangent| tangent.map(f32::from_bits)), [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        let back = [front[1], front[0]];
+        assert_eq!(unit.transform(&splat(5.0, back), &uniforms), None, "faces away");
+        assert_eq!(unit.transform(&splat(-2.0, front), &uniforms), None, "at the near plane");
+        assert_eq!(unit.transform(&splat(f32::NAN, front), &uniforms), None, "is nowhere");
+    }
+}

@@ -90,3 +90,20 @@ impl Record<Shape> for Out {
         stream(visitor, shape, "out_", &mut self.out);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::core_a::records::{Band, SamplePlace};
+
+    #[test]
+    fn weighs_what_is_blended() {
+        let unit = Weighting::new(&Config { continuous: 1, cardinal: 1, ..Config::default() }, 1);
+        let mut attributes = [0; 14];
+        attributes[..2].copy_from_slice(&[0xc200, 77]); // −3.0 in f16
+        let place = SamplePlace { weight: 1 << 15, inside: true, ..SamplePlace::default() };
+        let weighted = unit.weigh(&Sample { place, band: Band { depth: 11, low: 10, high: 12 }, attributes });
+        assert_eq!((weighted.weighted_depth, weighted.depth_low, weighted.depth_high), (11 << 15, 10, 12));
+        assert_eq!(weighted.attributes[..2], [0xbe00, 77]); // −1.5 in f16
+    }
+}
