@@ -1,2 +1,3 @@
 //! Hardware against golden models, one module a unit.
+mod float;
 mod harness;

@@ -1,7 +1,7 @@
 //! Conversion between formats.
 
 use super::delay;
-use super::operand::{Operand, normalize, normalize_delays, precision, signed, signed_width};
+use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision, signed, signed_width};
 use super::pipe::{self, Operator, Pipe};
 use super::round::{Raw, Special, Underflow, round, round_delays};
 use super::shift::keep_sticky;
@@ -41,8 +41,9 @@ pub fn module(from: Format, to: Format, stages: u32) -> Operator {
     let [a] = normalize(&mut pipe, from, [&a]);
 
     let offset = to.bias() - from.bias();
-    let bits =
-        signed_width(from.exponent_max() as u32 + from.mantissa + offset.unsigned_abs()).max(to.exponent as usize + 1);
+    let bits = signed_width(from.exponent_max() as u32 + from.mantissa + offset.unsigned_abs())
+        .max(exponent_width(from))
+        .max(exponent_width(to));
     let [exponent, significand] = pipe.cut([
         ("exponent", &(a.exponent.sext(bits) + signed(bits, offset))),
         ("significand", &keep_sticky(&a.significand, precision(to) + 2)),
