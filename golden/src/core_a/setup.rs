@@ -93,7 +93,7 @@ impl Setup {
         let [ux, uy, uz] = splat.center.map(|bits| self.number(bits));
         let [[a1x, a1y, a1z], [a2x, a2y, a2z]] = splat.tangents.map(|tangent| tangent.map(|bits| self.number(bits)));
         let [scale_x, scale_y] = uniforms.scale.map(|bits| self.number(bits));
-        let [origin_x, origin_y] = uniforms.center.map(|bits| self.number(bits));
+        let [origin_x, origin_y] = uniforms.origin.map(|bits| self.number(bits));
 
         let r = uz.recip();
         let (vx, vy) = (ux * r, uy * r);
@@ -222,7 +222,7 @@ mod tests {
         let bits = f32::to_bits;
         SetupUniforms {
             scale: [bits(100.0); 2],
-            center: [bits(128.0), bits(64.0)],
+            origin: [bits(128.0), bits(64.0)],
             depth_a: bits(1.0),
             depth_b: bits(-1.0),
             epsilon_scale: bits(1.0),

@@ -64,7 +64,7 @@ impl Transform {
         let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
         let [a1, a2] = splat.tangents.map(|tangent| rotate(tangent.map(number)));
 
-        let visible = number(uniforms.near).is_below(center[2])
+        let visible = number(uniforms.near_plane).is_below(center[2])
             && (!self.culling.is_on() || facing(center, a1, a2).is_at_most(number(0)));
         visible.then(|| Splat {
             center: center.map(Number::bits),
@@ -127,7 +127,7 @@ mod tests {
         let unit = Transform::new(&Config::default(), 1);
         // A quarter turn about z and 3 along it.
         let model_view = [[0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 3.0]].map(|row| row.map(bits));
-        let uniforms = TransformUniforms { model_view, near: bits(1.0) };
+        let uniforms = TransformUniforms { model_view, near_plane: bits(1.0) };
         let splat = |z: f32, tangents: [[f32; 3]; 2]| Splat {
             center: [bits(1.0), bits(2.0), bits(z)],
             tangents: tangents.map(|tangent| tangent.map(bits)),

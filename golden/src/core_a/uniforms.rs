@@ -9,7 +9,7 @@ pub struct TransformUniforms {
     /// Model-view matrix by rows.
     pub model_view: [[u32; 4]; 3],
     /// Near plane.
-    pub near: u32,
+    pub near_plane: u32,
 }
 
 /// What the setup unit reads.
@@ -17,8 +17,8 @@ pub struct TransformUniforms {
 pub struct SetupUniforms {
     /// Viewport scale (px).
     pub scale: [u32; 2],
-    /// Viewport center (px).
-    pub center: [u32; 2],
+    /// Where the optical axis meets the image (px).
+    pub origin: [u32; 2],
     /// Depth is `depth_a + depth_b/z`.
     pub depth_a: u32,
     /// See `depth_a`.
@@ -56,7 +56,7 @@ impl TransformUniforms {
 impl Record<Shape> for TransformUniforms {
     fn visit(&mut self, _shape: Shape, visitor: &mut impl Visitor) {
         self.visit_matrix(visitor);
-        visitor.field("near_plane", &mut self.near);
+        visitor.field("near_plane", &mut self.near_plane);
     }
 }
 
@@ -64,8 +64,8 @@ impl SetupUniforms {
     fn visit_viewport(&mut self, visitor: &mut impl Visitor) {
         visitor.field("scale_x", &mut self.scale[0]);
         visitor.field("scale_y", &mut self.scale[1]);
-        visitor.field("origin_x", &mut self.center[0]);
-        visitor.field("origin_y", &mut self.center[1]);
+        visitor.field("origin_x", &mut self.origin[0]);
+        visitor.field("origin_y", &mut self.origin[1]);
         visitor.field("depth_a", &mut self.depth_a);
         visitor.field("depth_b", &mut self.depth_b);
     }
@@ -95,7 +95,7 @@ impl Uniforms {
     fn visit(&mut self, visitor: &mut impl Visitor) {
         self.transform.visit_matrix(visitor);
         self.setup.visit_viewport(visitor);
-        visitor.field("near_plane", &mut self.transform.near);
+        visitor.field("near_plane", &mut self.transform.near_plane);
         self.setup.visit_epsilon(visitor);
         visitor.field("filter_radius", &mut self.setup.filter_radius);
         visitor.field("filter_scale", &mut self.filter_scale);
@@ -156,7 +156,7 @@ mod tests {
         uniforms.write(18, 8);
         uniforms.write(22, 9);
         uniforms.write(23, 10);
-        let transform = TransformUniforms { near: 8, ..TransformUniforms::default() };
+        let transform = TransformUniforms { near_plane: 8, ..TransformUniforms::default() };
         let setup = SetupUniforms { scale: [7, 0], ..SetupUniforms::default() };
         assert_eq!(uniforms, Uniforms { transform, setup, filter_scale: 9 });
     }
