@@ -250,3 +250,79 @@ impl<'a> Scheduler<'a> {
         width * (REGISTER_COST * in_registers + in_memory)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::cost::CYCLE_LEVELS;
+    use super::super::operators::OperatorStages;
+    use super::super::optimize::optimize;
+    use super::super::program::{Program, Value};
+    use super::super::types::Type;
+    use super::*;
+    use pointcore_spec::Format;
+
+    /// Sums of products, a root, and integers in long chains.
+    fn graph() -> Graph {
+        let p = Program::new("test", "");
+        let x: Vec<Value> = (0..6).map(|i| p.input(&format!("x{i}"), Type::Float(Format::F16))).collect();
+        let m = p.uniform("m", Type::Float(Format::F16));
+        let sum = x.iter().map(|x| x * &m).reduce(|sum, product| sum + product).expect("there are six");
+        p.output("root", &(sum.sqrt() * &x[0] - &x[5]));
+        // Held to the end anyway, so its product is better computed late.
+        p.output("last", &x[5]);
+        let n = p.input("n", Type::Unsigned(16));
+        let chain = x.iter().fold(n, |n, x| (&n + &x.zext(16)).min(&(n ^ x.zext(16))));
+        p.output("chain", &chain);
+        optimize(&p.graph().expect("the test's program is well typed"))
+    }
+
+    #[test]
+    fn operands_are_there_and_instances_suffice() {
+        let graph = graph();
+        for initiation_interval in 1..=7 {
+            let plan = Plan::new(&graph, initiation_interval, &OperatorStages::default());
+            let schedule = schedule(&graph, &plan, initiation_interval);
+            let mut starts = vec![vec![0; initiation_interval as usize]; plan.classes.len()];
+            let mut levels = vec![0; graph.nodes().len()];
+            for (index, node) in graph.nodes().iter().enumerate() {
+                let start = schedule.start[index];
+                let moving = node.operands.iter().filter(|id| !plan.is_static(**id)).map(|id| id.0);
+                let before = moving.map(|operand| {
+                    assert!(schedule.available[operand] <= start, "node {index} waits for {operand}");
+                    if schedule.available[operand] == start { levels[operand] } else { 0 }
+                });
+                let before = before.max().unwrap_or(0);
+                match plan.timing[index] {
+                    Timing::Pipelined { class } => starts[class][(start % initiation_interval) as usize] += 1,
+                    Timing::Combinational { levels: own } => levels[index] = before + own,
+                    Timing::Static { .. } | Timing::Input => {}
+                }
+                assert!(levels[index] <= CYCLE_LEVELS, "node {index} is at the end of too long a chain");
+                assert!(schedule.available[index] <= schedule.latency);
+            }
+            for (class, phases) in plan.classes.iter().zip(&starts) {
+                assert!(phases.iter().all(|&count| count <= class.instances), "{}: {phases:?}", class.name);
+            }
+        }
+    }
+
+    #[test]
+    fn moving_operations_saves_registers_and_no_time() {
+        let graph = graph();
+        for initiation_interval in [1, 2, 5] {
+            let plan = Plan::new(&graph, initiation_interval, &OperatorStages::default());
+            let mut scheduler = Scheduler::new(&graph, &plan, initiation_interval);
+            scheduler.place_all();
+            scheduler.finish = scheduler.latest_result();
+            let cost = |scheduler: &Scheduler| {
+                let moving =
+                    (0..graph.nodes().len()).filter(|&index| !matches!(plan.timing[index], Timing::Static { .. }));
+                moving.map(|index| scheduler.holding_cost(index)).sum::<u64>()
+            };
+            let before = cost(&scheduler);
+            scheduler.save_registers();
+            assert!(cost(&scheduler) < before, "{before} at interval {initiation_interval}");
+            assert_eq!(scheduler.latest_result(), scheduler.finish);
+        }
+    }
+}
