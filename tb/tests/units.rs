@@ -1,3 +1,4 @@
 //! Hardware against golden models, one module a unit.
+mod compiler;
 mod float;
 mod harness;
