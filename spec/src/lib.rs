@@ -3,6 +3,7 @@
 
 pub mod camera;
 pub mod core_a;
+pub mod core_b;
 pub mod format;
 pub mod rendering;
 pub mod splat;

@@ -75,10 +75,10 @@ pub const EVENTS: [&str; 6] = [
 
 /// Collects ports in order.
 #[derive(Default)]
-struct Ports(Vec<Port>);
+pub(crate) struct Ports(Vec<Port>);
 
 impl Ports {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self::default().input("rst", 1)
     }
 
@@ -87,32 +87,47 @@ impl Ports {
         self
     }
 
-    fn input(self, name: impl Into<String>, width: u32) -> Self {
+    pub fn input(self, name: impl Into<String>, width: u32) -> Self {
         self.port(name, width, Direction::Input)
     }
 
-    fn output(self, name: impl Into<String>, width: u32) -> Self {
+    pub fn output(self, name: impl Into<String>, width: u32) -> Self {
         self.port(name, width, Direction::Output)
     }
 
-    fn inputs(self, prefix: &str, fields: &[Field]) -> Self {
+    pub fn inputs(self, prefix: &str, fields: &[Field]) -> Self {
         fields.iter().fold(self, |ports, (name, width)| ports.input(format!("{prefix}{name}"), *width))
     }
 
-    fn outputs(self, prefix: &str, fields: &[Field]) -> Self {
+    pub fn outputs(self, prefix: &str, fields: &[Field]) -> Self {
         fields.iter().fold(self, |ports, (name, width)| ports.output(format!("{prefix}{name}"), *width))
     }
 
     /// A stream the unit receives: `valid`, `ready`, fields.
-    fn stream_in(self, name: &str, fields: &[Field]) -> Self {
+    pub fn stream_in(self, name: &str, fields: &[Field]) -> Self {
         let ports = self.input(format!("{name}_valid"), 1).output(format!("{name}_ready"), 1);
         ports.inputs(&format!("{name}_"), fields)
     }
 
     /// A stream the unit sends: `valid`, `ready`, fields.
-    fn stream_out(self, name: &str, fields: &[Field]) -> Self {
+    pub fn stream_out(self, name: &str, fields: &[Field]) -> Self {
         let ports = self.output(format!("{name}_valid"), 1).input(format!("{name}_ready"), 1);
         ports.outputs(&format!("{name}_"), fields)
+    }
+
+    /// A record the unit always takes: `valid`, fields.
+    pub fn pulse_in(self, name: &str, fields: &[Field]) -> Self {
+        self.input(format!("{name}_valid"), 1).inputs(&format!("{name}_"), fields)
+    }
+
+    /// A record that whoever receives it always takes: `valid`, fields.
+    pub fn pulse_out(self, name: &str, fields: &[Field]) -> Self {
+        self.output(format!("{name}_valid"), 1).outputs(&format!("{name}_"), fields)
+    }
+
+    /// The ports collected.
+    pub fn list(self) -> Vec<Port> {
+        self.0
     }
 
     fn uniforms(self, config: &Config, names: &[&str]) -> Self {

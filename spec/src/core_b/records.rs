@@ -1,0 +1,118 @@
+//! The records that flow through core B: names and widths of their fields, in order.
+//!
+//! Coordinates and squared distances are values of [`Config::geometry`]; everything else is an unsigned integer.
+
+use super::config::{Config, DIMENSION_BITS};
+use crate::core_a::records::Field;
+
+fn field(name: &str, width: u32) -> Field {
+    (name.to_owned(), width)
+}
+
+fn thread(config: &Config) -> Field {
+    field("thread", config.thread_bits())
+}
+
+fn coordinates(config: &Config) -> Vec<Field> {
+    ["x", "y", "z"].map(|axis| field(axis, config.geometry.width())).to_vec()
+}
+
+/// A query as the host sends it: its number, the k wanted, the squared radius within which neighbors count, the point.
+#[must_use]
+pub fn query(config: &Config) -> Vec<Field> {
+    let mut record = vec![field("number", config.index_bits), field("k", config.rank_bits())];
+    record.push(field("radius2", config.geometry.width()));
+    record.extend(coordinates(config));
+    record
+}
+
+/// One neighbor of a query, nearest first; `last` closes the query. A query without any neighbor has one result with
+/// `found` low.
+#[must_use]
+pub fn result(config: &Config) -> Vec<Field> {
+    vec![
+        field("number", config.index_bits),
+        field("last", 1),
+        field("found", 1),
+        field("index", config.index_bits),
+        field("distance2", config.geometry.width()),
+    ]
+}
+
+/// A write to the tree memories by the host. `is_leaf` chooses the leaf table (address: the leaf's number), else the node
+/// memory.
+#[must_use]
+pub fn tree_write(config: &Config) -> Vec<Field> {
+    vec![
+        field("is_leaf", 1),
+        field("address", config.tree_depth),
+        field("split", config.geometry.width()),
+        field("dimension", DIMENSION_BITS),
+        field("internal_leaf", 1),
+        field("begin", config.beat_bits()),
+        field("beats", config.beats_bits()),
+    ]
+}
+
+/// A thread taking up a query.
+#[must_use]
+pub fn start(config: &Config) -> Vec<Field> {
+    let mut record = vec![thread(config)];
+    record.extend(query(config));
+    record
+}
+
+/// Where a thread is to descend from.
+#[must_use]
+pub fn descent(config: &Config) -> Vec<Field> {
+    vec![thread(config), field("node", config.node_bits())]
+}
+
+/// A path not taken: subtree and squared distance of the query to the splitting plane.
+#[must_use]
+pub fn path(config: &Config) -> Vec<Field> {
+    vec![field("node", config.node_bits()), field("distance2", config.geometry.width())]
+}
+
+/// A thread alone.
+#[must_use]
+pub fn thread_only(config: &Config) -> Vec<Field> {
+    vec![thread(config)]
+}
+
+/// A leaf that a thread has reached: its number counts the leaves of the tree's deepest level (eq. 6.7).
+#[must_use]
+pub fn leaf(config: &Config) -> Vec<Field> {
+    vec![thread(config), field("leaf", config.tree_depth)]
+}
+
+/// A request for the points of a leaf: `beats` beats (at least one) from `address` on, to be answered under `thread`.
+#[must_use]
+pub fn fetch(config: &Config) -> Vec<Field> {
+    vec![thread(config), field("address", config.beat_bits()), field("beats", config.beats_bits())]
+}
+
+/// A beat of points from memory; the beats of a request come in order and together, requests in any order. A lane
+/// without a point holds NaN coordinates.
+#[must_use]
+pub fn beat(config: &Config) -> Vec<Field> {
+    let mut record = vec![thread(config), field("address", config.beat_bits()), field("last", 1)];
+    for lane in 0..config.lanes {
+        record.extend(coordinates(config).into_iter().map(|(axis, width)| (format!("{axis}{lane}"), width)));
+    }
+    record
+}
+
+/// A beat of squared distances; lane `i` is the point `address·lanes + i`, NaN where there is none.
+#[must_use]
+pub fn candidates(config: &Config) -> Vec<Field> {
+    let mut record = vec![thread(config), field("address", config.beat_bits()), field("last", 1)];
+    record.extend((0..config.lanes).map(|lane| field(&format!("distance{lane}"), config.geometry.width())));
+    record
+}
+
+/// A thread's search radius after a leaf.
+#[must_use]
+pub fn radius(config: &Config) -> Vec<Field> {
+    vec![thread(config), field("radius2", config.geometry.width())]
+}
