@@ -1,7 +1,7 @@
 //! Which instance of its class carries out each operation.
 
 use super::delay::stages;
-use super::ir::{Graph, ValueId};
+use super::graph::{Graph, ValueId};
 use super::plan::{Plan, Timing};
 use super::schedule::Schedule;
 

@@ -2,7 +2,8 @@
 //!
 //! One level is half a 4-input look-up table with its wiring: a coarse measure, which only has to keep chains short.
 
-use super::ir::{Node, Operation};
+use super::graph::Node;
+use super::operation::Operation;
 use super::types::Type;
 
 /// Levels that may follow each other between two registers: three gates, or an adder and a gate.

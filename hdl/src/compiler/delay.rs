@@ -1,19 +1,20 @@
 //! Holding values until they are needed.
 //!
 //! A value is there in one cycle; a register catches it and holds it for one initiation interval, after which the next
-//! token's value arrives. A chain of registers that load in the same phase holds it longer. A chain of [`MEMORY_DELAY`]
+//! token's value arrives. A chain of registers that load in the same phase holds it longer. A chain of [`MEMORY_STAGES`]
 //! and more becomes a circular buffer, and chains of equal length and phase share one: it costs a pointer instead of a
 //! flip-flop a bit and cycle.
 
 use super::emitter::Emitter;
-use super::ir::{Graph, ValueId};
+use super::graph::{Graph, ValueId};
 use super::plan::Plan;
 use super::schedule::Schedule;
 use crate::rtl::{Expr, Memory, address_width, cat};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Shortest chain that becomes a memory; below it, the pointer and the read port cost more than they save.
-pub(super) const MEMORY_DELAY: u32 = 8;
+/// Shortest chain that becomes a memory. A bit of one costs an FPGA about 1½ look-up tables (ECP5: 16 words of 4 bits take
+/// 6) and the registered read, so below this length there is little left to save.
+pub(super) const MEMORY_STAGES: u32 = 5;
 /// Deepest delay kept in look-up tables; deeper ones take block memory.
 const DISTRIBUTED_DEPTH: u32 = 64;
 
@@ -60,7 +61,7 @@ impl Delays {
 
         let mut widths: BTreeMap<LineKey, usize> = BTreeMap::new();
         for (index, taps) in needs.iter().enumerate() {
-            for (from, to) in segments(taps).filter(|(from, to)| to - from >= MEMORY_DELAY) {
+            for (from, to) in segments(taps).filter(|(from, to)| to - from >= MEMORY_STAGES) {
                 let key = (emitter.phase_of(schedule.available[index]), to - from);
                 *widths.entry(key).or_default() += graph.nodes()[index].ty.width() as usize;
             }
@@ -75,7 +76,7 @@ impl Delays {
         self.taps.insert((value, 0), live.clone());
         let mut data = live.clone();
         for (from, to) in segments(&self.needs[value.0]) {
-            if to - from >= MEMORY_DELAY {
+            if to - from >= MEMORY_STAGES {
                 let line = self.lines.get_mut(&(phase, to - from)).expect("`new` made a line for every long segment");
                 data = line.take(&data);
             } else {

@@ -6,9 +6,10 @@
 use super::bind::{Unit, bind};
 use super::delay::{Delays, stages};
 use super::emitter::Emitter;
-use super::ir::{Graph, Operation, ValueId};
+use super::graph::{Graph, ValueId};
 use super::lower::combinational;
 use super::manifest::{Manifest, OperatorUse};
+use super::operation::Operation;
 use super::plan::{Plan, Timing};
 use super::schedule::Schedule;
 use super::types::Type;

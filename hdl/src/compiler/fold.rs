@@ -1,6 +1,6 @@
 //! Operations on bits and integers whose operands are constants. Floating-point arithmetic is left to the operators.
 
-use super::ir::Operation;
+use super::operation::Operation;
 use super::types::Type;
 
 /// The result of `operation` on encoded constants; `None` when only an operator of the hardware can tell.

@@ -1,6 +1,6 @@
 //! Operations without registers as expressions.
 
-use super::ir::Operation;
+use super::operation::Operation;
 use super::types::Type;
 use crate::rtl::{Expr, bit, cat, lit};
 

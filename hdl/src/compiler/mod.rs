@@ -23,10 +23,11 @@ mod emitter;
 mod encode;
 mod error;
 mod fold;
-mod ir;
+mod graph;
 mod lower;
 mod manifest;
 mod multiply;
+mod operation;
 mod operators;
 mod optimize;
 mod plan;
@@ -35,14 +36,17 @@ mod schedule;
 mod table;
 mod types;
 mod typing;
+mod value;
 
 pub use error::CompileError;
-pub use ir::{Graph, Node, Operation, ValueId};
+pub use graph::{Graph, Node, ValueId};
 pub use manifest::{Manifest, OperatorUse};
+pub use operation::Operation;
 pub use operators::OperatorStages;
-pub use program::{Program, Value};
+pub use program::Program;
 pub use table::Table;
 pub use types::{Type, WIDTH_MAX};
+pub use value::Value;
 
 use crate::rtl::Module;
 

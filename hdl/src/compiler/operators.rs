@@ -1,7 +1,7 @@
 //! Which operations take an operator with registers inside, and which operator that is.
 
-use super::ir::Operation;
 use super::multiply;
+use super::operation::Operation;
 use super::types::Type;
 use crate::float::{
     self, Operator, add, compare, convert, div, fma, from_fixed, minmax, mul, recip_newton, rsqrt, rsqrt_newton, sqrt,

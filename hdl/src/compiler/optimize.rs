@@ -4,7 +4,8 @@
 //! Only rewrites that keep every bit: floating-point arithmetic is commuted, never reassociated or evaluated here.
 
 use super::fold::{evaluate, sign_mask};
-use super::ir::{Graph, Node, Operation, ValueId};
+use super::graph::{Graph, Node, ValueId};
+use super::operation::Operation;
 use super::types::Type;
 use std::collections::HashMap;
 

@@ -1,7 +1,8 @@
 //! What each node needs from the schedule: nothing, part of a cycle, or an operator of some class.
 
 use super::cost::{CYCLE_LEVELS, OPERATOR_INPUT_LEVELS, choice_levels, levels};
-use super::ir::{Graph, Operation, ValueId};
+use super::graph::{Graph, ValueId};
+use super::operation::Operation;
 use super::operators::{OperatorStages, class_name, is_pipelined, operator};
 use super::types::Type;
 use crate::float::Operator;

@@ -6,8 +6,8 @@
 //! within their slack to where fewer registers are needed.
 
 use super::cost::CYCLE_LEVELS;
-use super::delay::{MEMORY_DELAY, stages};
-use super::ir::Graph;
+use super::delay::{MEMORY_STAGES, stages};
+use super::graph::Graph;
 use super::plan::{Plan, Timing};
 
 /// Rounds of moving every operation once; the gain of later ones is small.
@@ -245,8 +245,8 @@ impl<'a> Scheduler<'a> {
         let last = users.chain(self.is_result[index].then_some(self.finish)).max().unwrap_or(0);
         let held = stages(last.saturating_sub(self.available(index)), self.initiation_interval);
         let width = u64::from(self.graph.nodes()[index].ty.width());
-        let in_registers = u64::from(held.min(MEMORY_DELAY));
-        let in_memory = u64::from(held.saturating_sub(MEMORY_DELAY));
+        let in_registers = u64::from(held.min(MEMORY_STAGES));
+        let in_memory = u64::from(held.saturating_sub(MEMORY_STAGES));
         width * (REGISTER_COST * in_registers + in_memory)
     }
 }
@@ -256,8 +256,9 @@ mod tests {
     use super::super::cost::CYCLE_LEVELS;
     use super::super::operators::OperatorStages;
     use super::super::optimize::optimize;
-    use super::super::program::{Program, Value};
+    use super::super::program::Program;
     use super::super::types::Type;
+    use super::super::value::Value;
     use super::*;
     use pointcore_spec::Format;
 

@@ -1,6 +1,6 @@
 //! The type of an operation's result, or what is wrong with its operands.
 
-use super::ir::Operation;
+use super::operation::Operation;
 use super::types::{Type, WIDTH_MAX};
 use pointcore_spec::{Fixed, Format};
 

@@ -10,6 +10,8 @@ use std::rc::Rc;
 const SHAPE: TableShape = TableShape { index_bits: 4, fraction_bits: 6, value_bits: 8 };
 /// Widest integer in a program: products of two fit a port.
 const INTEGER_WIDTH: u32 = 24;
+/// Random operands tried for an operation before another one has its turn.
+const ATTEMPTS: usize = 50;
 /// Share of inputs that are drawn from all bit patterns; the others are near one.
 const WILD_SHARE: f64 = 0.3;
 /// Distance from one of the tame inputs, as a power of two.
@@ -28,8 +30,12 @@ pub fn program(rng: &mut Rng, unit: &str, size: usize) -> Graph {
     let formats = [formats[rng.usize(..formats.len())], formats[rng.usize(..formats.len())]];
     let mut graph = Graph::new(unit, "Random arithmetic.");
     let well_formed = "ports and constants of the generator are well formed";
-    for index in 0..rng.usize(2..5) {
-        let ty = if index == 0 { Type::Float(formats[0]) } else { any_type(rng, formats) };
+    for index in 0..rng.usize(3..6) {
+        let ty = match index {
+            0 => Type::Float(formats[0]),
+            1 => Type::Unsigned(SHAPE.index_bits + SHAPE.fraction_bits),
+            _ => any_type(rng, formats),
+        };
         graph.input(&format!("x{index}"), ty).expect(well_formed);
     }
     for index in 0..rng.usize(1..3) {
@@ -40,11 +46,19 @@ pub fn program(rng: &mut Rng, unit: &str, size: usize) -> Graph {
     graph.constant(ty, constant).expect(well_formed);
     let (_, table) = table();
     let first = graph.nodes().len();
+    // All operations in turn, so that a few programs have every one; a kind that finds no operands is passed over.
+    let mut turn = rng.usize(..);
     while graph.nodes().len() < first + size {
-        let operation = operation(rng, formats, &table);
-        let operands = operands(rng, &graph, &operation);
-        // Most combinations are ill typed; the compiler's own check sorts them out.
-        let _ = graph.apply(operation, &operands);
+        turn = turn.wrapping_add(1);
+        for _ in 0..ATTEMPTS {
+            let operations = operations(rng, formats, &table);
+            let operation = operations[turn % operations.len()].clone();
+            let operands = operands(rng, &graph, &operation);
+            // Many combinations are ill typed; the compiler's own check sorts them out.
+            if graph.apply(operation, &operands).is_ok() {
+                break;
+            }
+        }
     }
     outputs(rng, &mut graph);
     graph
@@ -65,25 +79,23 @@ fn outputs(rng: &mut Rng, graph: &mut Graph) {
 }
 
 fn any_type(rng: &mut Rng, formats: [Format; 2]) -> Type {
-    match rng.u32(..6) {
+    match rng.u32(..5) {
         0..3 => Type::Float(formats[rng.usize(..2)]),
         3 => Type::Unsigned(rng.u32(1..=INTEGER_WIDTH)),
-        4 => Type::Signed(rng.u32(1..=INTEGER_WIDTH)),
-        _ => Type::Unsigned(SHAPE.index_bits + SHAPE.fraction_bits),
+        _ => Type::Signed(rng.u32(1..=INTEGER_WIDTH)),
     }
 }
 
-fn operation(rng: &mut Rng, formats: [Format; 2], table: &Rc<Table>) -> Operation {
+/// One of every kind with random parameters.
+fn operations(rng: &mut Rng, formats: [Format; 2], table: &Rc<Table>) -> Vec<Operation> {
     let format = formats[rng.usize(..2)];
     let width = rng.u32(1..=INTEGER_WIDTH);
     let signed = if rng.bool() { Signedness::Signed } else { Signedness::Unsigned };
     let fixed = Fixed { width, fraction: rng.u32(..12), signed };
     let low = rng.u32(..12);
-    let all = [
-        Operation::Add,
+    vec![
         Operation::Add,
         Operation::Subtract,
-        Operation::Multiply,
         Operation::Multiply,
         Operation::MultiplyAdd,
         Operation::Divide,
@@ -108,15 +120,13 @@ fn operation(rng: &mut Rng, formats: [Format; 2], table: &Rc<Table>) -> Operatio
         Operation::Or,
         Operation::Xor,
         Operation::Select,
-        Operation::Select,
         Operation::Bits { high: low + rng.u32(..12), low },
         Operation::Concatenate,
         Operation::ShiftLeft(rng.u32(..12)),
         Operation::ShiftRight(rng.u32(..12)),
         Operation::Resize(width),
         Operation::Reinterpret(Type::Float(format)),
-    ];
-    all[rng.usize(..all.len())].clone()
+    ]
 }
 
 /// Operands of which at least the last two have one type, which is what most operations want.

@@ -9,6 +9,7 @@ use fastrand::Rng;
 use generator::{program, table};
 use model::{build, compile_all, run};
 use pointcore::lockstep::{SEED_VARIABLE, Stall, seeds};
+use std::collections::BTreeSet;
 
 /// Initiation intervals of the random programs.
 const INTERVALS: [u32; 5] = [1, 2, 3, 4, 8];
@@ -16,6 +17,8 @@ const INTERVALS: [u32; 5] = [1, 2, 3, 4, 8];
 const PROGRAMS_PER_INTERVAL: usize = 2;
 /// Operations of a random program.
 const OPERATIONS: usize = 24;
+/// Kinds of operations, ports and constants included.
+const KINDS: usize = 35;
 /// Tokens sent through each under each stall pattern.
 const TOKENS: usize = 300;
 
@@ -30,6 +33,9 @@ fn random_programs_agree_with_the_interpreter_in_every_cycle() {
         });
         let programs = programs.collect();
         let (design, compiled) = compile_all(programs, &mut rng);
+        let nodes = compiled.iter().flat_map(|program| program.graph.nodes());
+        let kinds: BTreeSet<&str> = nodes.map(|node| node.operation.mnemonic()).collect();
+        assert_eq!(kinds.len(), KINDS, "the programs have {kinds:?}");
         assert_eq!(design.combinational_paths(), [], "streams are registered on both sides");
         let library = build(&design);
         let (golden_table, _) = table();

@@ -1,0 +1,214 @@
+//! Values of a program, with operators and methods that add to it.
+
+use super::graph::ValueId;
+use super::operation::Operation;
+use super::program::Program;
+use super::table::Table;
+use super::types::Type;
+use pointcore_spec::{Fixed, Format};
+use std::rc::Rc;
+
+/// A value of a [`Program`]. Clones are the same value.
+#[derive(Clone, Debug)]
+pub struct Value {
+    pub(super) program: Program,
+    /// `None` when a mistake led here.
+    pub(super) id: Option<ValueId>,
+}
+
+impl Value {
+    /// Applies any operation to this value and others.
+    #[must_use]
+    pub fn apply(&self, operation: Operation, others: &[&Self]) -> Self {
+        let mnemonic = operation.mnemonic();
+        let all = std::iter::once(self).chain(others.iter().copied());
+        let operands: Result<Option<Vec<_>>, _> = all.map(|value| self.program.own(mnemonic, value)).collect();
+        match operands {
+            Ok(Some(operands)) => self.program.record(|graph| graph.apply(operation, &operands)),
+            Ok(None) => Self { program: self.program.clone(), id: None },
+            Err(error) => self.program.record(|_| Err(error)),
+        }
+    }
+
+    /// Names the value for messages and for the Verilog; a port keeps its name.
+    #[must_use]
+    pub fn named(self, name: &str) -> Self {
+        if let Some(id) = self.id {
+            self.program.name(id, name);
+        }
+        self
+    }
+
+    /// The value's type; `None` when a mistake led here.
+    #[must_use]
+    pub fn ty(&self) -> Option<Type> {
+        self.id.map(|id| self.program.type_of(id))
+    }
+
+    /// `self · factor + addend`, rounded once.
+    #[must_use]
+    pub fn fma(&self, factor: &Self, addend: &Self) -> Self {
+        self.apply(Operation::MultiplyAdd, &[factor, addend])
+    }
+
+    /// Converts to another floating-point format.
+    #[must_use]
+    pub fn convert(&self, format: Format) -> Self {
+        self.apply(Operation::Convert(format), &[])
+    }
+
+    /// Float to fixed point, truncated and saturated.
+    #[must_use]
+    pub fn to_fixed(&self, fixed: Fixed) -> Self {
+        self.apply(Operation::ToFixed(fixed), &[])
+    }
+
+    /// An integer times `2^−fraction` as a float.
+    #[must_use]
+    pub fn to_float(&self, format: Format, fraction: u32) -> Self {
+        self.apply(Operation::ToFloat { format, fraction }, &[])
+    }
+
+    /// Looks the value up in `table`, with linear interpolation.
+    #[must_use]
+    pub fn kernel(&self, table: &Rc<Table>) -> Self {
+        self.apply(Operation::Interpolate(Rc::clone(table)), &[])
+    }
+
+    /// `when_true` where this truth value is 1, else `when_false`.
+    #[must_use]
+    pub fn select(&self, when_true: &Self, when_false: &Self) -> Self {
+        self.apply(Operation::Select, &[when_true, when_false])
+    }
+
+    /// Bits `high` down to `low`, unsigned.
+    #[must_use]
+    pub fn bits(&self, high: u32, low: u32) -> Self {
+        self.apply(Operation::Bits { high, low }, &[])
+    }
+
+    /// This value above `lower`.
+    #[must_use]
+    pub fn concat(&self, lower: &Self) -> Self {
+        self.apply(Operation::Concatenate, &[lower])
+    }
+
+    /// Shifted left by a constant.
+    #[must_use]
+    pub fn shl(&self, by: u32) -> Self {
+        self.apply(Operation::ShiftLeft(by), &[])
+    }
+
+    /// Shifted right by a constant, keeping a signed value's sign.
+    #[must_use]
+    pub fn shr(&self, by: u32) -> Self {
+        self.apply(Operation::ShiftRight(by), &[])
+    }
+
+    /// Truncated or extended to `width` bits, as the value's signedness says.
+    #[must_use]
+    pub fn resize(&self, width: u32) -> Self {
+        self.apply(Operation::Resize(width), &[])
+    }
+
+    /// The value's bits as an unsigned integer, extended with zeros or truncated to `width` bits.
+    #[must_use]
+    pub fn zext(&self, width: u32) -> Self {
+        let bits = self.ty().map_or(1, Type::width);
+        self.reinterpret(Type::Unsigned(bits)).resize(width)
+    }
+
+    /// The same bits under another type.
+    #[must_use]
+    pub fn reinterpret(&self, ty: Type) -> Self {
+        self.apply(Operation::Reinterpret(ty), &[])
+    }
+}
+
+/// Methods of one operation, without parameters or with one more operand.
+macro_rules! methods {
+    ($($(#[$doc:meta])* $name:ident($($other:ident)?) = $operation:ident;)*) => {
+        impl Value {$(
+            $(#[$doc])*
+            #[must_use]
+            pub fn $name(&self $(, $other: &Self)?) -> Self {
+                self.apply(Operation::$operation, &[$($other)?])
+            }
+        )*}
+    };
+}
+
+methods! {
+    /// Absolute value of a float.
+    abs() = Absolute;
+    /// `√self`.
+    sqrt() = SquareRoot;
+    /// `1 / self`.
+    recip() = Reciprocal;
+    /// `1 / √self`.
+    rsqrt() = ReciprocalSquareRoot;
+    /// `1 / self` from a table and Newton steps.
+    recip_newton() = ReciprocalNewton;
+    /// `1 / √self` from a table and Newton steps.
+    rsqrt_newton() = ReciprocalSquareRootNewton;
+    /// The smaller of both.
+    min(other) = Minimum;
+    /// The larger of both.
+    max(other) = Maximum;
+    /// `self < other`.
+    lt(other) = Less;
+    /// `self ≤ other`.
+    le(other) = LessEqual;
+    /// `self = other`; of floats as IEEE 754 has it.
+    equal(other) = Equal;
+}
+
+/// Rust's operators, on values and references to them.
+macro_rules! binary_operators {
+    ($($operator:ident::$method:ident = $operation:ident;)*) => {$(
+        impl<T: std::borrow::Borrow<Value>> std::ops::$operator<T> for &Value {
+            type Output = Value;
+            fn $method(self, other: T) -> Value {
+                self.apply(Operation::$operation, &[other.borrow()])
+            }
+        }
+        impl<T: std::borrow::Borrow<Value>> std::ops::$operator<T> for Value {
+            type Output = Value;
+            fn $method(self, other: T) -> Value {
+                self.apply(Operation::$operation, &[other.borrow()])
+            }
+        }
+    )*};
+}
+
+binary_operators! {
+    Add::add = Add;
+    Sub::sub = Subtract;
+    Mul::mul = Multiply;
+    Div::div = Divide;
+    BitAnd::bitand = And;
+    BitOr::bitor = Or;
+    BitXor::bitxor = Xor;
+}
+
+macro_rules! unary_operators {
+    ($($operator:ident::$method:ident = $operation:ident;)*) => {$(
+        impl std::ops::$operator for &Value {
+            type Output = Value;
+            fn $method(self) -> Value {
+                self.apply(Operation::$operation, &[])
+            }
+        }
+        impl std::ops::$operator for Value {
+            type Output = Value;
+            fn $method(self) -> Value {
+                self.apply(Operation::$operation, &[])
+            }
+        }
+    )*};
+}
+
+unary_operators! {
+    Neg::neg = Negate;
+    Not::not = Not;
+}
