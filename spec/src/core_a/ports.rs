@@ -135,6 +135,13 @@ impl Ports {
     }
 }
 
+/// Numbers of inputs and of outputs.
+#[must_use]
+pub fn count(ports: &[Port]) -> (usize, usize) {
+    let inputs = ports.iter().filter(|port| port.direction == Direction::Input).count();
+    (inputs, ports.len() - inputs)
+}
+
 fn field(name: &str, width: u32) -> Vec<Field> {
     vec![(name.to_owned(), width)]
 }

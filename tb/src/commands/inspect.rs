@@ -1,0 +1,30 @@
+//! `pointcore inspect MODEL`.
+
+use super::{Failure, Output};
+use serde_json::json;
+use std::path::PathBuf;
+
+/// Arguments of `inspect`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A PLY (ASCII or binary) or OBJ file.
+    model: PathBuf,
+}
+
+/// Describes a model.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let inspection = pointcore::inspect::inspect(&arguments.model)?;
+    let [low, high] = inspection.bounds.map(|corner| corner.to_array());
+    let [least, mean, greatest] = inspection.spacing;
+    let document = json!({
+        "path": inspection.path,
+        "points": inspection.points,
+        "triangles": inspection.triangles,
+        "colors": inspection.colors,
+        "bounds": { "low": low, "high": high },
+        "normals": inspection.normals.to_string(),
+        "spacing": { "least": least, "mean": mean, "greatest": greatest },
+    });
+    output.print(&document, &inspection.to_string());
+    Ok(())
+}

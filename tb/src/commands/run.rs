@@ -1,0 +1,164 @@
+//! `pointcore run SCENE`.
+
+use super::{Failure, Output, generate, scene_name, write};
+use indicatif::{ProgressBar, ProgressStyle};
+use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble, verilate};
+use pointcore::lockstep::Stall;
+use pointcore::plan::Plan;
+use pointcore::scene::Scene;
+use pointcore::shading::shade;
+use pointcore::verilated::Trace;
+use pointcore_golden::reference::{self, Mapping};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// How much difference.png magnifies.
+const MAGNIFICATION: f64 = 16.0;
+/// Steps of the progress bar.
+const PROGRESS_STEPS: u64 = 1000;
+
+/// What renders the scene.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Model {
+    /// The generated Verilog under Verilator, in lockstep with the golden model.
+    Rtl,
+    /// The bit-exact, cycle-accurate golden model alone.
+    Golden,
+    /// The f64 reference renderer alone.
+    Reference,
+}
+
+/// Arguments of `run`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The scene file.
+    scene: PathBuf,
+    /// What renders the scene.
+    #[arg(long, value_enum, default_value = "rtl")]
+    model: Model,
+    /// Do not compare the Verilog with the golden model: faster, but trusts it.
+    #[arg(long)]
+    no_lockstep: bool,
+    /// Write a waveform of the whole run (frame.fst); implies --no-lockstep, slow and large.
+    #[arg(long)]
+    trace: bool,
+    /// The folder for the results; by default out/<scene>.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Hold every stream back in this share of the cycles, at random.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0)]
+    stalls: f64,
+    /// Seed of the stalls and of the hardware's uninitialized values.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Replaces a value of the scene file, e.g. `--set object.0.path=scan.ply`.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<String>,
+}
+
+/// A bar on a terminal, nothing elsewhere.
+fn progress_bar(message: &'static str) -> ProgressBar {
+    let template = "{msg} [{bar:30}] {percent}% {prefix} {eta} left";
+    let style = ProgressStyle::with_template(template).expect("the template is well-formed");
+    ProgressBar::new(PROGRESS_STEPS).with_style(style).with_message(message)
+}
+
+/// Runs a frame with a progress bar.
+fn with_progress(message: &'static str, run: impl FnOnce(&(dyn Fn(u64, f64) + Sync)) -> Result<Outcome, Failure>) -> Result<Outcome, Failure> {
+    let bar = progress_bar(message);
+    let outcome = run(&|cycle, share| {
+        let rate = cycle as f64 / bar.elapsed().as_secs_f64().max(1e-3) / 1e3;
+        bar.set_prefix(format!("{cycle} cycles, {rate:.0} kHz,"));
+        bar.set_position((share * PROGRESS_STEPS as f64) as u64);
+    });
+    bar.finish_and_clear();
+    outcome
+}
+
+/// Long steps that cannot count their work show that they live.
+fn spinner(message: &'static str) -> ProgressBar {
+    let bar = ProgressBar::new_spinner().with_message(message);
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}
+
+impl Arguments {
+    fn check(&self) -> Result<(), Failure> {
+        if !(0.0..1.0).contains(&self.stalls) {
+            return Err(Failure::Usage(format!("--stalls {}: expected a share from 0 up to, but not, 1", self.stalls)));
+        }
+        if self.model != Model::Rtl && (self.trace || self.no_lockstep) {
+            return Err(Failure::Usage("--trace and --no-lockstep go with --model rtl".to_owned()));
+        }
+        Ok(())
+    }
+
+    /// Runs on what was chosen; says which, and how many outputs differed where they were compared.
+    fn simulate(&self, core: &Core, runner: &Runner, folder: &Path) -> Result<(Outcome, &'static str, Option<u64>), Failure> {
+        if self.model == Model::Golden {
+            return Ok((with_progress("golden", |progress| Ok(Runner { progress, ..*runner }.golden(core)?))?, "golden", None));
+        }
+        let building = spinner("verilating and compiling (cached for the next time)");
+        let library = verilate(core, if self.trace { Trace::On } else { Trace::Off })?;
+        building.finish_and_clear();
+        if self.trace || self.no_lockstep {
+            let waveform = self.trace.then(|| folder.join("frame.fst"));
+            let run = |progress: &(dyn Fn(u64, f64) + Sync)| {
+                Ok(Runner { progress, ..*runner }.hardware(&library, waveform.as_deref())?)
+            };
+            return Ok((with_progress("hardware", run)?, "rtl", None));
+        }
+        let run = |progress: &(dyn Fn(u64, f64) + Sync)| Ok(Runner { progress, ..*runner }.lockstep(core, &library)?);
+        // A difference would have ended the run.
+        Ok((with_progress("lockstep", run)?, "rtl in lockstep with golden", Some(0)))
+    }
+}
+
+/// Renders a scene.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    arguments.check()?;
+    let scene = Scene::load(&arguments.scene, &arguments.settings)?;
+    let plan = Plan::of(&scene)?;
+    let name = scene_name(&arguments.scene);
+    let folder = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(&name));
+    std::fs::create_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+
+    let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+    let reference_picture = shade(&reference, &scene);
+    reference_picture.save_png(&folder.join("reference.png"))?;
+    if arguments.model == Model::Reference {
+        let path = folder.join("reference.png");
+        output.print(&json!({ "scene": name, "reference": path }), &path.display().to_string());
+        return Ok(());
+    }
+
+    let core = Core::generate(&plan.config)?;
+    generate::write_files(&core, &plan.config, &folder.join("verilog"))?;
+    let frame = EncodedFrame::new(&scene, &plan);
+    let stall = if arguments.stalls > 0.0 { Stall::Random(arguments.stalls) } else { Stall::Never };
+    let runner = Runner { config: &plan.config, frame: &frame, stall, seed: arguments.seed, progress: &|_, _| {} };
+    let (outcome, engine, mismatches) = arguments.simulate(&core, &runner, &folder)?;
+
+    let rendered = assemble(&plan, &scene.splats, &outcome.fragments);
+    let picture = shade(&rendered, &scene);
+    picture.save_png(&folder.join("frame.png"))?;
+    picture.difference(&reference_picture, MAGNIFICATION).save_png(&folder.join("difference.png"))?;
+    let report = Report::new(&Measured {
+        scene: &name,
+        engine,
+        config: &plan.config,
+        splats: scene.splats.len(),
+        counters: &outcome.counters,
+        frame: &rendered,
+        reference: &reference,
+        psnr_db: picture.psnr_db(&reference_picture),
+        mismatches,
+        simulated_cycles_per_second: outcome.simulated_cycles as f64 / outcome.elapsed.as_secs_f64(),
+    });
+    let markdown = report.markdown();
+    write(&folder.join("report.md"), &markdown)?;
+    write(&folder.join("report.json"), &serde_json::to_string_pretty(&report).expect("reports have string keys"))?;
+    output.print(&report, &format!("{markdown}\nWritten to {}.", folder.display()));
+    Ok(())
+}

@@ -1,0 +1,39 @@
+//! Fragments read back from core A, as a frame that can be shaded and compared with the reference.
+
+use crate::plan::Plan;
+use pointcore_golden::float::convert;
+use pointcore_golden::reference::{Decisions, Fragment, Frame, Statistics};
+use pointcore_spec::core_a::records;
+use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
+use pointcore_spec::{Format, Splat};
+
+/// The value of an encoded number.
+fn decode(format: Format, bits: u64) -> f64 {
+    f64::from(f32::from_bits(convert::convert(format, Format::F32, bits) as u32))
+}
+
+/// Places fragments (as [`Host`](super::host::Host) collects them) in an image. Attributes the hardware does not carry take their
+/// constant; the material of a scene with only one is that of any splat.
+#[must_use]
+pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {
+    let config = &plan.config;
+    let (width, height) = (config.width as usize, config.height as usize);
+    let words = records::fragment(config).len() - 1;
+    let constants: [f64; CONTINUOUS_ATTRIBUTES] = plan.constants.map(|constant| constant.unwrap_or(0.0).into());
+    let only_material = splats.first().map_or(0, |splat| splat.material);
+
+    let mut pixels = vec![None; width * height];
+    for fields in fragments.chunks_exact(words) {
+        let [column, row, depth] = [fields[0], fields[1], fields[2]];
+        let mut attributes = constants;
+        for (&index, &value) in plan.attributes.iter().zip(&fields[3..]) {
+            attributes[index] = decode(config.attribute, value);
+        }
+        let material = fields.get(3 + plan.attributes.len()).map_or(only_material, |&material| material as u16);
+        // The hardware keeps the weight to itself; a fragment exists only where it is positive.
+        let fragment = Fragment { depth: decode(config.geometry, depth), weight: 1.0, attributes, material };
+        pixels[row as usize * width + column as usize] = Some(fragment);
+    }
+    let decisions = vec![Decisions::default(); pixels.len()];
+    Frame { width, height, pixels, decisions, statistics: Statistics::default() }
+}

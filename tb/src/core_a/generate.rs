@@ -1,0 +1,52 @@
+//! From a configuration to core A's Verilog.
+
+use pointcore_golden::core_a::Latencies;
+use pointcore_hdl::compiler::{CompileError, Manifest, Options};
+use pointcore_hdl::core_a::top;
+use pointcore_hdl::rtl::{Design, ElaborationError, elaborate};
+use pointcore_spec::core_a::Config;
+use std::collections::BTreeMap;
+
+/// The hardware could not be built: a fault of the generator, not of its input.
+#[derive(Debug, thiserror::Error)]
+pub enum GenerateError {
+    /// A datapath.
+    #[error(transparent)]
+    Compile(#[from] CompileError),
+    /// The module hierarchy.
+    #[error(transparent)]
+    Elaborate(#[from] ElaborationError),
+}
+
+/// A generated core.
+pub struct Core {
+    /// Verilog and ports.
+    pub design: Design,
+    /// What the compiler decided, by unit.
+    pub manifests: BTreeMap<String, Manifest>,
+}
+
+impl Core {
+    /// Generates the core.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn generate(config: &Config) -> Result<Self, GenerateError> {
+        let top::Core { module, manifests } = top::core(config, &Options::default())?;
+        Ok(Self { design: elaborate(&module)?, manifests })
+    }
+
+    /// The latencies a golden model needs to keep step.
+    #[must_use]
+    pub fn latencies(&self) -> Latencies {
+        let latency = |unit: &str| self.manifests[unit].latency;
+        Latencies {
+            transform: latency("transform"),
+            setup: latency("setup"),
+            rasterizer: latency("rasterizer"),
+            weighting: latency("weighting"),
+            normalizer: latency("normalizer"),
+        }
+    }
+
+}

@@ -1,0 +1,184 @@
+//! What a run says: figures with their definitions, as JSON and as a page to read.
+
+use super::host::Counters;
+use pointcore_golden::reference::Frame;
+use pointcore_spec::core_a::ports::EVENTS;
+use pointcore_spec::core_a::{Config, records};
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// Largest difference of an attribute that rounding explains: beyond it, some depth test came out differently.
+pub const ROUNDING_LIMIT: f64 = 1.0 / 256.0;
+
+/// The figures of one frame.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The scene's name.
+    pub scene: String,
+    /// What ran: `rtl` (in lockstep or not) or `golden`.
+    pub engine: String,
+    /// Splats sent.
+    pub splats: u64,
+    /// Image size in pixels.
+    pub width: u32,
+    /// Image size in pixels.
+    pub height: u32,
+    /// Outputs on which hardware and model differed; absent where they were not compared.
+    pub mismatches: Option<u64>,
+    /// Cycles from the first splat to the end of the frame.
+    pub cycles: u64,
+    /// Cycles for each splat sent.
+    pub cycles_per_splat: f64,
+    /// Samples evaluated by the rasterizer.
+    pub samples: u64,
+    /// Cycles for each sample evaluated.
+    pub cycles_per_sample: f64,
+    /// Samples inside their splat, which reach the accumulator.
+    pub accumulated: u64,
+    /// Share of the cycles in which the rasterizer evaluates a sample.
+    pub rasterizer_utilisation: f64,
+    /// Share of the cycles in which the accumulator takes a sample.
+    pub accumulator_utilisation: f64,
+    /// Share of the cycles in which the accumulator waits for an earlier sample of the same pixel.
+    pub hazard_fraction: f64,
+    /// Share of the cycles in which the accumulator waits for its tile.
+    pub slot_wait_fraction: f64,
+    /// Share of the cycles in which the rasterizer has nothing to do.
+    pub starved_fraction: f64,
+    /// Share of the cycles in which what follows holds the rasterizer.
+    pub blocked_fraction: f64,
+    /// Bytes read from the reconstruction buffer.
+    pub buffer_read_bytes: u64,
+    /// Bytes written to the reconstruction buffer.
+    pub buffer_write_bytes: u64,
+    /// Fragments of the frame.
+    pub fragments: u64,
+    /// Peak signal-to-noise ratio of the shaded picture against the f64 reference.
+    pub psnr_db: f64,
+    /// Pixels that only one of frame and reference covers.
+    pub coverage_differences: u64,
+    /// Pixels covered by both whose attributes differ by more than rounding explains ([`ROUNDING_LIMIT`]).
+    pub outcome_differences: u64,
+    /// Cycles simulated in a second.
+    pub simulated_cycles_per_second: f64,
+}
+
+/// Covered by one frame only, and beyond rounding.
+fn differences(frame: &Frame, reference: &Frame) -> (u64, u64) {
+    let (mut coverage, mut outcome) = (0, 0);
+    for pair in frame.pixels.iter().zip(&reference.pixels) {
+        match pair {
+            (Some(a), Some(b)) => {
+                let apart = |(a, b): (&f64, &f64)| (a - b).abs() > ROUNDING_LIMIT;
+                outcome += u64::from(a.attributes.iter().zip(&b.attributes).any(apart) || a.material != b.material);
+            }
+            (None, None) => {}
+            _ => coverage += 1,
+        }
+    }
+    (coverage, outcome)
+}
+
+/// The run behind a report.
+pub struct Measured<'a> {
+    /// The scene's name.
+    pub scene: &'a str,
+    /// What ran.
+    pub engine: &'a str,
+    /// The hardware's configuration.
+    pub config: &'a Config,
+    /// Splats sent.
+    pub splats: usize,
+    /// What the host counted.
+    pub counters: &'a Counters,
+    /// The frame.
+    pub frame: &'a Frame,
+    /// The f64 reference.
+    pub reference: &'a Frame,
+    /// Of the shaded pictures.
+    pub psnr_db: f64,
+    /// Outputs that differed, where they were compared.
+    pub mismatches: Option<u64>,
+    /// Simulation speed.
+    pub simulated_cycles_per_second: f64,
+}
+
+impl Report {
+    /// Derives the figures.
+    #[must_use]
+    pub fn new(run: &Measured) -> Self {
+        let Counters { cycles, events, pixels_read, pixels_written } = *run.counters;
+        let [samples, starved, blocked, accumulated, hazard, slot_wait] = events;
+        let share = |count: u64| count as f64 / cycles.max(1) as f64;
+        let pixel_bytes = u64::from(records::pixel_bytes(run.config));
+        let (coverage_differences, outcome_differences) = differences(run.frame, run.reference);
+        Self {
+            scene: run.scene.to_owned(),
+            engine: run.engine.to_owned(),
+            splats: run.splats as u64,
+            width: run.config.width,
+            height: run.config.height,
+            mismatches: run.mismatches,
+            cycles,
+            cycles_per_splat: cycles as f64 / run.splats.max(1) as f64,
+            samples,
+            cycles_per_sample: cycles as f64 / samples.max(1) as f64,
+            accumulated,
+            rasterizer_utilisation: share(samples),
+            accumulator_utilisation: share(accumulated),
+            hazard_fraction: share(hazard),
+            slot_wait_fraction: share(slot_wait),
+            starved_fraction: share(starved),
+            blocked_fraction: share(blocked),
+            buffer_read_bytes: pixels_read * pixel_bytes,
+            buffer_write_bytes: pixels_written * pixel_bytes,
+            fragments: run.frame.pixels.iter().flatten().count() as u64,
+            psnr_db: run.psnr_db,
+            coverage_differences,
+            outcome_differences,
+            simulated_cycles_per_second: run.simulated_cycles_per_second,
+        }
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let compared = match self.mismatches {
+            Some(count) => format!("{count} mismatches, every output compared in every cycle"),
+            None => "not compared".to_owned(),
+        };
+        let rows = [
+            ("engine", self.engine.clone()),
+            ("lockstep", compared),
+            ("image", format!("{} × {} px, {} fragments", self.width, self.height, self.fragments)),
+            ("splats", self.splats.to_string()),
+            ("cycles", self.cycles.to_string()),
+            ("cycles per splat", format!("{:.2}", self.cycles_per_splat)),
+            ("samples", format!("{}, {} of them inside their splat", self.samples, self.accumulated)),
+            ("cycles per sample", format!("{:.3}", self.cycles_per_sample)),
+            ("rasterizer busy", percent(self.rasterizer_utilisation)),
+            ("rasterizer without work", percent(self.starved_fraction)),
+            ("rasterizer held back", percent(self.blocked_fraction)),
+            ("accumulator busy", percent(self.accumulator_utilisation)),
+            ("accumulator waits for a pixel (hazard)", percent(self.hazard_fraction)),
+            ("accumulator waits for a tile", percent(self.slot_wait_fraction)),
+            ("reconstruction buffer read", format!("{} bytes", self.buffer_read_bytes)),
+            ("reconstruction buffer written", format!("{} bytes", self.buffer_write_bytes)),
+            ("PSNR against the f64 reference", format!("{:.1} dB", self.psnr_db)),
+            ("pixels covered differently", self.coverage_differences.to_string()),
+            ("pixels with another depth-test outcome", self.outcome_differences.to_string()),
+            ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
+        ];
+        let mut text = format!("# {}\n\n| figure | value |\n|---|---|\n", self.scene);
+        for (name, value) in rows {
+            _ = writeln!(text, "| {name} | {value} |");
+        }
+        text += "\n![frame](frame.png) ![reference](reference.png) ![difference](difference.png)\n\n";
+        text += "Frame, f64 reference, and their difference magnified 16 times. Rows named after the rasterizer and the ";
+        text += "accumulator count cycles of the frame; waits overlap with each other across the two units.\n";
+        text
+    }
+}
+
+const _: () = assert!(EVENTS.len() == 6, "Report::new names every event");

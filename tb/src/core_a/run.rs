@@ -1,0 +1,150 @@
+//! A frame on the hardware, on its golden model, or on both in lockstep.
+
+use super::encode::Frame as EncodedFrame;
+use super::generate::Core;
+use super::host::{Counters, Host, Progress};
+use super::mask::end_records;
+use crate::lockstep::{Flow, Golden, Lockstep, LockstepError, Stall, Stalls, Stimulus};
+use crate::verilated::{self, Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
+use pointcore_golden::core_a::Top;
+use pointcore_golden::unit::Unit;
+use pointcore_hdl::rtl;
+use pointcore_spec::core_a::{Config, ports};
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Cycles a splat may take before a run counts as stuck, on top of [`STUCK_BASE_CYCLES`].
+const STUCK_CYCLES_PER_SPLAT: u64 = 20_000;
+/// Cycles any frame may take: clearing, flushing.
+const STUCK_BASE_CYCLES: u64 = 10_000_000;
+
+/// What a run brought.
+pub struct Outcome {
+    /// Fragments, field by field.
+    pub fragments: Vec<u64>,
+    /// What the host counted.
+    pub counters: Counters,
+    /// Cycles simulated.
+    pub simulated_cycles: u64,
+    /// Time the simulation took.
+    pub elapsed: Duration,
+}
+
+/// A frame ready to be run, on one engine or another, with one pattern of stalls or another.
+pub struct Runner<'a> {
+    /// The hardware's configuration.
+    pub config: &'a Config,
+    /// The frame.
+    pub frame: &'a EncodedFrame,
+    /// When the host holds back.
+    pub stall: Stall,
+    /// Seed of the stalls and of the hardware's uninitialized values.
+    pub seed: u64,
+    /// Hears of the progress.
+    pub progress: Progress<'a>,
+}
+
+/// The generated core as the harness wants it.
+fn source(core: &Core) -> Source {
+    let port = |port: &rtl::Port| {
+        let direction = match port.direction {
+            rtl::Direction::Input => verilated::Direction::Input,
+            rtl::Direction::Output => verilated::Direction::Output,
+        };
+        verilated::Port { name: port.name.clone(), width: port.width as u32, direction }
+    };
+    Source {
+        verilog: core.design.verilog().to_owned(),
+        top: core.design.top().to_owned(),
+        ports: core.design.ports().iter().map(port).collect(),
+    }
+}
+
+/// Verilates the core, for speed.
+///
+/// # Errors
+/// The tools are missing or fail.
+pub fn verilate(core: &Core, trace: Trace) -> Result<Arc<Library>, VerilatedError> {
+    Builder::new()?.build(&source(core), Options { optimization: Optimization::Full, trace })
+}
+
+impl<'a> Runner<'a> {
+    fn host(&self) -> Host<'a> {
+        Host::new(self.config, self.frame, Stalls::new(self.stall, self.seed), self.progress)
+    }
+
+    fn limit(&self) -> u64 {
+        STUCK_BASE_CYCLES + STUCK_CYCLES_PER_SPLAT * self.frame.count() as u64
+    }
+
+    /// The golden model alone.
+    ///
+    /// # Errors
+    /// The frame does not come to its end.
+    pub fn golden(&self, core: &Core) -> Result<Outcome, LockstepError> {
+        let mut golden = Top::new(self.config, core.latencies());
+        self.alone(ports::count(&ports::top(self.config)), |inputs, outputs| {
+            golden.step(inputs, outputs);
+            Ok(())
+        })
+    }
+
+    /// The hardware alone; with a path, a waveform of the whole run is written there.
+    ///
+    /// # Errors
+    /// An assertion of the hardware fails, or the frame does not come to its end.
+    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<Outcome, LockstepError> {
+        let mut model = library.instantiate(self.seed);
+        if let Some(path) = waveform {
+            model.open_trace(path)?;
+        }
+        let counts = (library.inputs().len(), library.outputs().len());
+        self.alone(counts, |inputs, outputs| model.step(inputs, outputs))
+    }
+
+    /// Hardware and model, every output compared in every cycle.
+    ///
+    /// # Errors
+    /// The first difference, or the frame does not come to its end.
+    pub fn lockstep(&self, core: &Core, library: &Arc<Library>) -> Result<Outcome, LockstepError> {
+        let started = Instant::now();
+        let mut golden = Top::new(self.config, core.latencies());
+        let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
+        let lockstep = Lockstep::new(library, golden, self.seed).limit(self.limit());
+        let reproduce = format!("pointcore run SCENE --seed {}", self.seed);
+        let run = lockstep.mask(end_records(&ports::top(self.config))).reproduced_by(reproduce).run(self.host())?;
+        Ok(Outcome {
+            fragments: run.stimulus.fragments,
+            counters: run.stimulus.counters,
+            simulated_cycles: run.report.cycles,
+            elapsed: started.elapsed(),
+        })
+    }
+
+    /// Drives one device without comparing.
+    fn alone(
+        &self,
+        (inputs, outputs): (usize, usize),
+        mut step: impl FnMut(&[u64], &mut [u64]) -> Result<(), VerilatedError>,
+    ) -> Result<Outcome, LockstepError> {
+        let started = Instant::now();
+        let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
+        inputs[0] = 1;
+        for _ in 0..crate::lockstep::RESET_CYCLES {
+            step(&inputs, &mut outputs)?;
+        }
+        inputs[0] = 0;
+        let mut host = self.host();
+        let mut cycle = 0;
+        while host.drive(cycle, &outputs, &mut inputs) == Flow::Continue {
+            if cycle == self.limit() {
+                return Err(LockstepError::Unfinished { cycles: cycle, seed: self.seed });
+            }
+            step(&inputs, &mut outputs)?;
+            cycle += 1;
+        }
+        let elapsed = started.elapsed();
+        Ok(Outcome { fragments: host.fragments, counters: host.counters, simulated_cycles: cycle, elapsed })
+    }
+}

@@ -1,0 +1,66 @@
+//! The `pointcore` command.
+
+mod commands;
+
+use clap::{Parser, Subcommand};
+use commands::{Failure, bench, generate, inspect, plan, run};
+use std::process::ExitCode;
+
+/// Generates, simulates and measures hardware for point-based graphics.
+///
+/// Start with `pointcore run scenes/knot.toml`: it derives the hardware the scene calls for, writes its Verilog, runs it under
+/// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/.
+///
+/// Exit codes: 0 success, 1 the hardware and its model disagree, 2 wrong input, 3 a tool is missing or failed.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct Arguments {
+    /// Print one JSON document instead of text.
+    #[arg(long, global = true)]
+    json: bool,
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Show which hardware a scene calls for, what is left out, and why.
+    Plan(plan::Arguments),
+    /// Write Verilog, manifest and constraints for a scene or a configuration.
+    Gen(generate::Arguments),
+    /// Render a scene on the generated hardware and report on it.
+    Run(run::Arguments),
+    /// Describe a model file: points, normals, spacing.
+    Inspect(inspect::Arguments),
+    /// Measure the project's figures and merge them into out/bench.json.
+    Bench(bench::Arguments),
+}
+
+fn main() -> ExitCode {
+    let Arguments { json, command } = Arguments::parse();
+    let output = if json { commands::Output::Json } else { commands::Output::Text };
+    let result = match command {
+        Command::Plan(arguments) => plan::run(&arguments, output),
+        Command::Gen(arguments) => generate::run(&arguments, output),
+        Command::Run(arguments) => run::run(&arguments, output),
+        Command::Inspect(arguments) => inspect::run(&arguments, output),
+        Command::Bench(arguments) => bench::run(&arguments, output),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("pointcore: {failure}");
+            failure.exit_code()
+        }
+    }
+}
+
+impl Failure {
+    fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Mismatch(_) => 1,
+            Self::Scene(_) | Self::Plan(_) | Self::Configuration { .. } | Self::Usage(_) => 2,
+            Self::Generate(_) | Self::Verilated(_) | Self::Write { .. } | Self::Picture(_) => 3,
+        })
+    }
+}
