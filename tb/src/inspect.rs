@@ -1,0 +1,84 @@
+//! What `pointcore inspect` says about a model file.
+
+use crate::scene::{Model, NormalOrigin, NormalSource, SceneError, neighbors};
+use glam::DVec3;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A model's figures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inspection {
+    /// The file.
+    pub path: PathBuf,
+    /// Number of points.
+    pub points: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Whether points have colors.
+    pub colors: bool,
+    /// Opposite corners of the bounding box.
+    pub bounds: [DVec3; 2],
+    /// What normals are made from unless the scene says otherwise.
+    pub normals: NormalOrigin,
+    /// Least, mean and greatest distance to the nearest neighbors, which is the splat radius by spacing.
+    pub spacing: [f64; 3],
+}
+
+/// Reads and measures a model.
+///
+/// # Errors
+/// The model cannot be used, by itself or for splats of spacing-derived radius.
+pub fn inspect(path: &Path) -> Result<Inspection, SceneError> {
+    let model = Model::load(path)?;
+    let fault = |problem| SceneError::Model { path: path.to_owned(), problem };
+    let (_, normals) = model.unit_normals(NormalSource::Auto).map_err(fault)?;
+    let spacing = neighbors::spacing(&model.points).map_err(fault)?;
+    let [first, ..] = model.points[..] else { unreachable!("a loaded model holds at least one point") };
+    let bounds = model.points.iter().fold([first; 2], |[low, high], point| [low.min(*point), high.max(*point)]);
+    Ok(Inspection {
+        path: path.to_owned(),
+        points: model.points.len(),
+        triangles: model.triangles.len(),
+        colors: model.colors.is_some(),
+        bounds,
+        normals,
+        spacing: [
+            spacing.iter().copied().fold(f64::INFINITY, f64::min),
+            spacing.iter().sum::<f64>() / spacing.len() as f64,
+            spacing.iter().copied().fold(0.0, f64::max),
+        ],
+    })
+}
+
+impl fmt::Display for Inspection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.bounds;
+        let [least, mean, greatest] = self.spacing;
+        writeln!(f, "{}", self.path.display())?;
+        writeln!(f, "  points     {}", self.points)?;
+        writeln!(f, "  triangles  {}", self.triangles)?;
+        writeln!(f, "  bounds     {low} to {high}")?;
+        writeln!(f, "  normals    {}", self.normals)?;
+        writeln!(f, "  colors     {}", if self.colors { "in the file" } else { "none" })?;
+        write!(f, "  spacing    {least:.3e} least, {mean:.3e} mean, {greatest:.3e} greatest")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_of_points_is_measured() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let path = folder.path().join("square.obj");
+        std::fs::write(&path, "v 0 0 1\nv 3 0 1\nv 3 4 1\nv 0 4 1\nf 1 2 3 4\n").expect("the folder is writable");
+        let inspection = inspect(&path).expect("the model is good");
+        assert_eq!((inspection.points, inspection.triangles, inspection.colors), (4, 2, false));
+        assert_eq!(inspection.bounds, [DVec3::new(0.0, 0.0, 1.0), DVec3::new(3.0, 4.0, 1.0)]);
+        // Each corner's neighbors lie 3, 4 and 5 away.
+        assert_eq!((inspection.normals, inspection.spacing), (NormalOrigin::Faces, [4.0; 3]));
+        assert!(inspection.to_string().contains("from the file's faces"));
+        assert!(inspect(&folder.path().join("missing.obj")).is_err());
+    }
+}

@@ -1,0 +1,53 @@
+//! Nearest neighbors of every point, and the spacing they give.
+
+use glam::DVec3;
+use kiddo::{ImmutableKdTree, SquaredEuclidean};
+use rayon::prelude::*;
+
+/// Neighbors whose mean distance is a point's spacing: on a regular surface sampling, two rings of six less one.
+pub const SPACING_NEIGHBORS: usize = 11;
+
+/// A point's neighbor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Neighbor {
+    /// Its index.
+    pub index: u32,
+    /// Its distance.
+    pub distance: f64,
+}
+
+/// Finds the `count` nearest other points of each point (fewer if there are no more), nearest first.
+#[must_use]
+pub fn nearest(points: &[DVec3], count: usize) -> Vec<Vec<Neighbor>> {
+    let coordinates: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
+    let tree = ImmutableKdTree::<f64, 3>::new_from_slice(&coordinates);
+    let wanted = std::num::NonZero::<usize>::MIN.saturating_add(count);
+    let neighbors_of = |(index, point): (usize, &[f64; 3])| {
+        let found = tree.nearest_n::<SquaredEuclidean>(point, wanted);
+        // Among coincident points the tree may leave out the point itself.
+        let others = found.iter().filter(|neighbor| neighbor.item != index as u64).take(count);
+        others.map(|neighbor| Neighbor { index: neighbor.item as u32, distance: neighbor.distance.sqrt() }).collect()
+    };
+    coordinates.par_iter().enumerate().map(neighbors_of).collect()
+}
+
+/// The mean distance of each point to its [`SPACING_NEIGHBORS`] nearest neighbors.
+///
+/// # Errors
+/// A point has no neighbor at any distance but zero.
+pub fn spacing(points: &[DVec3]) -> Result<Vec<f64>, String> {
+    if points.len() < 2 {
+        return Err("holds a single point, which has no spacing: give the radius as a number".to_owned());
+    }
+    let mean = |neighbors: &Vec<Neighbor>| {
+        neighbors.iter().map(|neighbor| neighbor.distance).sum::<f64>() / neighbors.len() as f64
+    };
+    let spacing: Vec<f64> = nearest(points, SPACING_NEIGHBORS).par_iter().map(mean).collect();
+    match spacing.iter().position(|distance| *distance == 0.0) {
+        Some(index) => Err(format!(
+            "vertex {index} coincides with all its neighbors, so it has no spacing: remove duplicate vertices or give \
+             the radius as a number"
+        )),
+        None => Ok(spacing),
+    }
+}

@@ -1,0 +1,165 @@
+//! Normals of points: from triangles, or estimated from neighbors and oriented consistently.
+
+use super::neighbors::{self, Neighbor};
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Neighbors that a tangent plane is fitted to: enough to average noise, few enough to follow curvature.
+const FITTED_NEIGHBORS: usize = 16;
+
+/// The sum of the normals of the triangles around each point, weighted by their areas.
+#[must_use]
+pub fn of_triangles(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
+    let mut normals = vec![DVec3::ZERO; points.len()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|index| points[index as usize]);
+        let twice_area = (b - a).cross(c - a);
+        for index in triangle {
+            normals[*index as usize] += twice_area;
+        }
+    }
+    normals
+}
+
+/// Normals of unit length; a point without one, such as a vertex of no face, takes that of the nearest point with one.
+///
+/// # Errors
+/// No point has a normal.
+pub fn normalize(points: &[DVec3], normals: &[DVec3]) -> Result<Vec<DVec3>, String> {
+    let known: Vec<_> = (0..points.len()).filter(|&index| normals[index].try_normalize().is_some()).collect();
+    if known.is_empty() {
+        return Err("all normals are zero: use `normals = \"estimate\"`".to_owned());
+    }
+    let coordinates: Vec<[f64; 3]> = known.iter().map(|&index| points[index].to_array()).collect();
+    let tree = kiddo::ImmutableKdTree::<f64, 3>::new_from_slice(&coordinates);
+    let unit = |(point, normal): (&DVec3, &DVec3)| {
+        normal.try_normalize().unwrap_or_else(|| {
+            let nearest = tree.nearest_one::<kiddo::SquaredEuclidean>(&point.to_array());
+            normals[known[nearest.item as usize]].normalize()
+        })
+    };
+    Ok(points.par_iter().zip(normals).map(unit).collect())
+}
+
+/// Estimates unit normals: the direction in which the nearest neighbors spread least, oriented so that neighbors
+/// agree, outwards at the highest point of every connected part (Hoppe et al. 1992).
+///
+/// # Errors
+/// There are too few points to span a plane.
+pub fn estimate(points: &[DVec3]) -> Result<Vec<DVec3>, String> {
+    const PLANE: usize = 3;
+    if points.len() < PLANE {
+        return Err(format!("holds {} points, but normals can only be estimated from {PLANE} on", points.len()));
+    }
+    let neighbors = neighbors::nearest(points, FITTED_NEIGHBORS);
+    let fit = |(point, neighbors): (&DVec3, &Vec<Neighbor>)| {
+        let near: Vec<_> = neighbors.iter().map(|neighbor| points[neighbor.index as usize]).chain([*point]).collect();
+        let mean = near.iter().sum::<DVec3>() / near.len() as f64;
+        let spread = |v: &DVec3| {
+            DMat3::from_cols((v - mean) * (v - mean).x, (v - mean) * (v - mean).y, (v - mean) * (v - mean).z)
+        };
+        least_eigenvector(near.iter().map(spread).fold(DMat3::ZERO, |sum, term| sum + term))
+    };
+    let mut normals: Vec<_> = points.par_iter().zip(&neighbors).map(fit).collect();
+    orient(points, &neighbors, &mut normals);
+    Ok(normals)
+}
+
+/// The unit eigenvector of the least eigenvalue of a symmetric matrix, by cyclic Jacobi rotations.
+fn least_eigenvector(mut matrix: DMat3) -> DVec3 {
+    // Convergence is quadratic: a 3×3 matrix is diagonal to the last bit after about five sweeps.
+    const SWEEPS: usize = 8;
+    let mut vectors = DMat3::IDENTITY;
+    for (row, column) in [(0, 1), (0, 2), (1, 2)].into_iter().cycle().take(3 * SWEEPS) {
+        let off_diagonal = matrix.col(column)[row];
+        if off_diagonal == 0.0 {
+            continue;
+        }
+        let slope = (matrix.col(column)[column] - matrix.col(row)[row]) / (2.0 * off_diagonal);
+        let tangent = slope.signum() / (slope.abs() + (slope * slope + 1.0).sqrt());
+        let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
+        let sine = tangent * cosine;
+        let mut rotation = DMat3::IDENTITY;
+        rotation.col_mut(row)[row] = cosine;
+        rotation.col_mut(column)[column] = cosine;
+        rotation.col_mut(column)[row] = sine;
+        rotation.col_mut(row)[column] = -sine;
+        matrix = rotation.transpose() * matrix * rotation;
+        vectors *= rotation;
+    }
+    let least = (0..3).min_by(|&a, &b| matrix.col(a)[a].total_cmp(&matrix.col(b)[b]));
+    vectors.col(least.expect("three candidates")).normalize()
+}
+
+/// An edge of the neighborhood graph from an oriented point to one that may not be oriented yet.
+struct Edge {
+    /// `1 − |cos|` of the angle between the normals.
+    cost: f64,
+    from: u32,
+    to: u32,
+}
+
+impl Ord for Edge {
+    /// The heap's greatest edge is that of the least cost; indices make the order total and so the result unique.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.cost.total_cmp(&self.cost).then((other.from, other.to).cmp(&(self.from, self.to)))
+    }
+}
+
+impl PartialOrd for Edge {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Edge {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Edge {}
+
+/// Flips normals along a minimum spanning tree (Prim's) of the symmetric neighborhood graph, so that orientation
+/// travels where the surface is flat and crosses sharp edges last.
+fn orient(points: &[DVec3], neighbors: &[Vec<Neighbor>], normals: &mut [DVec3]) {
+    let mut adjacent: Vec<Vec<u32>> = vec![Vec::new(); points.len()];
+    for (from, neighbors) in (0..).zip(neighbors) {
+        for neighbor in neighbors {
+            adjacent[from as usize].push(neighbor.index);
+            adjacent[neighbor.index as usize].push(from);
+        }
+    }
+    // The highest point of a part that is not reached yet lies on its outside, whose normal points up there.
+    let mut highest_first: Vec<_> = (0..points.len()).collect();
+    highest_first.sort_by(|&a, &b| points[b].z.total_cmp(&points[a].z));
+    let mut oriented = vec![false; points.len()];
+    let mut frontier = BinaryHeap::new();
+    for start in highest_first {
+        if oriented[start] {
+            continue;
+        }
+        if normals[start].z < 0.0 {
+            normals[start] = -normals[start];
+        }
+        oriented[start] = true;
+        let mut newest = start;
+        loop {
+            for &to in &adjacent[newest] {
+                if !oriented[to as usize] {
+                    let cost = 1.0 - normals[newest].dot(normals[to as usize]).abs();
+                    frontier.push(Edge { cost, from: newest as u32, to });
+                }
+            }
+            let next = std::iter::from_fn(|| frontier.pop()).find(|edge: &Edge| !oriented[edge.to as usize]);
+            let Some(Edge { from, to, .. }) = next else { break };
+            newest = to as usize;
+            if normals[newest].dot(normals[from as usize]) < 0.0 {
+                normals[newest] = -normals[newest];
+            }
+            oriented[newest] = true;
+        }
+    }
+}
