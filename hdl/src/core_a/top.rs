@@ -1,7 +1,9 @@
 //! The whole core: splats in, fragments out, reconstruction buffer behind a memory port; golden twin:
 //! `pointcore_golden::core_a::top`.
 
-use super::{accumulator, normalizer, rasterizer, reorder, setup, splitter, stream_in, tile_cache, transform, weighting};
+use super::{
+    accumulator, normalizer, rasterizer, reorder, setup, splitter, stream_in, tile_cache, transform, weighting,
+};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::rtl::{Expr, Instance, Module, lit};
 use pointcore_spec::core_a::ports::{EVENTS, UNIFORM_ADDRESS_BITS, UNIFORMS};
@@ -30,7 +32,11 @@ struct Units {
 }
 
 /// Places the compiled units and collects their manifests.
-fn place(m: &mut Module, config: &Config, options: &Options) -> Result<(Units, BTreeMap<String, Manifest>), CompileError> {
+fn place(
+    m: &mut Module,
+    config: &Config,
+    options: &Options,
+) -> Result<(Units, BTreeMap<String, Manifest>), CompileError> {
     let mut manifests = BTreeMap::new();
     let mut datapath = |m: &mut Module, name: &str, datapath: Datapath| {
         manifests.insert(name.to_owned(), datapath.manifest);
@@ -89,7 +95,8 @@ fn wire(m: &mut Module, from: &Instance, to: &Instance, names: impl IntoIterator
 
 /// Connects the tile cache to the slots in the accumulator.
 fn slots(m: &mut Module, config: &Config, units: &Units) {
-    let fields = |prefix: &str| records::pixel(config).into_iter().map(move |(name, _)| format!("{prefix}_{name}"));
+    let fields =
+        |prefix: &'static str| records::pixel(config).into_iter().map(move |(name, _)| format!("{prefix}_{name}"));
     let fill = ["slot_ready", "fill_valid", "fill_slot", "fill_pixel"].map(String::from);
     let address = ["drain_enable", "drain_slot", "drain_pixel"].map(String::from);
     let control = fill.into_iter().chain(fields("fill")).chain(address);

@@ -1,0 +1,136 @@
+//! Records of core A as hardware values, and the queues of two that stand at the units' ports.
+
+use pointcore_spec::core_a::Field;
+
+use super::{layout, stream_in};
+use crate::rtl::{Expr, Instance, Module, Stream, cat, lit};
+use crate::stream::skid;
+
+/// A value for every field of a record, in order.
+#[derive(Clone)]
+pub(super) struct Record(Vec<(String, Expr)>);
+
+impl Record {
+    /// Asks for each field's value by its name.
+    pub fn new(fields: &[Field], mut value: impl FnMut(&str) -> Expr) -> Self {
+        Self(fields.iter().map(|(name, _)| (name.clone(), value(name))).collect())
+    }
+
+    /// Input ports `<prefix><field>`.
+    pub fn input(m: &mut Module, prefix: &str, fields: &[Field]) -> Self {
+        Self(
+            fields
+                .iter()
+                .map(|(name, width)| (name.clone(), m.input(&format!("{prefix}{name}"), *width as usize)))
+                .collect(),
+        )
+    }
+
+    /// All bits zero.
+    pub fn zeros(fields: &[Field]) -> Self {
+        Self(fields.iter().map(|(name, width)| (name.clone(), lit(*width as usize, 0))).collect())
+    }
+
+    /// The fields of a word that [`Record::pack`] made, the first field on top.
+    pub fn unpack(fields: &[Field], word: &Expr) -> Self {
+        let mut top = word.width();
+        let values = fields.iter().map(|(name, width)| {
+            top -= *width as usize;
+            (name.clone(), word.bits(top + *width as usize - 1, top))
+        });
+        Self(values.collect())
+    }
+
+    /// All fields side by side, the first on top.
+    pub fn pack(&self) -> Expr {
+        cat(&self.0.iter().map(|(_, value)| value).collect::<Vec<_>>())
+    }
+
+    /// A field by its name, which must be one of the record's.
+    pub fn get(&self, name: &str) -> Expr {
+        let field = self.0.iter().find(|(field, _)| field == name);
+        field.map(|(_, value)| value.clone()).expect("units ask for fields of their own records")
+    }
+
+    /// Those of the values that `fields` names.
+    pub fn only(&self, fields: &[Field]) -> Self {
+        Self::new(fields, |name| self.get(name))
+    }
+
+    /// These fields, each where `selector` is set, else the other's.
+    pub fn mux(&self, selector: &Expr, other: &Self) -> Self {
+        Self(self.0.iter().map(|(name, value)| (name.clone(), selector.mux(value, &other.get(name)))).collect())
+    }
+
+    /// Registers `<prefix><field>` that take the values at clock edges where `enable` is set.
+    pub fn register(&self, m: &mut Module, prefix: &str, enable: &Expr) -> Self {
+        let fields = self.0.iter().map(|(name, value)| {
+            let register = m.reg(&format!("{prefix}{name}"), value.width());
+            m.next_if(&register, enable, value);
+            (name.clone(), register.expr())
+        });
+        Self(fields.collect())
+    }
+
+    /// Drives an instance's inputs `<prefix><field>`.
+    pub fn connect(&self, m: &mut Module, instance: &Instance, prefix: &str) {
+        for (name, value) in &self.0 {
+            m.connect(instance, &format!("{prefix}{name}"), value);
+        }
+    }
+
+    /// Output ports `<prefix><field>`.
+    pub fn output(&self, m: &mut Module, prefix: &str) {
+        for (name, value) in &self.0 {
+            m.output(&format!("{prefix}{name}"), value);
+        }
+    }
+}
+
+impl From<&Stream> for Record {
+    fn from(stream: &Stream) -> Self {
+        Self(stream.fields.clone())
+    }
+}
+
+/// The bits that hold a record.
+pub(super) fn width(fields: &[Field]) -> usize {
+    fields.iter().map(|(_, width)| *width as usize).sum()
+}
+
+/// Declares the ports of a stream that comes in and puts a queue of two behind them; returns the queue's head.
+pub(super) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
+    let ports = stream_in(m, name, fields);
+    let queue = m.instance(&format!("{name}_queue"), skid(&layout(fields)));
+    m.stream_into(&queue, "in", &ports);
+    m.stream_from(&queue, "out")
+}
+
+/// A queue of two whose head is a stream that goes out.
+pub(super) struct QueueOut {
+    instance: Instance,
+    fields: Vec<Field>,
+    /// An item can be pushed in this cycle.
+    pub room: Expr,
+    /// It holds an item.
+    pub holds: Expr,
+}
+
+/// Declares the ports of a stream that goes out, with a queue of two before them.
+pub(super) fn queue_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut {
+    let instance = m.instance(&format!("{name}_queue"), skid(&layout(fields)));
+    let head = m.stream_from(&instance, "out");
+    m.stream_export(name, &head);
+    let room = m.out(&instance, "in_ready");
+    QueueOut { instance, fields: fields.to_vec(), room, holds: head.valid }
+}
+
+impl QueueOut {
+    /// Pushes a record in cycles where `valid` is set, which implies room; to be called once.
+    pub fn push(self, m: &mut Module, valid: &Expr, mut value: impl FnMut(&str) -> Expr) {
+        m.connect(&self.instance, "in_valid", valid);
+        for (name, _) in &self.fields {
+            m.connect(&self.instance, &format!("in_{name}"), &value(name));
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Brings splat copies into the order of their tiles by the heap, which sorts pointers to payloads (thesis 5.5.2);
+//! golden twin: `pointcore_golden::core_a::reorder`.
+
+use pointcore_spec::core_a::{Config, records};
+
+use super::heap;
+use super::records::{Record, queue_in, queue_out, width};
+use crate::rtl::Module;
+use crate::stream::fifo;
+
+/// The unit; ports as in `spec::core_a::ports::reorder`.
+#[must_use]
+pub fn module(config: &Config) -> Module {
+    let pointer_bits = config.heap_levels as usize;
+    let pointers = 1 << pointer_bits;
+    let payload = records::payload(config);
+    let mut m = Module::new("core_a_reorder", "Orders splat copies by tile; their payloads wait in a memory.");
+    m.parameter("levels", pointer_bits);
+    let head = queue_in(&mut m, "in", &records::copy(config));
+    let out = queue_out(&mut m, "out", &records::copy(config));
+    let heap = m.instance("heap", heap::module(config));
+    let returned = m.instance("returned", fifo(pointers, &[("pointer", pointer_bits)]));
+
+    let (accepts, empty) = (m.out(&heap, "in_ready"), m.out(&heap, "empty"));
+    let first = m.stream_from(&heap, "out");
+    let reused = m.stream_from(&returned, "out");
+
+    // Insertion: a pointer that was never used, then those that came back.
+    let draining = m.reg_reset("draining", 1, 0);
+    let fresh = m.reg_reset("fresh", pointer_bits + 1, 0);
+    let all_used = m.wire("all_used", &fresh.msb());
+    let pointer = m.wire("pointer", &all_used.mux(&reused.field("pointer"), &fresh.trunc(pointer_bits)));
+    let head_end = head.field("end");
+    let open = m.wire("open", &(&head.valid & !&draining));
+    let offer = m.wire("offer", &((&open & !&head_end) & (!&all_used | &reused.valid)));
+    let insert = m.wire("insert", &(&offer & accepts));
+    m.connect(&heap, "in_valid", &offer);
+    m.connect(&heap, "in_tile", &head.field("tile"));
+    m.connect(&heap, "in_pointer", &pointer);
+    m.next_if(&fresh, &(&insert & !&all_used), &fresh.add_lit(1));
+    m.ready(&reused, &(&insert & &all_used));
+    let take_end = m.wire("take_end", &(&open & &head_end));
+    m.ready(&head, &(&insert | &take_end));
+    let payloads = m.memory("payloads", pointers, width(&payload));
+    m.write(&payloads, &insert, &pointer, &Record::from(&head).only(&payload).pack());
+
+    // The read stage.
+    let stage_valid = m.reg_reset("stage_valid", 1, 0);
+    let advance = m.wire("advance", &(!&stage_valid | &out.room));
+    m.ready(&first, &advance);
+    let leaving = m.wire("leaving", &first.transfer());
+    m.next_if(&stage_valid, &advance, &leaving);
+    let stage_tile = m.reg("stage_tile", config.tile_bits() as usize);
+    m.next_if(&stage_tile, &leaving, &first.field("tile"));
+    let stage_payload = m.read_if(&payloads, "stage_payload", &leaving, &first.field("pointer"));
+    m.connect(&returned, "in_valid", &leaving);
+    m.connect(&returned, "in_pointer", &first.field("pointer"));
+    let returns = m.out(&returned, "in_ready");
+    m.assert("pointers_fit", &(!&leaving | returns));
+
+    // The end record follows when everything before it has left.
+    let drained = empty & !&stage_valid;
+    let close = m.wire("close", &(&draining & (&drained & &out.room)));
+    m.next_if(&draining, &(&take_end | &close), &take_end);
+    let stored = Record::unpack(&payload, &stage_payload);
+    let push = &close | (&stage_valid & &out.room);
+    out.push(&mut m, &push, |name| match name {
+        "end" => close.clone(),
+        "tile" => stage_tile.expr(),
+        passed => stored.get(passed),
+    });
+    m
+}
