@@ -2,3 +2,7 @@
 mod compiler;
 mod float;
 mod harness;
+mod layout;
+mod stream_fifo;
+mod stream_skid;
+mod support;

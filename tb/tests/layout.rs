@@ -1,0 +1,91 @@
+//! The repository keeps its promises: one unit has one name in four places, and models and hardware do not know
+//! each other.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Folders of `hdl/src` and `golden/src` whose files are units.
+const CORES: &[&str] = &["stream"];
+
+/// Files in those folders of `hdl/src` that are no units but serve several.
+const HELPERS: &[&str] = &[];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// All Rust files below a folder, sorted.
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let mut files = vec![];
+    for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
+        let path = entry.expect("a folder that opens can be listed").path();
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files.sort();
+    files
+}
+
+/// Names of the units of a core, by the files that describe their hardware.
+fn units(core: &str) -> Vec<String> {
+    let folder = root().join("hdl/src").join(core);
+    let names = rust_files(&folder).into_iter().map(|path| {
+        let inside = path.strip_prefix(&folder).expect("it was found in the folder").with_extension("");
+        inside.to_string_lossy().replace('/', "_")
+    });
+    names.filter(|name| name != "mod" && !HELPERS.contains(&format!("{core}/{name}").as_str())).collect()
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+#[test]
+fn every_unit_has_hardware_a_model_a_test_and_a_module() {
+    let mut missing = vec![];
+    for core in CORES {
+        let units = units(core);
+        assert!(!units.is_empty(), "{core} has no units");
+        for unit in units {
+            let test = format!("{core}_{unit}");
+            for place in [format!("golden/src/{core}/{unit}.rs"), format!("tb/tests/{test}.rs")] {
+                if !root().join(&place).is_file() {
+                    missing.push(place);
+                }
+            }
+            if !read(&root().join("tb/tests/units.rs")).contains(&format!("mod {test};")) {
+                missing.push(format!("`mod {test};` in tb/tests/units.rs"));
+            }
+            let hardware = format!("hdl/src/{core}/{unit}.rs");
+            if !read(&root().join(&hardware)).contains(&format!("\"{test}\"")) {
+                missing.push(format!("module `{test}` in {hardware}"));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "missing:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn every_helper_exists() {
+    for helper in HELPERS {
+        assert!(root().join(format!("hdl/src/{helper}.rs")).is_file(), "{helper} is gone");
+    }
+}
+
+#[test]
+fn models_and_hardware_do_not_know_each_other() {
+    for (side, other) in [("golden", "hdl"), ("hdl", "golden")] {
+        let folder = root().join(side);
+        assert!(!read(&folder.join("Cargo.toml")).contains(&format!("pointcore-{other}")), "{side} depends on {other}");
+        let crate_name = format!("pointcore_{other}");
+        for path in rust_files(&folder.join("src")) {
+            for (number, line) in read(&path).lines().enumerate() {
+                let code = line.split("//").next().unwrap_or(line);
+                assert!(!code.contains(&crate_name), "{}:{} uses {other}", path.display(), number + 1);
+            }
+        }
+    }
+}
