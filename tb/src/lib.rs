@@ -1,7 +1,13 @@
 //! Co-simulation of the generated hardware with its models, and the `pointcore` command.
 
+pub mod core_a;
 pub mod float_check;
+pub mod inspect;
 pub mod lockstep;
+pub mod picture;
+pub mod plan;
+pub mod scene;
+pub mod shading;
 pub mod toolchain;
 pub mod vectors;
 pub mod verilated;

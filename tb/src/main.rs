@@ -60,7 +60,7 @@ impl Failure {
         ExitCode::from(match self {
             Self::Mismatch(_) => 1,
             Self::Scene(_) | Self::Plan(_) | Self::Configuration { .. } | Self::Usage(_) => 2,
-            Self::Generate(_) | Self::Verilated(_) | Self::Write { .. } | Self::Picture(_) => 3,
+            Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) | Self::Write { .. } | Self::Picture(_) => 3,
         })
     }
 }

@@ -126,7 +126,11 @@ impl Plan {
         choices.push(Choice {
             part: "heap",
             chosen: format!("{} levels", config.heap_levels),
-            reason: format!("{} splat copies pass the reorder stage, it holds {}", demand.copies, config.heap_capacity()),
+            reason: format!(
+                "{} splat copies pass the reorder stage, it holds {}",
+                demand.copies,
+                config.heap_capacity()
+            ),
         });
 
         config = overridden(&config, &scene.overrides)?;

@@ -62,10 +62,13 @@ pub fn write_files(core: &Core, config: &Config, folder: &Path) -> Result<Vec<Pa
         ("config.toml", config),
     ];
     files.extend(CONSTRAINTS.map(|(name, text)| (name, text.to_owned())));
-    files.into_iter().map(|(name, text)| {
-        let path = folder.join(name);
-        write(&path, &text).map(|()| path)
-    }).collect()
+    files
+        .into_iter()
+        .map(|(name, text)| {
+            let path = folder.join(name);
+            write(&path, &text).map(|()| path)
+        })
+        .collect()
 }
 
 /// Generates a core into a folder.

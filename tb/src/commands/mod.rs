@@ -7,6 +7,7 @@ pub mod plan;
 pub mod run;
 
 use pointcore::core_a::GenerateError;
+use pointcore::float_check::FloatCheckError;
 use pointcore::lockstep::LockstepError;
 use pointcore::picture::PictureError;
 use pointcore::plan::PlanError;
@@ -63,6 +64,9 @@ pub enum Failure {
     /// Hardware and model differ, or the run did not end.
     #[error(transparent)]
     Mismatch(#[from] LockstepError),
+    /// Operators that could not be compared.
+    #[error(transparent)]
+    Operators(#[from] FloatCheckError),
     /// A result that cannot be written.
     #[error("{}: cannot be written: {source}", path.display())]
     Write {

@@ -65,7 +65,10 @@ fn progress_bar(message: &'static str) -> ProgressBar {
 }
 
 /// Runs a frame with a progress bar.
-fn with_progress(message: &'static str, run: impl FnOnce(&(dyn Fn(u64, f64) + Sync)) -> Result<Outcome, Failure>) -> Result<Outcome, Failure> {
+fn with_progress(
+    message: &'static str,
+    run: impl FnOnce(&(dyn Fn(u64, f64) + Sync)) -> Result<Outcome, Failure>,
+) -> Result<Outcome, Failure> {
     let bar = progress_bar(message);
     let outcome = run(&|cycle, share| {
         let rate = cycle as f64 / bar.elapsed().as_secs_f64().max(1e-3) / 1e3;
@@ -95,9 +98,18 @@ impl Arguments {
     }
 
     /// Runs on what was chosen; says which, and how many outputs differed where they were compared.
-    fn simulate(&self, core: &Core, runner: &Runner, folder: &Path) -> Result<(Outcome, &'static str, Option<u64>), Failure> {
+    fn simulate(
+        &self,
+        core: &Core,
+        runner: &Runner,
+        folder: &Path,
+    ) -> Result<(Outcome, &'static str, Option<u64>), Failure> {
         if self.model == Model::Golden {
-            return Ok((with_progress("golden", |progress| Ok(Runner { progress, ..*runner }.golden(core)?))?, "golden", None));
+            return Ok((
+                with_progress("golden", |progress| Ok(Runner { progress, ..*runner }.golden(core)?))?,
+                "golden",
+                None,
+            ));
         }
         let building = spinner("verilating and compiling (cached for the next time)");
         let library = verilate(core, if self.trace { Trace::On } else { Trace::Off })?;
@@ -137,7 +149,14 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     generate::write_files(&core, &plan.config, &folder.join("verilog"))?;
     let frame = EncodedFrame::new(&scene, &plan);
     let stall = if arguments.stalls > 0.0 { Stall::Random(arguments.stalls) } else { Stall::Never };
-    let runner = Runner { config: &plan.config, frame: &frame, stall, seed: arguments.seed, progress: &|_, _| {} };
+    let runner = Runner {
+        config: &plan.config,
+        frame: &frame,
+        stall,
+        seed: arguments.seed,
+        progress: &|_, _| {},
+        stop_after: None,
+    };
     let (outcome, engine, mismatches) = arguments.simulate(&core, &runner, &folder)?;
 
     let rendered = assemble(&plan, &scene.splats, &outcome.fragments);

@@ -37,15 +37,19 @@ pub fn rows(first: &Design, second: &Design) -> Vec<(&'static str, usize, usize)
 /// The totals as JSON.
 #[must_use]
 pub fn document(design: &Design) -> Value {
-    entries(&total(design)).into_iter().map(|(name, figure)| (name.replace(' ', "_"), figure.into())).collect()
+    entries(&total(design)).into_iter().map(|(name, figure)| (name.replace(' ', "_"), Value::from(figure))).collect()
 }
 
 /// Every module with its parameters and area as JSON.
 #[must_use]
 pub fn modules(design: &Design) -> Value {
     let module = |module: &pointcore_hdl::rtl::ModuleSummary| {
-        let parameters: Value = module.parameters.iter().map(|(name, value)| (name.clone(), value.clone().into())).collect();
-        let area: Value = entries(&module.area).into_iter().map(|(name, figure)| (name.replace(' ', "_"), figure.into())).collect();
+        let parameters: Value =
+            module.parameters.iter().map(|(name, value)| (name.clone(), Value::from(value.as_str()))).collect();
+        let area: Value = entries(&module.area)
+            .into_iter()
+            .map(|(name, figure)| (name.replace(' ', "_"), Value::from(figure)))
+            .collect();
         json!({ "name": module.name, "unit": module.unit, "instances": module.instances, "parameters": parameters, "area": area })
     };
     design.modules().iter().map(module).collect()

@@ -17,7 +17,7 @@ pub struct Frame {
 }
 
 fn encode(format: Format, value: f32) -> u64 {
-    convert::convert(Format::F32, format, value.to_bits().into())
+    convert(Format::F32, format, value.to_bits().into())
 }
 
 impl Frame {

@@ -9,7 +9,7 @@ use pointcore_spec::{Format, Splat};
 
 /// The value of an encoded number.
 fn decode(format: Format, bits: u64) -> f64 {
-    f64::from(f32::from_bits(convert::convert(format, Format::F32, bits) as u32))
+    f64::from(f32::from_bits(convert(format, Format::F32, bits) as u32))
 }
 
 /// Places fragments (as [`Host`](super::host::Host) collects them) in an image. Attributes the hardware does not carry take their

@@ -48,5 +48,4 @@ impl Core {
             normalizer: latency("normalizer"),
         }
     }
-
 }

@@ -150,7 +150,7 @@ impl<'a> Host<'a> {
         if !offered {
             let start = self.sent * self.frame.record_words;
             let record = self.frame.records.get(start..start + self.frame.record_words);
-            let record = record.filter(|_| !self.stalls.next());
+            let record = record.filter(|_| !self.stalls.stalled());
             inputs[self.splat.valid] = record.is_some().into();
             if let Some(record) = record {
                 inputs[self.splat.fields.clone()].copy_from_slice(record);
@@ -161,7 +161,7 @@ impl<'a> Host<'a> {
     fn offer_data(&mut self, cycle: u64, inputs: &mut [u64], was_taken: bool) {
         let offered = inputs[self.data.valid] == 1 && !was_taken;
         if !offered {
-            let pixel = self.buffer.offer(cycle).filter(|_| !self.stalls.next());
+            let pixel = self.buffer.offer(cycle).filter(|_| !self.stalls.stalled());
             inputs[self.data.valid] = pixel.is_some().into();
             if let Some(pixel) = pixel {
                 inputs[self.data.fields.clone()].copy_from_slice(pixel);
@@ -194,7 +194,7 @@ impl Stimulus for Host<'_> {
             inputs[port] = word;
         }
         for ready in [self.read.ready, self.write.ready, self.fragment.ready] {
-            inputs[ready] = (!self.stalls.next()).into();
+            inputs[ready] = (!self.stalls.stalled()).into();
         }
         Flow::Continue
     }

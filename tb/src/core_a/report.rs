@@ -175,7 +175,8 @@ impl Report {
             _ = writeln!(text, "| {name} | {value} |");
         }
         text += "\n![frame](frame.png) ![reference](reference.png) ![difference](difference.png)\n\n";
-        text += "Frame, f64 reference, and their difference magnified 16 times. Rows named after the rasterizer and the ";
+        text +=
+            "Frame, f64 reference, and their difference magnified 16 times. Rows named after the rasterizer and the ";
         text += "accumulator count cycles of the frame; waits overlap with each other across the two units.\n";
         text
     }

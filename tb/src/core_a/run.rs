@@ -4,11 +4,10 @@ use super::encode::Frame as EncodedFrame;
 use super::generate::Core;
 use super::host::{Counters, Host, Progress};
 use super::mask::end_records;
-use crate::lockstep::{Flow, Golden, Lockstep, LockstepError, Stall, Stalls, Stimulus};
-use crate::verilated::{self, Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
+use crate::lockstep::{Flow, Lockstep, LockstepError, Stall, Stalls, Stimulus};
+use crate::verilated::{Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
 use pointcore_golden::core_a::Top;
-use pointcore_golden::unit::Unit;
-use pointcore_hdl::rtl;
+use pointcore_golden::unit::{Ported, Unit};
 use pointcore_spec::core_a::{Config, ports};
 use std::path::Path;
 use std::sync::Arc;
@@ -32,6 +31,7 @@ pub struct Outcome {
 }
 
 /// A frame ready to be run, on one engine or another, with one pattern of stalls or another.
+#[derive(Clone)]
 pub struct Runner<'a> {
     /// The hardware's configuration.
     pub config: &'a Config,
@@ -43,22 +43,8 @@ pub struct Runner<'a> {
     pub seed: u64,
     /// Hears of the progress.
     pub progress: Progress<'a>,
-}
-
-/// The generated core as the harness wants it.
-fn source(core: &Core) -> Source {
-    let port = |port: &rtl::Port| {
-        let direction = match port.direction {
-            rtl::Direction::Input => verilated::Direction::Input,
-            rtl::Direction::Output => verilated::Direction::Output,
-        };
-        verilated::Port { name: port.name.clone(), width: port.width as u32, direction }
-    };
-    Source {
-        verilog: core.design.verilog().to_owned(),
-        top: core.design.top().to_owned(),
-        ports: core.design.ports().iter().map(port).collect(),
-    }
+    /// Cut the run off after so many cycles, for timing.
+    pub stop_after: Option<u64>,
 }
 
 /// Verilates the core, for speed.
@@ -66,12 +52,13 @@ fn source(core: &Core) -> Source {
 /// # Errors
 /// The tools are missing or fail.
 pub fn verilate(core: &Core, trace: Trace) -> Result<Arc<Library>, VerilatedError> {
-    Builder::new()?.build(&source(core), Options { optimization: Optimization::Full, trace })
+    Builder::new()?.build(&Source::from(&core.design), Options { optimization: Optimization::Full, trace })
 }
 
 impl<'a> Runner<'a> {
     fn host(&self) -> Host<'a> {
-        Host::new(self.config, self.frame, Stalls::new(self.stall, self.seed), self.progress)
+        let stalls = Stalls::new(self.stall, fastrand::Rng::with_seed(self.seed));
+        Host::new(self.config, self.frame, stalls, self.progress)
     }
 
     fn limit(&self) -> u64 {
@@ -83,7 +70,7 @@ impl<'a> Runner<'a> {
     /// # Errors
     /// The frame does not come to its end.
     pub fn golden(&self, core: &Core) -> Result<Outcome, LockstepError> {
-        let mut golden = Top::new(self.config, core.latencies());
+        let mut golden = Ported::new(Top::new(self.config, &core.latencies()));
         self.alone(ports::count(&ports::top(self.config)), |inputs, outputs| {
             golden.step(inputs, outputs);
             Ok(())
@@ -103,20 +90,36 @@ impl<'a> Runner<'a> {
         self.alone(counts, |inputs, outputs| model.step(inputs, outputs))
     }
 
+    /// The inputs of the run's first cycles, one row of words a cycle, as [`Model::run_bare`](crate::verilated::Model::run_bare)
+    /// replays them.
+    ///
+    /// # Errors
+    /// As [`Runner::hardware`].
+    pub fn record(&self, library: &Arc<Library>) -> Result<Vec<u64>, LockstepError> {
+        let mut model = library.instantiate(self.seed);
+        let mut rows = Vec::new();
+        self.alone((library.inputs().len(), library.outputs().len()), |inputs, outputs| {
+            rows.extend(inputs);
+            model.step(inputs, outputs)
+        })?;
+        Ok(rows)
+    }
+
     /// Hardware and model, every output compared in every cycle.
     ///
     /// # Errors
     /// The first difference, or the frame does not come to its end.
     pub fn lockstep(&self, core: &Core, library: &Arc<Library>) -> Result<Outcome, LockstepError> {
         let started = Instant::now();
-        let mut golden = Top::new(self.config, core.latencies());
+        let mut golden = Ported::new(Top::new(self.config, &core.latencies()));
         let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
         let lockstep = Lockstep::new(library, golden, self.seed).limit(self.limit());
         let reproduce = format!("pointcore run SCENE --seed {}", self.seed);
-        let run = lockstep.mask(end_records(&ports::top(self.config))).reproduced_by(reproduce).run(self.host())?;
+        let stimulus = CutOff { host: self.host(), stop_after: self.stop_after };
+        let run = lockstep.mask(end_records(&ports::top(self.config))).reproduced_by(reproduce).run(stimulus)?;
         Ok(Outcome {
-            fragments: run.stimulus.fragments,
-            counters: run.stimulus.counters,
+            fragments: run.stimulus.host.fragments,
+            counters: run.stimulus.host.counters,
             simulated_cycles: run.report.cycles,
             elapsed: started.elapsed(),
         })
@@ -135,9 +138,9 @@ impl<'a> Runner<'a> {
             step(&inputs, &mut outputs)?;
         }
         inputs[0] = 0;
-        let mut host = self.host();
+        let mut stimulus = CutOff { host: self.host(), stop_after: self.stop_after };
         let mut cycle = 0;
-        while host.drive(cycle, &outputs, &mut inputs) == Flow::Continue {
+        while stimulus.drive(cycle, &outputs, &mut inputs) == Flow::Continue {
             if cycle == self.limit() {
                 return Err(LockstepError::Unfinished { cycles: cycle, seed: self.seed });
             }
@@ -145,6 +148,20 @@ impl<'a> Runner<'a> {
             cycle += 1;
         }
         let elapsed = started.elapsed();
+        let host = stimulus.host;
         Ok(Outcome { fragments: host.fragments, counters: host.counters, simulated_cycles: cycle, elapsed })
+    }
+}
+
+/// The host of a run that may be cut off.
+#[derive(Clone)]
+struct CutOff<'a> {
+    host: Host<'a>,
+    stop_after: Option<u64>,
+}
+
+impl Stimulus for CutOff<'_> {
+    fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
+        if self.stop_after == Some(cycle) { Flow::Done } else { self.host.drive(cycle, outputs, inputs) }
     }
 }

@@ -22,6 +22,14 @@ pub enum LockstepError {
         /// Seed of the run.
         seed: u64,
     },
+    /// The stimulus had not finished after so many cycles of a run on one side alone.
+    #[error("not finished after {cycles} cycles (seed {seed})")]
+    Unfinished {
+        /// Cycles run.
+        cycles: u64,
+        /// Seed of the run.
+        seed: u64,
+    },
     /// The model could not be built or loaded.
     #[error(transparent)]
     Verilated(#[from] VerilatedError),

@@ -20,7 +20,7 @@ pub use driver::{Lockstep, RESET_CYCLES, Report, Run};
 pub use failure::{Cause, Difference, Failure, LockstepError, Violation, Waveform};
 pub use fault::inject;
 pub use seed::{SEED_VARIABLE, seed, seeds};
-pub use stall::Stall;
+pub use stall::{Stall, Stalls};
 pub use stimulus::{Flow, Golden, Stimulus};
 pub use stream::{Stream, Streams};
 pub use testbench::{StreamTestbench, TestbenchError};

@@ -21,12 +21,14 @@ pub struct Stalls {
 }
 
 impl Stalls {
+    /// A pattern from its beginning; `random` decides what is random in it.
+    #[must_use]
     pub fn new(pattern: Stall, random: fastrand::Rng) -> Self {
         Self { pattern, random, idle: false, remaining: 0 }
     }
 
     /// Whether the next cycle is idle.
-    pub fn next(&mut self) -> bool {
+    pub fn stalled(&mut self) -> bool {
         match self.pattern {
             Stall::Never => false,
             Stall::Random(probability) => self.random.f64() < probability,

@@ -177,7 +177,7 @@ impl Stimulus for StreamTestbench {
                 sink.items.push(sink.stream.fields.iter().map(|&field| outputs[field]).collect());
             }
             if let Some(ready) = sink.stream.ready {
-                inputs[ready] = u64::from(!sink.stalls.next());
+                inputs[ready] = u64::from(!sink.stalls.stalled());
             }
         }
         for source in &mut self.sources {
@@ -201,7 +201,7 @@ impl Source {
     /// Sets the inputs of the next cycle.
     fn offer(&mut self, inputs: &mut [u64]) {
         let fields = self.stream.fields.iter();
-        if !self.offering && self.next < self.items.len() && !self.stalls.next() {
+        if !self.offering && self.next < self.items.len() && !self.stalls.stalled() {
             self.offering = true;
             fields.zip(&self.items[self.next]).for_each(|(&field, &value)| inputs[field] = value);
         } else if !self.offering {

@@ -1,0 +1,191 @@
+//! `pointcore bench`: the project's figures, merged into one flat JSON object.
+
+use super::{Failure, Output, scene_name, write};
+use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble, verilate};
+use pointcore::float_check::{Enable, Stages, check_format};
+use pointcore::lockstep::Stall;
+use pointcore::plan::Plan;
+use pointcore::scene::Scene;
+use pointcore::shading::shade;
+use pointcore::verilated::{Library, Trace};
+use pointcore_golden::reference::{self, Mapping};
+use pointcore_spec::Format;
+use serde_json::{Map, Value};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Timed runs of each kind; the median ratio is reported.
+const REPETITIONS: usize = 5;
+/// Cycles of a timed run.
+const TIMED_CYCLES: u64 = 60_000;
+/// Seeds of stalls with which a frame must come out the same.
+const STALL_SEEDS: std::ops::RangeInclusive<u64> = 1..=5;
+/// Operand triples for each operator and format.
+const OPERATOR_CASES: u64 = 1 << 20;
+/// Seed of the operands.
+const OPERATOR_SEED: u64 = 1;
+/// Share of the cycles in which a stalled run holds each stream back.
+const STALL_SHARE: f64 = 0.3;
+
+/// Arguments of `bench`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The scan for scenes/igea.toml; without it that scene is measured only if its own path exists.
+    #[arg(long, value_name = "FILE")]
+    scan: Option<PathBuf>,
+    /// The file to merge the figures into.
+    #[arg(short, long, default_value = "out/bench.json")]
+    output: PathBuf,
+}
+
+/// Figures by key.
+type Figures = Map<String, Value>;
+
+/// A scene with its hardware, ready to run.
+struct Prepared {
+    name: String,
+    scene: Scene,
+    plan: Plan,
+    core: Core,
+    library: Arc<Library>,
+    frame: EncodedFrame,
+}
+
+impl Prepared {
+    fn new(path: &Path, settings: &[String]) -> Result<Self, Failure> {
+        let scene = Scene::load(path, settings)?;
+        let plan = Plan::of(&scene)?;
+        let core = Core::generate(&plan.config)?;
+        let library = verilate(&core, Trace::Off)?;
+        let frame = EncodedFrame::new(&scene, &plan);
+        Ok(Self { name: scene_name(path), scene, plan, core, library, frame })
+    }
+
+    fn runner(&self, stall: Stall, seed: u64) -> Runner<'_> {
+        Runner { config: &self.plan.config, frame: &self.frame, stall, seed, progress: &|_, _| {}, stop_after: None }
+    }
+}
+
+/// The frame of a scene: lockstep, golden and stalled hardware must give the same fragments.
+fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+    let Prepared { name, scene, plan, core, library, frame } = prepared;
+    let free = prepared.runner(Stall::Never, 1);
+    eprintln!("{name}: lockstep");
+    let outcome = free.lockstep(core, library)?;
+    let golden = free.golden(core)?;
+    let mut mismatches = u64::from(golden.fragments != outcome.fragments);
+    for seed in STALL_SEEDS {
+        eprintln!("{name}: hardware with stalls, seed {seed}");
+        let stalled = prepared.runner(Stall::Random(STALL_SHARE), seed).hardware(library, None)?;
+        mismatches += u64::from(stalled.fragments != outcome.fragments);
+    }
+
+    let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+    let rendered = assemble(plan, &scene.splats, &outcome.fragments);
+    let psnr_db = shade(&rendered, scene).psnr_db(&shade(&reference, scene));
+    let report = Report::new(&Measured {
+        scene: name,
+        engine: "rtl in lockstep with golden",
+        config: &plan.config,
+        splats: scene.splats.len(),
+        counters: &outcome.counters,
+        frame: &rendered,
+        reference: &reference,
+        psnr_db,
+        mismatches: Some(mismatches),
+        simulated_cycles_per_second: speed(&outcome),
+    });
+    let mut insert = |key: &str, value: Value| figures.insert(format!("splat.{name}.{key}"), value);
+    insert("splats", (frame.count() - 1).into());
+    insert("mismatches", mismatches.into());
+    insert("psnr_db", psnr_db.into());
+    insert("cycles", report.cycles.into());
+    insert("cycles_per_splat", report.cycles_per_splat.into());
+    insert("cycles_per_sample", report.cycles_per_sample.into());
+    insert("rasterizer_utilisation", report.rasterizer_utilisation.into());
+    insert("accumulator_utilisation", report.accumulator_utilisation.into());
+    insert("hazard_fraction", report.hazard_fraction.into());
+    insert("slot_wait_fraction", report.slot_wait_fraction.into());
+    insert("buffer_bytes", (report.buffer_read_bytes + report.buffer_write_bytes).into());
+    insert("coverage_differences", report.coverage_differences.into());
+    insert("outcome_differences", report.outcome_differences.into());
+    Ok(())
+}
+
+fn speed(outcome: &Outcome) -> f64 {
+    outcome.simulated_cycles as f64 / outcome.elapsed.as_secs_f64()
+}
+
+/// Simulation speed beside a bare loop in C++ over the same model and the same inputs, alternating.
+fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+    let runner = Runner { stop_after: Some(TIMED_CYCLES), ..prepared.runner(Stall::Never, 1) };
+    let rows = runner.record(&prepared.library)?;
+    let (mut bare_ratios, mut lockstep_ratios, mut speeds) = (Vec::new(), Vec::new(), Vec::new());
+    for repetition in 1..=REPETITIONS {
+        eprintln!("simulation speed: {repetition} of {REPETITIONS}");
+        let mut model = prepared.library.instantiate(1);
+        let started = Instant::now();
+        model.run_bare(&rows, TIMED_CYCLES)?;
+        let bare = TIMED_CYCLES as f64 / started.elapsed().as_secs_f64();
+        let alone = speed(&runner.hardware(&prepared.library, None)?);
+        let lockstep = speed(&runner.lockstep(&prepared.core, &prepared.library)?);
+        bare_ratios.push(alone / bare);
+        lockstep_ratios.push(lockstep / bare);
+        speeds.push(alone);
+    }
+    for (key, values) in [("bare_ratio", bare_ratios), ("lockstep_ratio", lockstep_ratios), ("cycles_per_s", speeds)] {
+        figures.insert(format!("sim.{key}"), median(values).into());
+    }
+    Ok(())
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Operators of every format, hardware against golden.
+fn operator_figures(figures: &mut Figures) -> Result<(), Failure> {
+    for (name, format) in Format::NAMED {
+        eprintln!("operators: {name}");
+        for report in check_format(format, Stages::Default, Enable::Always, OPERATOR_CASES, OPERATOR_SEED)? {
+            let key = format!("fp.{}.{name}", report.operation);
+            figures.insert(format!("{key}.cases"), report.cases.into());
+            figures.insert(format!("{key}.mismatches"), report.mismatches.into());
+        }
+    }
+    Ok(())
+}
+
+/// The figures that are already in the file; none if there is no such file.
+fn existing(path: &Path) -> Result<Figures, Failure> {
+    let wrong = |problem| Failure::Configuration { path: path.to_owned(), problem };
+    match std::fs::read_to_string(path) {
+        Ok(text) => serde_json::from_str(&text).map_err(|error| wrong(format!("{error}; delete it to start anew"))),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Figures::new()),
+        Err(error) => Err(wrong(format!("cannot be read: {error}"))),
+    }
+}
+
+/// Measures everything.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let mut figures = Figures::new();
+    let knot = Prepared::new(Path::new("scenes/knot.toml"), &[])?;
+    speed_figures(&knot, &mut figures)?;
+    frame_figures(&knot, &mut figures)?;
+    let scan = arguments.scan.as_ref().map(|path| format!("object.0.path={}", path.display()));
+    match Prepared::new(Path::new("scenes/igea.toml"), scan.as_slice()) {
+        Ok(igea) => frame_figures(&igea, &mut figures)?,
+        Err(Failure::Scene(error)) if arguments.scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
+        Err(failure) => return Err(failure),
+    }
+    operator_figures(&mut figures)?;
+
+    let mut merged = existing(&arguments.output)?;
+    merged.extend(figures);
+    let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
+    write(&arguments.output, &(text.clone() + "\n"))?;
+    output.print(&merged, &text);
+    Ok(())
+}
