@@ -197,6 +197,59 @@ fn sequence(
     (finish, close)
 }
 
+/// Keeps what the job, or the tile that is sent, is about.
+fn follow_job(m: &mut Module, state: &State, start: &Expr, done: &Expr, touched: &Expr, directory: &Directory) {
+    m.next(&state.looking, start);
+    m.next_if(&state.moving, &(&state.looking | done), &state.looking);
+    m.next_if(&state.load, &state.looking, touched);
+    m.next_if(&state.evict, start, &directory.next_resident);
+    m.next_if(&state.evict_tile, start, &directory.next_tile);
+    let check = state.is(Mode::Check);
+    m.next_if(&state.slot, &(start | &check), &check.mux(&directory.hit_slot, &directory.next_slot()));
+    m.next_if(&state.tile, &(start | &check), &directory.sought);
+}
+
+/// The ports that write the slot, a cycle after a pixel came.
+fn fill_ports(m: &mut Module, state: &State, fill: &Expr, fill_valid: &Reg, data: &Record, fields: &[Field]) {
+    let fill_pixel = m.reg("fill_pixel", PIXEL_BITS as usize);
+    m.next(fill_valid, fill);
+    m.next_if(&fill_pixel, fill, &state.filled.trunc(PIXEL_BITS as usize));
+    let filling = data.mux(&state.load, &Record::zeros(fields)).register(m, "fill_", fill);
+    m.output("fill_valid", fill_valid);
+    m.output("fill_slot", &state.slot);
+    m.output("fill_pixel", &fill_pixel);
+    filling.output(m, "fill_");
+}
+
+/// Pushes pixels to the reconstruction buffer and, at the end of the frame, those that are visible to the output.
+fn push_pixels(
+    m: &mut Module,
+    state: &State,
+    moves: &Moves,
+    close: &Expr,
+    shown: &Record,
+    data: &Record,
+    [write, pixel]: [QueueOut; 2],
+) {
+    let evicted = &state.moving & &moves.shown;
+    write.push(m, &evicted, |name| match name {
+        "tile" => state.evict_tile.expr(),
+        "pixel" => state.shown_pixel.expr(),
+        field => shown.get(field),
+    });
+    let from_slot = state.is(Mode::FromSlot);
+    let sent_pixel = from_slot.mux(&state.shown_pixel, &state.drained.trunc(PIXEL_BITS as usize));
+    let sent = shown.mux(&from_slot, data);
+    let sends = (&from_slot & &moves.shown) | (state.is(Mode::FromMemory) & &moves.beat);
+    let visible = m.wire("visible", &sent.get("weight").any());
+    pixel.push(m, &(close | (sends & visible)), |name| match name {
+        "end" => close.clone(),
+        "tile" => state.code.expr(),
+        "pixel" => sent_pixel.clone(),
+        field => sent.get(field),
+    });
+}
+
 fn with_place(config: &Config, pixel: Vec<Field>) -> Vec<Field> {
     let place = [("tile".to_owned(), config.tile_bits()), ("pixel".to_owned(), PIXEL_BITS)];
     place.into_iter().chain(pixel).collect()
@@ -237,53 +290,20 @@ pub fn module(config: &Config) -> Module {
     let moves = exchange(&mut m, &state, &data, &write, &pixel, &fill_valid);
     let (finish, close) = sequence(&mut m, &state, &placement, &touched, &directory.hit, &pixel.room);
     m.next_if(&state.frame_ended, &(&frame_end | &finish), &frame_end);
-    m.next(&state.looking, &placement.start);
-    m.next_if(&state.moving, &(&state.looking | &moves.done), &state.looking);
-    m.next_if(&state.load, &state.looking, &touched);
-    let start = &placement.start;
-    m.next_if(&state.evict, start, &directory.next_resident);
-    m.next_if(&state.evict_tile, start, &directory.next_tile);
-    m.next_if(&state.slot, &(start | &check), &check.mux(&directory.hit_slot, &directory.next_slot()));
-    m.next_if(&state.tile, &(start | &check), &sought);
-    let missing = &check & !&directory.hit;
-    let raise_read = &touched & (&state.looking | missing);
+    follow_job(&mut m, &state, &placement.start, &moves.done, &touched, &directory);
+    let raise_read = &touched & (&state.looking | (&check & !&directory.hit));
     m.next_if(&state.read_valid, &(&raise_read | &read_ready), &raise_read);
 
-    let fill_pixel = m.reg("fill_pixel", PIXEL_BITS as usize);
-    m.next(&fill_valid, &moves.fill);
-    m.next_if(&fill_pixel, &moves.fill, &state.filled.trunc(PIXEL_BITS as usize));
     let arriving = Record::from(&data);
-    let filling = arriving.mux(&state.load, &Record::zeros(&pixel_fields)).register(&mut m, "fill_", &moves.fill);
-    m.output("fill_valid", &fill_valid);
-    m.output("fill_slot", &state.slot);
-    m.output("fill_pixel", &fill_pixel);
-    filling.output(&mut m, "fill_");
-
+    fill_ports(&mut m, &state, &moves.fill, &fill_valid, &arriving, &pixel_fields);
     m.output("drain_enable", &moves.drain_enable);
     m.output("drain_slot", &state.slot);
     m.output("drain_pixel", &state.drained.trunc(PIXEL_BITS as usize));
     let shown = Record::input(&mut m, "drain_", &pixel_fields);
-    let evicted = &state.moving & &moves.shown;
-    write.push(&mut m, &evicted, |name| match name {
-        "tile" => state.evict_tile.expr(),
-        "pixel" => state.shown_pixel.expr(),
-        field => shown.get(field),
-    });
-    let from_slot = state.is(Mode::FromSlot);
-    let sent_pixel = from_slot.mux(&state.shown_pixel, &state.drained.trunc(PIXEL_BITS as usize));
-    let sent = shown.mux(&from_slot, &arriving);
-    let sends = (&from_slot & &moves.shown) | (state.is(Mode::FromMemory) & &moves.beat);
-    let visible = m.wire("visible", &sent.get("weight").any());
-    pixel.push(&mut m, &(&close | (sends & visible)), |name| match name {
-        "end" => close.clone(),
-        "tile" => state.code.expr(),
-        "pixel" => sent_pixel.clone(),
-        field => sent.get(field),
-    });
+    push_pixels(&mut m, &state, &moves, &close, &shown, &arriving, [write, pixel]);
 
     let changes = Changes {
-        allocate: start,
-        tile: &sought,
+        allocate: &placement.start,
         enter: &placement.send,
         retire: &retire,
         retire_slot: &retire_slot,

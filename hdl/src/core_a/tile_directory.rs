@@ -19,7 +19,9 @@ struct Slot {
 pub(super) struct Directory {
     slots: Vec<Slot>,
     next: Reg,
-    /// Some slot holds the tile.
+    /// The tile that is looked up.
+    pub sought: Expr,
+    /// Some slot holds it.
     pub hit: Expr,
     /// That slot, or 0.
     pub hit_slot: Expr,
@@ -34,9 +36,8 @@ pub(super) struct Directory {
 
 /// What changes the directory in a cycle.
 pub(super) struct Changes<'a> {
-    /// The next slot is given to `tile`.
+    /// The next slot is given to the tile that is looked up.
     pub allocate: &'a Expr,
-    pub tile: &'a Expr,
     /// A copy enters slot [`Directory::hit_slot`].
     pub enter: &'a Expr,
     /// A copy of `retire_slot` is done.
@@ -57,8 +58,8 @@ fn pick<'a>(width: usize, choices: impl Iterator<Item = (Expr, &'a Expr)>) -> Ex
 }
 
 impl Directory {
-    /// Declares the registers and looks `tile` up.
-    pub fn new(m: &mut Module, config: &Config, tile: &Expr) -> Self {
+    /// Declares the registers and looks `sought` up.
+    pub fn new(m: &mut Module, config: &Config, sought: &Expr) -> Self {
         let (tile_bits, slot_bits) = (config.tile_bits() as usize, config.slot_bits() as usize);
         let next = m.reg_reset("next", slot_bits, 0);
         let slots: Vec<_> = (0..config.tile_slots)
@@ -70,7 +71,7 @@ impl Directory {
                 is_next: next.eq_lit(slot.into()),
             })
             .collect();
-        let hits: Vec<_> = slots.iter().map(|slot| &slot.resident & slot.tile.eq(tile)).collect();
+        let hits: Vec<_> = slots.iter().map(|slot| &slot.resident & slot.tile.eq(sought)).collect();
         let hit = cat(&hits.iter().collect::<Vec<_>>()).any();
         let hit = m.wire("hit", &hit);
         let numbers: Vec<_> = (0..slots.len()).map(|slot| lit(slot_bits, slot as u128)).collect();
@@ -85,7 +86,7 @@ impl Directory {
         let next_resident = of_next(1, |slot| &slot.resident);
         let next_idle = of_next(IN_FLIGHT_BITS as usize, |slot| &slot.in_flight).is_zero();
         let hit_has_room = !hit_full;
-        Self { slots, next, hit, hit_slot, hit_has_room, next_tile, next_resident, next_idle }
+        Self { slots, next, sought: sought.clone(), hit, hit_slot, hit_has_room, next_tile, next_resident, next_idle }
     }
 
     /// The slot to be allocated next.
@@ -107,7 +108,7 @@ impl Directory {
         for (number, slot) in self.slots.iter().enumerate() {
             let is = |other: &Expr| other.eq_lit(number as u128);
             let allocated = changes.allocate & &slot.is_next;
-            m.next_if(&slot.tile, &allocated, changes.tile);
+            m.next_if(&slot.tile, &allocated, &self.sought);
             m.next_if(&slot.resident, &(&allocated | changes.clear), &allocated);
             let filled = changes.filled & is(changes.filled_slot);
             m.next_if(&slot.ready, &(&filled | &allocated | changes.close), &filled);
