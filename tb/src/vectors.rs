@@ -82,6 +82,13 @@ impl FloatCases {
         }
     }
 
+    /// The two numbers with significands `2 − 2k·2^−mantissa` and `1 + k·2^−mantissa`, whose product rounds up to 2.
+    fn rounds_up_to_two(&mut self, a: u64, b: u64) -> [u64; 2] {
+        let all = mask(self.format.mantissa);
+        let small = self.random.u64(1..=mask(self.format.mantissa / 2 - 1));
+        [a & !all | (all + 1 - 2 * small), b & !all | small]
+    }
+
     /// The encodings of a positive integer and its square.
     fn integer(&mut self) -> (u64, u64) {
         let bits = self.format.mantissa.div_ceil(2);
@@ -127,11 +134,10 @@ impl FloatCases {
                 let (exponent, distance) = (self.exponent(), self.random.i64(-near..=near));
                 let border = if self.random.bool() { 0 } else { self.format.exponent_max() as i64 };
                 let of_c = self.random.i64(0..=2 * near);
-                [
-                    self.with_exponent(exponent),
-                    self.with_exponent(border + bias - exponent + distance),
-                    self.with_exponent((border - of_c).abs()),
-                ]
+                let a = self.with_exponent(exponent);
+                let b = self.with_exponent(border + bias - exponent + distance);
+                let [a, b] = if self.random.bool() { [a, b] } else { self.rounds_up_to_two(a, b) };
+                [a, b, self.with_exponent((border - of_c).abs())]
             }
             8 => {
                 let (exponent, distance) = (self.exponent(), self.random.i64(-near..=near));
