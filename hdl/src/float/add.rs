@@ -40,14 +40,13 @@ pub fn module(format: Format, stages: u32) -> Operator {
     pipe.module.parameter("format", format);
     let (a, b) = (Operand::input(&mut pipe, format, "a"), Operand::input(&mut pipe, format, "b"));
 
-    let magnitude = |operand: &Operand| cat(&[&operand.exponent.trunc(format.exponent as usize), &operand.significand]);
-    let swap = pipe.module.wire("swap", &magnitude(&a).lt(&magnitude(&b)));
+    let swap = pipe.module.wire("swap", &a.magnitude.lt(&b.magnitude));
     let sign = pipe.carry("sign", &swap.mux(&b.sign, &a.sign));
     let nan = &a.nan | &b.nan | (&a.infinite & &b.infinite & (&a.sign ^ &b.sign));
     let nan = pipe.carry("nan", &nan);
     let infinite = pipe.carry("infinite", &(&a.infinite | &b.infinite));
     let mut subtract = pipe.carry("subtract", &(&a.sign ^ &b.sign));
-    let exponent = pipe.carry("exponent", &swap.mux(&b.exponent, &a.exponent).add_lit(1));
+    let mut limit = pipe.carry("limit", &swap.mux(&b.exponent, &a.exponent));
     let [distance, large, small] = pipe.cut([
         ("distance", &swap.mux(&(&b.exponent - &a.exponent), &(&a.exponent - &b.exponent))),
         ("large", &swap.mux(&b.significand, &a.significand)),
@@ -55,12 +54,13 @@ pub fn module(format: Format, stages: u32) -> Operator {
     ]);
 
     let room = lit(EXTRA, 0);
+    let stop = stop(&mut pipe, format, &mut limit, sum_width(format));
     let aligned = shift_right_sticky(&cat(&[&small, &room]), &distance.trunc(format.exponent as usize));
     let [large, aligned] = pipe.cut([("large", &large), ("aligned", &aligned)]);
 
     let (large, aligned) = (cat(&[&large, &room]).zext(sum_width(format)), aligned.zext(sum_width(format)));
     let sum = add_or_subtract(&large, &aligned, &pipe.arrive(&mut subtract));
-    normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, exponent, sum })
+    normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, limit, stop, sum })
 }
 
 /// A sum before its leading one is found.
@@ -73,36 +73,40 @@ pub(super) struct Sum {
     pub infinite: Carried,
     /// The operands' signs differ.
     pub subtract: Carried,
-    /// Biased exponent of the sum's top bit, at least 1.
-    pub exponent: Carried,
+    /// Places by which the sum can be shifted left until its exponent is 1.
+    pub limit: Carried,
+    /// From [`stop`].
+    pub stop: Option<Carried>,
     /// The sum in the current segment, its lowest bit sticky.
     pub sum: Expr,
 }
 
 /// Delays of [`normalize_sum`]'s segments; the first follows `preceding`.
 pub(super) fn normalize_sum_delays(format: Format, width: u32, preceding: u32) -> Vec<u32> {
-    let limit = match format.subnormals {
-        Subnormals::Keep => delay::adder(format.exponent) + delay::LEVEL,
-        Subnormals::Flush => 0,
-    };
-    let mut delays = vec![preceding, delay::leading_zeros(width) + limit, delay::shifter(width) + delay::LEVEL];
-    delays.extend(round_delays(format, Underflow::Impossible, 0));
+    let mut delays = vec![preceding, delay::leading_zeros(width)];
+    delays.extend(round_delays(format, Underflow::Impossible, delay::shifter(width) + delay::LEVEL));
     delays
 }
 
-/// Takes the sum through a cut, counts leading zeros, cut, shifts them out, cut, and rounds.
+/// A one at the place in a sum's width that may become the top one: counted among its leading zeros, it leaves a
+/// subnormal result in place, at exponent 1. Nothing if the format flushes those.
+pub(super) fn stop(pipe: &mut Pipe, format: Format, limit: &mut Carried, width: usize) -> Option<Carried> {
+    if format.subnormals == Subnormals::Flush {
+        return None;
+    }
+    let top = lit(width, 1 << (width - 1));
+    let stop = top.shr_by(&pipe.arrive(limit));
+    Some(pipe.carry("stop", &stop))
+}
+
+/// Takes the sum through a cut, counts leading zeros, cut, shifts them out, and rounds.
 pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operator {
-    let Sum { mut sign, mut nan, mut infinite, mut subtract, mut exponent, sum } = raw;
+    let Sum { mut sign, mut nan, mut infinite, mut subtract, mut limit, stop, sum } = raw;
     let [sum] = pipe.cut([("sum", &sum)]);
 
-    let (zeros, current_exponent) = (leading_zeros(&sum), pipe.arrive(&mut exponent));
-    let shift = match format.subnormals {
-        // A shift that stops at exponent 1 leaves a subnormal result in place.
-        Subnormals::Keep => {
-            let (limit, wide) = (current_exponent.sub_lit(1), zeros.zext(exponent_width(format)));
-            wide.lt(&limit).mux(&wide, &limit).trunc(zeros.width())
-        }
-        Subnormals::Flush => zeros,
+    let shift = match stop {
+        Some(mut stop) => leading_zeros(&(&sum | pipe.arrive(&mut stop))),
+        None => leading_zeros(&sum),
     };
     let cancelled = sum.is_zero();
     let [sign, nan, infinite, subtract] =
@@ -112,9 +116,7 @@ pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operato
     let [sum, shift] = pipe.cut([("sum", &sum), ("shift", &shift)]);
 
     let significand = keep_sticky(&sum.shl_by(&shift), precision(format) + 2);
-    let exponent = pipe.arrive(&mut exponent) - shift.zext(exponent_width(format));
-    let [exponent, significand] = pipe.cut([("exponent", &exponent), ("significand", &significand)]);
-
+    let exponent = pipe.arrive(&mut limit).add_lit(1) - shift.zext(exponent_width(format));
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })
 }
 

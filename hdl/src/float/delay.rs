@@ -3,23 +3,23 @@
 //! The numbers are for a small FPGA (ECP5, speed grade 6), routing included. Only their proportions matter elsewhere.
 
 /// One level of lookup tables.
-pub const LEVEL: u32 = 9;
+pub const LEVEL: u32 = 12;
 /// What a stage may take beside its register's own delay, for about 130 MHz.
-pub const STAGE: u32 = 62;
+pub const STAGE: u32 = 68;
 
-/// Widest operand of one hardware multiplier.
-const MULTIPLIER_WIDTH: u32 = 18;
+/// A hardware multiplier: a stage of its own.
+pub const MULTIPLIER: u32 = 60;
 
 /// Addition, subtraction or comparison: a carry chain.
 #[must_use]
 pub const fn adder(width: u32) -> u32 {
-    13 + width * 2 / 5
+    19 + width * 7 / 20
 }
 
-/// Shift by a variable amount: two stages of the shifter fit one level.
+/// Shift by a variable amount.
 #[must_use]
 pub const fn shifter(width: u32) -> u32 {
-    levels(width).div_ceil(2) * (LEVEL + 4)
+    levels(width) * (LEVEL - 2)
 }
 
 /// Count of leading zeros.
@@ -32,13 +32,6 @@ pub const fn leading_zeros(width: u32) -> u32 {
 #[must_use]
 pub const fn reduction(width: u32) -> u32 {
     levels(width).div_ceil(2) * LEVEL
-}
-
-/// Unsigned product: a stage of its own if narrow, more than that if pieced together.
-#[must_use]
-pub const fn multiplier(left: u32, right: u32) -> u32 {
-    let narrow = left <= MULTIPLIER_WIDTH && right <= MULTIPLIER_WIDTH;
-    if narrow { 55 } else { 55 + adder(left + right) / 2 }
 }
 
 /// `⌈log2(width)⌉`.

@@ -4,10 +4,11 @@
 //! `p + 2` places (its `p` bits and two of room keep a lower product from the rounding position), then the product's `2p`
 //! bits, then guard, round and sticky bit. Subnormal factors need no normalizing: the sum's leading one is found anyway.
 
-use super::add::{Sum, normalize_sum, normalize_sum_delays};
+use super::add::{Sum, normalize_sum, normalize_sum_delays, stop};
 use super::delay;
 use super::operand::{Operand, exponent_width, precision, signed};
 use super::pipe::{self, Operator, Pipe};
+use super::product::{product, product_delays};
 use super::shift::{add_or_subtract, shift_right_sticky};
 use crate::rtl::{cat, lit};
 use pointcore_spec::Format;
@@ -31,7 +32,8 @@ fn field_width(format: Format) -> usize {
 fn delays(format: Format) -> Vec<u32> {
     let (p, field) = (format.mantissa + 1, field_width(format) as u32);
     let exponents = 3 * delay::adder(format.exponent) / 2 + 2 * delay::LEVEL;
-    let mut delays = vec![exponents, delay::multiplier(p, p).max(delay::shifter(field))];
+    let mut delays = vec![exponents];
+    delays.extend(product_delays(p, p));
     delays.extend(normalize_sum_delays(format, field, delay::adder(field) + delay::LEVEL));
     delays
 }
@@ -61,15 +63,15 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let nan = pipe.carry("nan", &nan);
     let infinite = pipe.carry("infinite", &infinite);
 
-    // Biased exponent of the field's top bit: where the addend would stand unshifted.
+    // Biased exponent of the field's top bit, where the addend stands unshifted; less one, the shift down to exponent 1.
     let bits = exponent_width(format) + 1;
     let lead = signed(bits, (p + EXTRA) as i32 - format.bias());
     let product_exponent = a.exponent.zext(bits) + b.exponent.zext(bits) + lead;
     let addend_exponent = c.exponent.zext(bits);
     let distance = &product_exponent - &addend_exponent;
     let addend_leads = pipe.module.wire("addend_leads", &(product_zero | distance.msb()));
-    let exponent = addend_leads.mux(&addend_exponent, &product_exponent).trunc(bits - 1);
-    let exponent = pipe.carry("exponent", &exponent);
+    let limit = addend_leads.mux(&addend_exponent.sub_lit(1), &product_exponent.sub_lit(1)).trunc(bits - 1);
+    let mut limit = pipe.carry("limit", &limit);
     let [distance, left, right, addend] = pipe.cut([
         ("distance", &(distance & !addend_leads.repeat(bits)).trunc(bits - 1)),
         ("left", &a.significand),
@@ -77,8 +79,12 @@ pub fn module(format: Format, stages: u32) -> Operator {
         ("addend", &c.significand),
     ]);
 
+    let stop = stop(&mut pipe, format, &mut limit, field);
     let aligned = shift_right_sticky(&cat(&[&addend, &lit(field - p, 0)]), &distance);
-    let [product, aligned] = pipe.cut([("product", &(&left * &right)), ("aligned", &aligned)]);
+    let mut aligned = pipe.carry("aligned", &aligned);
+    let product = product(&mut pipe, &left, &right);
+    let [product] = pipe.cut([("product", &product)]);
+    let aligned = pipe.arrive(&mut aligned);
 
     let product = cat(&[&product, &lit(EXTRA, 0)]).zext(field);
     let forward = add_or_subtract(&product.zext(field + 1), &aligned.zext(field + 1), &pipe.arrive(&mut subtract));
@@ -86,5 +92,5 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let sum = addend_larger.mux(&(&aligned - &product), &forward.trunc(field));
     let sign = pipe.arrive(&mut sign) ^ addend_larger;
     let sign = pipe.carry("sign", &sign);
-    normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, exponent, sum })
+    normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, limit, stop, sum })
 }

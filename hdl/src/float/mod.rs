@@ -32,6 +32,7 @@ pub mod to_fixed;
 mod newton;
 mod operand;
 mod pipe;
+mod product;
 mod round;
 mod shift;
 

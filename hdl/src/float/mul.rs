@@ -5,6 +5,7 @@
 use super::delay;
 use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
 use super::pipe::{self, Operator, Pipe};
+use super::product::{product, product_delays};
 use super::round::{Raw, Special, Underflow, round, round_delays};
 use super::shift::keep_sticky;
 use crate::rtl::lit;
@@ -19,9 +20,8 @@ pub fn stages(format: Format) -> u32 {
 fn delays(format: Format) -> Vec<u32> {
     let p = format.mantissa + 1;
     let mut delays = normalize_delays(format, 0);
-    delays.push(delay::multiplier(p, p));
-    delays.push(delay::LEVEL + delay::reduction(p));
-    delays.extend(round_delays(format, Underflow::Possible, 0));
+    delays.extend(product_delays(p, p));
+    delays.extend(round_delays(format, Underflow::Possible, delay::LEVEL + delay::reduction(p)));
     delays
 }
 
@@ -44,15 +44,14 @@ pub fn module(format: Format, stages: u32) -> Operator {
         pipe.cut([("left", &a.significand), ("right", &b.significand), ("exponent", &(&a.exponent + &b.exponent))]);
 
     let bias = lit(exponent_width(format), format.bias() as u128);
-    let [product, exponent] = pipe.cut([("product", &(&left * &right)), ("exponent", &(&exponent - &bias))]);
+    let mut exponent = pipe.carry("exponent", &(&exponent - &bias));
+    let product = product(&mut pipe, &left, &right);
+    let [product] = pipe.cut([("product", &product)]);
 
     // Both factors lie in [1, 2), the product in [1, 4).
     let carry = product.msb();
     let normalized = carry.mux(&product, &product.shl(1));
-    let [significand, exponent] = pipe.cut([
-        ("significand", &keep_sticky(&normalized, precision(format) + 2)),
-        ("exponent", &(&exponent + carry.zext(exponent_width(format)))),
-    ]);
-
+    let exponent = pipe.arrive(&mut exponent) + carry.zext(exponent_width(format));
+    let significand = keep_sticky(&normalized, precision(format) + 2);
     round(pipe, format, Underflow::Possible, Raw { special, exponent, significand })
 }

@@ -28,6 +28,8 @@ pub(super) struct Operand {
     name: &'static str,
     /// Set if negative.
     pub sign: Expr,
+    /// All bits but the sign, subnormal numbers as they are.
+    pub magnitude: Expr,
     /// Signed biased exponent of the significand's top bit, `exponent_width` bits; 1 for subnormal numbers.
     pub exponent: Expr,
     /// `p` bits; the top one is set unless zero or subnormal.
@@ -61,6 +63,7 @@ impl Operand {
         Self {
             name,
             sign: encoded.msb(),
+            magnitude: encoded.trunc(width(format) - 1),
             exponent: exponent.zext(exponent_width(format)),
             significand: cat(&[&normal, &fraction]),
             zero,

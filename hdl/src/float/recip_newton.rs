@@ -5,6 +5,7 @@ use super::div::recip_special;
 use super::newton::{INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction};
 use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
 use super::pipe::{self, Operator, Pipe};
+use super::product::{product, product_delays};
 use super::round::{Underflow, round_delays};
 use crate::rtl::lit;
 use pointcore_spec::Format;
@@ -21,11 +22,9 @@ fn delays(format: Format) -> Vec<u32> {
     delays.push(3 * delay::LEVEL);
     for step in 0..steps(format) {
         let iterate = iterate_fraction(format, step) as u32 + 1;
-        delays.extend([
-            delay::multiplier(p, iterate),
-            delay::adder(fraction + 1),
-            delay::multiplier(iterate, fraction + 1),
-        ]);
+        delays.extend(product_delays(p, iterate));
+        delays.push(delay::adder(fraction + 1));
+        delays.extend(product_delays(iterate, fraction + 1));
     }
     delays.extend(round_delays(format, Underflow::Possible, delay::LEVEL));
     delays
@@ -57,12 +56,14 @@ pub fn module(format: Format, stages: u32) -> Operator {
     for step in 0..steps(format) {
         let y_fraction = iterate_fraction(format, step);
         let mut iterate = pipe.carry("iterate", &y);
-        let product = pipe.arrive(&mut m) * &y;
-        let [my] = pipe.cut([("my", &floor(&product, p - 1 + y_fraction, fraction, fraction + 1))]);
+        let current_m = pipe.arrive(&mut m);
+        let my = product(&mut pipe, &current_m, &y);
+        let [my] = pipe.cut([("my", &floor(&my, p - 1 + y_fraction, fraction, fraction + 1))]);
         // Modulo 2^(F+1), where 2 is zero.
         let [e] = pipe.cut([("e", &(lit(fraction + 1, 0) - my))]);
-        let product = pipe.arrive(&mut iterate) * e;
-        [y] = pipe.cut([("y", &floor(&product, y_fraction + fraction, fraction, fraction + 1))]);
+        let previous = pipe.arrive(&mut iterate);
+        let ye = product(&mut pipe, &previous, &e);
+        [y] = pipe.cut([("y", &floor(&ye, y_fraction + fraction, fraction, fraction + 1))]);
     }
     let exponent = pipe.arrive(&mut exponent);
     finish(pipe, format, Underflow::Possible, special, &exponent, &y)

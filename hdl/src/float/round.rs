@@ -66,16 +66,22 @@ pub(super) struct Raw {
     pub significand: Expr,
 }
 
-/// Rounds and ends the description. Takes the output's cut and, to shift a result into subnormal position, one before.
+/// Rounds and ends the description. Takes a cut right away, one more to shift a result into subnormal position, and the
+/// output's.
 pub(super) fn round(mut pipe: Pipe, format: Format, underflow: Underflow, raw: Raw) -> Operator {
-    let Raw { special, mut exponent, mut significand } = raw;
-    if underflow.shifts(format) {
+    let Raw { special, exponent, significand } = raw;
+    let (exponent, significand) = if underflow.shifts(format) {
         let small = exponent.msb() | exponent.is_zero();
         let one = lit(exponent.width(), 1);
-        let distance = (&one - &exponent) & small.repeat(exponent.width());
-        let shifted = shift_right_sticky(&significand, &distance);
-        [exponent, significand] = pipe.cut([("exponent", &small.mux(&one, &exponent)), ("significand", &shifted)]);
-    }
+        let mut clamped = pipe.carry("exponent", &small.mux(&one, &exponent));
+        let distance = (one - &exponent) & small.repeat(exponent.width());
+        let [distance, significand] = pipe.cut([("distance", &distance), ("significand", &significand)]);
+        let [significand] = pipe.cut([("significand", &shift_right_sticky(&significand, &distance))]);
+        (pipe.arrive(&mut clamped), significand)
+    } else {
+        let [exponent, significand] = pipe.cut([("exponent", &exponent), ("significand", &significand)]);
+        (exponent, significand)
+    };
     let result = pack(&mut pipe, format, special, &exponent, &significand);
     pipe.finish(&result)
 }
@@ -84,9 +90,10 @@ pub(super) fn round(mut pipe: Pipe, format: Format, underflow: Underflow, raw: R
 pub(super) fn round_delays(format: Format, underflow: Underflow, preceding: u32) -> Vec<u32> {
     let pack = delay::adder(format.width()) + 2 * delay::LEVEL;
     if underflow.shifts(format) {
-        vec![preceding + delay::adder(format.exponent) + delay::shifter(format.mantissa + 3), pack]
+        let distance = delay::adder(format.exponent) + delay::LEVEL;
+        vec![preceding + distance, delay::shifter(format.mantissa + 3), pack]
     } else {
-        vec![preceding + pack]
+        vec![preceding, pack]
     }
 }
 

@@ -5,6 +5,7 @@ use super::delay;
 use super::newton::{INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction};
 use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
 use super::pipe::{self, Operator, Pipe};
+use super::product::{product, product_delays};
 use super::round::{Underflow, round_delays};
 use super::rsqrt::rsqrt_special;
 use super::sqrt::even_exponent;
@@ -23,12 +24,10 @@ fn delays(format: Format) -> Vec<u32> {
     delays.push(3 * delay::LEVEL);
     for step in 0..steps(format) {
         let iterate = iterate_fraction(format, step) as u32 + 1;
-        delays.extend([
-            delay::multiplier(iterate, iterate),
-            delay::multiplier(p + 1, fraction + 1),
-            delay::adder(fraction + 2),
-            delay::multiplier(iterate, fraction + 2),
-        ]);
+        delays.extend(product_delays(iterate, iterate));
+        delays.extend(product_delays(p + 1, fraction + 1));
+        delays.push(delay::adder(fraction + 2));
+        delays.extend(product_delays(iterate, fraction + 2));
     }
     delays.extend(round_delays(format, Underflow::Impossible, delay::LEVEL));
     delays
@@ -68,12 +67,15 @@ pub fn module(format: Format, stages: u32) -> Operator {
     for step in 0..steps(format) {
         let y_fraction = iterate_fraction(format, step);
         let mut iterate = pipe.carry("iterate", &y);
-        let [square] = pipe.cut([("square", &floor(&(&y * &y), 2 * y_fraction, fraction, fraction + 1))]);
-        let product = pipe.arrive(&mut m) * square;
-        let [s] = pipe.cut([("s", &floor(&product, p - 1 + fraction, fraction, fraction + 1))]);
+        let square = product(&mut pipe, &y, &y);
+        let [square] = pipe.cut([("square", &floor(&square, 2 * y_fraction, fraction, fraction + 1))]);
+        let current_m = pipe.arrive(&mut m);
+        let s = product(&mut pipe, &current_m, &square);
+        let [s] = pipe.cut([("s", &floor(&s, p - 1 + fraction, fraction, fraction + 1))]);
         let [u] = pipe.cut([("u", &(lit(fraction + 2, 3 << fraction) - s.zext(fraction + 2)))]);
-        let product = pipe.arrive(&mut iterate) * u;
-        [y] = pipe.cut([("y", &floor(&product, y_fraction + fraction + 1, fraction, fraction + 1))]);
+        let previous = pipe.arrive(&mut iterate);
+        let yu = product(&mut pipe, &previous, &u);
+        [y] = pipe.cut([("y", &floor(&yu, y_fraction + fraction + 1, fraction, fraction + 1))]);
     }
     let exponent = pipe.arrive(&mut exponent);
     finish(pipe, format, Underflow::Impossible, special, &exponent, &y)

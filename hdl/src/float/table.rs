@@ -15,7 +15,7 @@ pub fn stages(shape: TableShape) -> u32 {
 
 fn delays(shape: TableShape) -> Vec<u32> {
     let read = shape.index_bits.div_ceil(2) * delay::LEVEL;
-    vec![read, delay::multiplier(shape.value_bits + 1, shape.fraction_bits + 1), delay::adder(shape.value_bits + 1)]
+    vec![read, delay::MULTIPLIER, delay::adder(shape.value_bits + 1)]
 }
 
 /// Module `float_table`: interpolates those `2^index_bits + 1` samples of `value_bits` bits.
