@@ -7,7 +7,7 @@ use super::delay;
 use super::operand::{Operand, exponent_width, precision};
 use super::pipe::{self, Carried, Operator, Pipe};
 use super::round::{Raw, Special, Underflow, round, round_delays};
-use super::shift::{add_or_subtract, keep_sticky, leading_zeros, shift_right_sticky};
+use super::shift::{add_or_subtract, keep_sticky, shift_out_zeros, shift_out_zeros_delays, shift_right_sticky};
 use crate::rtl::{Expr, cat, lit};
 use pointcore_spec::{Format, Subnormals};
 
@@ -83,8 +83,10 @@ pub(super) struct Sum {
 
 /// Delays of [`normalize_sum`]'s segments; the first follows `preceding`.
 pub(super) fn normalize_sum_delays(format: Format, width: u32, preceding: u32) -> Vec<u32> {
-    let mut delays = vec![preceding, delay::leading_zeros(width)];
-    delays.extend(round_delays(format, Underflow::Impossible, delay::shifter(width) + delay::LEVEL));
+    let mut delays = vec![preceding];
+    delays.extend(shift_out_zeros_delays(width));
+    let shift = delays.pop().unwrap_or(0);
+    delays.extend(round_delays(format, Underflow::Impossible, shift + delay::LEVEL));
     delays
 }
 
@@ -99,23 +101,22 @@ pub(super) fn stop(pipe: &mut Pipe, format: Format, limit: &mut Carried, width: 
     Some(pipe.carry("stop", &stop))
 }
 
-/// Takes the sum through a cut, counts leading zeros, cut, shifts them out, and rounds.
+/// Takes the sum through a cut, shifts leading zeros out, with the cuts that takes, and rounds.
 pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operator {
     let Sum { mut sign, mut nan, mut infinite, mut subtract, mut limit, stop, sum } = raw;
     let [sum] = pipe.cut([("sum", &sum)]);
 
-    let shift = match stop {
-        Some(mut stop) => leading_zeros(&(&sum | pipe.arrive(&mut stop))),
-        None => leading_zeros(&sum),
+    let marked = match stop {
+        Some(mut stop) => &sum | pipe.arrive(&mut stop),
+        None => sum.clone(),
     };
     let cancelled = sum.is_zero();
     let [sign, nan, infinite, subtract] =
         [&mut sign, &mut nan, &mut infinite, &mut subtract].map(|flag| pipe.arrive(flag));
     let special = Special { sign: sign & !(&cancelled & subtract), nan, zero: cancelled & !&infinite, infinite };
     let special = special.carry(&pipe);
-    let [sum, shift] = pipe.cut([("sum", &sum), ("shift", &shift)]);
-
-    let significand = keep_sticky(&sum.shl_by(&shift), precision(format) + 2);
+    let (sum, shift) = shift_out_zeros(&mut pipe, &sum, &marked);
+    let significand = keep_sticky(&sum, precision(format) + 2);
     let exponent = pipe.arrive(&mut limit).add_lit(1) - shift.zext(exponent_width(format));
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })
 }

@@ -15,7 +15,8 @@ pub fn stages(from: Format, to: Format) -> u32 {
 
 fn delays(from: Format, to: Format) -> Vec<u32> {
     let mut delays = normalize_delays(from, delay::adder(from.exponent) + delay::reduction(from.mantissa));
-    delays.extend(round_delays(to, underflow(from, to), 0));
+    let preceding = delays.pop().unwrap_or(0);
+    delays.extend(round_delays(to, underflow(from, to), preceding));
     delays
 }
 
@@ -44,9 +45,7 @@ pub fn module(from: Format, to: Format, stages: u32) -> Operator {
     let bits = signed_width(from.exponent_max() as u32 + from.mantissa + offset.unsigned_abs())
         .max(exponent_width(from))
         .max(exponent_width(to));
-    let [exponent, significand] = pipe.cut([
-        ("exponent", &(a.exponent.sext(bits) + signed(bits, offset))),
-        ("significand", &keep_sticky(&a.significand, precision(to) + 2)),
-    ]);
+    let exponent = a.exponent.sext(bits) + signed(bits, offset);
+    let significand = keep_sticky(&a.significand, precision(to) + 2);
     round(pipe, to, underflow(from, to), Raw { special, exponent, significand })
 }

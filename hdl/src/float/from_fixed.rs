@@ -19,9 +19,9 @@ fn delays(format: Format, fixed: Fixed) -> Vec<u32> {
         Signedness::Signed => delay::adder(fixed.width) + delay::LEVEL,
         Signedness::Unsigned => 0,
     };
-    let mut delays =
-        vec![absolute, delay::leading_zeros(fixed.width), delay::shifter(fixed.width) + delay::reduction(fixed.width)];
-    delays.extend(round_delays(format, underflow(format, fixed), 0));
+    let mut delays = vec![absolute, delay::leading_zeros(fixed.width)];
+    let preceding = delay::shifter(fixed.width) + delay::reduction(fixed.width);
+    delays.extend(round_delays(format, underflow(format, fixed), preceding));
     delays
 }
 
@@ -47,10 +47,8 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
 
     let top = format.bias() + fixed.width as i32 - 1 - fixed.fraction as i32;
     let bits = signed_width(top.unsigned_abs() + fixed.width).max(format.exponent as usize + 1);
-    let [exponent, significand] = pipe.cut([
-        ("exponent", &(signed(bits, top) - zeros.zext(bits))),
-        ("significand", &keep_sticky(&magnitude.shl_by(&zeros), precision(format) + 2)),
-    ]);
+    let exponent = signed(bits, top) - zeros.zext(bits);
+    let significand = keep_sticky(&magnitude.shl_by(&zeros), precision(format) + 2);
     round(pipe, format, underflow(format, fixed), Raw { special, exponent, significand })
 }
 

@@ -1,5 +1,7 @@
 //! Leading zeros and shifts that keep track of what they lose.
 
+use super::delay;
+use super::pipe::Pipe;
 use crate::rtl::{Expr, bit, cat, lit};
 
 /// Number of zeros above the highest one, `⌈log2(width)⌉` bits wide; of no meaning for the value zero.
@@ -20,6 +22,54 @@ fn count(value: &Expr) -> (Expr, Expr) {
     let (low_zero, low) = count(&value.bits(half - 1, 0));
     let zero = &high_zero & &low_zero;
     if half == 1 { (zero, high_zero) } else { (zero, cat(&[&high_zero, &high_zero.mux(&low, &high)])) }
+}
+
+/// Values wider than this lose their leading zeros in two steps.
+const WIDE: usize = 32;
+/// Places of the first step's unit.
+const GROUP: usize = 16;
+
+/// `value` shifted left by the number of leading zeros of `marked`, which is as wide, and that number.
+///
+/// Takes one cut behind the count, or two for wide values: one behind the counts in each group, one behind the shift by
+/// whole groups.
+pub(super) fn shift_out_zeros(pipe: &mut Pipe, value: &Expr, marked: &Expr) -> (Expr, Expr) {
+    let width = value.width();
+    if width <= WIDE {
+        let [value, zeros] = pipe.cut([("value", value), ("zeros", &leading_zeros(marked))]);
+        return (value.shl_by(&zeros), zeros);
+    }
+    let missing = width.next_multiple_of(GROUP) - width;
+    let padded = if missing == 0 { marked.clone() } else { cat(&[marked, &lit(missing, 0)]) };
+    let groups = padded.width() / GROUP;
+    let mut counts: Vec<_> = (0..groups)
+        .map(|group| {
+            let low = padded.width() - GROUP * (group + 1);
+            let (empty, zeros) = count(&padded.bits(low + GROUP - 1, low));
+            (pipe.carry(&format!("empty_{group}"), &empty), pipe.carry(&format!("zeros_{group}"), &zeros))
+        })
+        .collect();
+    let [value] = pipe.cut([("value", value)]);
+
+    let index_bits = groups.next_power_of_two().trailing_zeros() as usize;
+    let place = |group: usize, zeros: &Expr| cat(&[&lit(index_bits, group as u128), zeros]);
+    let mut zeros = place(groups - 1, &pipe.arrive(&mut counts[groups - 1].1));
+    for (group, (empty, of_group)) in counts.iter_mut().enumerate().take(groups - 1).rev() {
+        zeros = pipe.arrive(empty).mux(&zeros, &place(group, &pipe.arrive(of_group)));
+    }
+    let group_bits = zeros.width() - index_bits;
+    let whole_groups = cat(&[&zeros.bits(zeros.width() - 1, group_bits), &lit(group_bits, 0)]);
+    let [value, zeros] = pipe.cut([("value", &value.shl_by(&whole_groups)), ("zeros", &zeros)]);
+    (value.shl_by(&zeros.trunc(group_bits)), zeros)
+}
+
+/// Delays of [`shift_out_zeros`]' segments; the last one goes on behind its last cut.
+pub(super) fn shift_out_zeros_delays(width: u32) -> Vec<u32> {
+    if width as usize <= WIDE {
+        return vec![delay::leading_zeros(width), delay::shifter(width)];
+    }
+    let (group, groups) = (GROUP as u32, width.div_ceil(GROUP as u32));
+    vec![delay::leading_zeros(group), delay::leading_zeros(groups) + delay::shifter(groups), delay::shifter(group)]
 }
 
 /// `value` shifted right; the lowest bit of the result is set if any one was shifted out of it.
