@@ -120,15 +120,3 @@ pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operato
     let exponent = pipe.arrive(&mut limit).add_lit(1) - shift.zext(exponent_width(format));
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn latency_is_what_was_asked_for() {
-        for stages in 1..=6 {
-            assert_eq!(module(Format::F32, stages).latency, stages);
-        }
-    }
-}
