@@ -135,7 +135,14 @@ mod tests {
         let [x, y, z] = normal;
         let fragment = Fragment { depth: 0.5, weight: 1.0, attributes: [x, y, z, 1.0, 1.0, 1.0], material };
         let pixels = vec![Some(fragment), None];
-        let frame = Frame { width: 2, height: 1, pixels, decisions: Vec::new(), statistics: Default::default() };
+        let frame = Frame {
+            width: 2,
+            height: 1,
+            pixels,
+            decisions: Vec::new(),
+            margins: Vec::new(),
+            statistics: Default::default(),
+        };
         let picture = shade(&frame, &scene);
         assert_eq!(picture.pixels[1], [0.0, 0.5, 1.0].map(srgb_from_linear), "the background");
         picture.pixels[0].map(linear_from_srgb)

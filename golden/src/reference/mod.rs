@@ -29,6 +29,8 @@ pub struct Frame {
     pub pixels: Vec<Option<Fragment>>,
     /// How each pixel's ternary depth tests went.
     pub decisions: Vec<Decisions>,
+    /// How near, in depth, a test of each pixel came to another outcome; `None` where none was made.
+    pub margins: Vec<Option<f64>>,
     /// What became of the splats and samples.
     pub statistics: Statistics,
 }
@@ -120,6 +122,7 @@ pub fn render(splats: &[Splat], camera: &Camera, rendering: &Rendering, mapping:
         height: rendering.height,
         pixels: pixels.iter().map(Pixel::normalized).collect(),
         decisions: pixels.iter().map(|pixel| pixel.decisions).collect(),
+        margins: pixels.iter().map(|pixel| pixel.margin).collect(),
         statistics: Statistics { samples, inside, ..statistics },
     }
 }

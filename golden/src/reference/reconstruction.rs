@@ -52,6 +52,8 @@ pub struct Pixel {
     material: u16,
     /// How the tests of this pixel went.
     pub decisions: Decisions,
+    /// How near, in depth, a test came to another outcome; arithmetic that errs by more may decide otherwise.
+    pub margin: Option<f64>,
 }
 
 impl Pixel {
@@ -60,7 +62,7 @@ impl Pixel {
         match self.test(projection, rendering) {
             Decision::Fail => self.decisions.fail += 1,
             Decision::Pass => {
-                *self = Self { decisions: self.decisions, ..Self::default() };
+                *self = Self { decisions: self.decisions, margin: self.margin, ..Self::default() };
                 self.decisions.pass += 1;
                 self.accumulate(splat, projection.depth.clamp(0.0, 1.0), weight);
             }
@@ -73,15 +75,18 @@ impl Pixel {
 
     /// Eq. 5.8 with the ε of eq. 5.9; the stored depth is normalized first. Equality with a limit blends. Of a splat that
     /// ends before the near plane, the far limit is the near plane, where its depth is stored.
-    fn test(&self, projection: &Projection, rendering: &Rendering) -> Decision {
+    fn test(&mut self, projection: &Projection, rendering: &Rendering) -> Decision {
         if self.weight == 0.0 {
             return Decision::Pass;
         }
         let epsilon = projection.half_depth * rendering.epsilon_scale + rendering.epsilon_bias;
         let stored = self.weighted_depth / self.weight;
-        if stored < projection.depth - epsilon {
+        let (low, high) = (projection.depth - epsilon, (projection.depth + epsilon).max(0.0));
+        let margin = (stored - low).abs().min((stored - high).abs());
+        self.margin = Some(self.margin.map_or(margin, |least| least.min(margin)));
+        if stored < low {
             Decision::Fail
-        } else if stored > (projection.depth + epsilon).max(0.0) {
+        } else if stored > high {
             Decision::Pass
         } else {
             Decision::Blend

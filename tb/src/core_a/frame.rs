@@ -34,6 +34,7 @@ pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {
         let fragment = Fragment { depth: decode(config.geometry, depth), weight: 1.0, attributes, material };
         pixels[row as usize * width + column as usize] = Some(fragment);
     }
-    let decisions = vec![Decisions::default(); pixels.len()];
-    Frame { width, height, pixels, decisions, statistics: Statistics::default() }
+    // Tests are counted by the reference only.
+    let (decisions, margins) = (vec![Decisions::default(); pixels.len()], vec![None; pixels.len()]);
+    Frame { width, height, pixels, decisions, margins, statistics: Statistics::default() }
 }

@@ -10,6 +10,10 @@ use std::fmt::Write as _;
 /// Largest difference of an attribute that rounding explains: beyond it, some depth test came out differently.
 pub const ROUNDING_LIMIT: f64 = 1.0 / 256.0;
 
+/// How far a stored or tested depth may be off: 16 units in the last place of a 24-bit depth, for the roundings of `f32` in setup
+/// and of the fixed-point depths behind it.
+pub const DEPTH_ROUNDING: f64 = 16.0 / (1 << 24) as f64;
+
 /// The figures of one frame.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
@@ -57,26 +61,51 @@ pub struct Report {
     pub psnr_db: f64,
     /// Pixels that only one of frame and reference covers.
     pub coverage_differences: u64,
-    /// Pixels covered by both whose attributes differ by more than rounding explains ([`ROUNDING_LIMIT`]).
+    /// Pixels covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
+    pub material_differences: u64,
+    /// Pixels covered by both whose attributes differ by more than rounding explains ([`ROUNDING_LIMIT`]): a depth test came
+    /// out differently.
     pub outcome_differences: u64,
+    /// Of those, pixels where no test of the reference came so near to another outcome that the rounding of depths
+    /// ([`DEPTH_ROUNDING`]) could turn it.
+    pub unexplained_differences: u64,
+    /// The largest distance in depth from another outcome among the pixels with another outcome.
+    pub outcome_margin: f64,
     /// Cycles simulated in a second.
     pub simulated_cycles_per_second: f64,
 }
 
-/// Covered by one frame only, and beyond rounding.
-fn differences(frame: &Frame, reference: &Frame) -> (u64, u64) {
-    let (mut coverage, mut outcome) = (0, 0);
-    for pair in frame.pixels.iter().zip(&reference.pixels) {
-        match pair {
-            (Some(a), Some(b)) => {
-                let apart = |(a, b): (&f64, &f64)| (a - b).abs() > ROUNDING_LIMIT;
-                outcome += u64::from(a.attributes.iter().zip(&b.attributes).any(apart) || a.material != b.material);
+/// How a frame differs from its reference.
+#[derive(Default)]
+struct Differences {
+    coverage: u64,
+    material: u64,
+    outcome: u64,
+    unexplained: u64,
+    margin: f64,
+}
+
+impl Differences {
+    fn of(frame: &Frame, reference: &Frame) -> Self {
+        let mut found = Self::default();
+        for (pair, margin) in frame.pixels.iter().zip(&reference.pixels).zip(&reference.margins) {
+            match pair {
+                (Some(a), Some(b)) => {
+                    found.material += u64::from(a.material != b.material);
+                    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > ROUNDING_LIMIT;
+                    if a.attributes.iter().zip(&b.attributes).any(apart) {
+                        let margin = margin.unwrap_or(f64::INFINITY);
+                        found.outcome += 1;
+                        found.unexplained += u64::from(margin > DEPTH_ROUNDING);
+                        found.margin = found.margin.max(margin);
+                    }
+                }
+                (None, None) => {}
+                _ => found.coverage += 1,
             }
-            (None, None) => {}
-            _ => coverage += 1,
         }
+        found
     }
-    (coverage, outcome)
 }
 
 /// The run behind a report.
@@ -111,7 +140,7 @@ impl Report {
         let [samples, starved, blocked, accumulated, hazard, slot_wait] = events;
         let share = |count: u64| count as f64 / cycles.max(1) as f64;
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
-        let (coverage_differences, outcome_differences) = differences(run.frame, run.reference);
+        let differences = Differences::of(run.frame, run.reference);
         Self {
             scene: run.scene.to_owned(),
             engine: run.engine.to_owned(),
@@ -134,8 +163,11 @@ impl Report {
             buffer_write_bytes: pixels_written * pixel_bytes,
             fragments: run.frame.pixels.iter().flatten().count() as u64,
             psnr_db: run.psnr_db,
-            coverage_differences,
-            outcome_differences,
+            coverage_differences: differences.coverage,
+            material_differences: differences.material,
+            outcome_differences: differences.outcome,
+            unexplained_differences: differences.unexplained,
+            outcome_margin: differences.margin,
             simulated_cycles_per_second: run.simulated_cycles_per_second,
         }
     }
@@ -167,7 +199,14 @@ impl Report {
             ("reconstruction buffer written", format!("{} bytes", self.buffer_write_bytes)),
             ("PSNR against the f64 reference", format!("{:.1} dB", self.psnr_db)),
             ("pixels covered differently", self.coverage_differences.to_string()),
-            ("pixels with another depth-test outcome", self.outcome_differences.to_string()),
+            ("pixels with another material", self.material_differences.to_string()),
+            (
+                "pixels with another depth-test outcome",
+                format!(
+                    "{}, {} of them not within rounding of the ε-band's edge",
+                    self.outcome_differences, self.unexplained_differences
+                ),
+            ),
             ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
         ];
         let mut text = format!("# {}\n\n| figure | value |\n|---|---|\n", self.scene);
