@@ -6,4 +6,6 @@ pub mod float;
 pub mod number;
 pub mod reference;
 pub mod stream;
+#[cfg(test)]
+mod testing;
 pub mod unit;

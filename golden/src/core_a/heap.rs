@@ -157,7 +157,7 @@ impl Record<Shape> for Out {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::core_a::testing::for_each_seed;
+    use crate::testing::for_each_seed;
 
     /// Every pop against a search through all entries present; tiny epochs, so that arrival numbers wrap all the time.
     #[test]

@@ -12,8 +12,6 @@ pub mod records;
 pub mod reorder;
 pub mod setup;
 pub mod splitter;
-#[cfg(test)]
-mod testing;
 pub mod tile_cache;
 pub mod top;
 pub mod transform;
@@ -46,4 +44,32 @@ pub struct Latencies {
     pub weighting: u32,
     /// Of the normalizer.
     pub normalizer: u32,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::check_ports;
+    use pointcore_spec::core_a::{Config, Feature, ports};
+
+    #[test]
+    fn every_record_follows_its_port_list() {
+        let filterless = Config { continuous: 1, screen_filter: Feature::Off, ..Config::default() };
+        let cardinal = Config { continuous: 0, cardinal: 14, ..Config::default() };
+        for config in [Config::default(), filterless, cardinal] {
+            let latencies = Latencies { transform: 1, setup: 1, rasterizer: 1, weighting: 1, normalizer: 1 };
+            check_ports(&Transform::new(&config, 1), &ports::transform(&config));
+            check_ports(&Setup::new(&config, 1), &ports::setup(&config));
+            check_ports(&Splitter::new(&config), &ports::splitter(&config));
+            check_ports(&Heap::new(&config), &ports::heap(&config));
+            check_ports(&Reorder::new(&config), &ports::reorder(&config));
+            check_ports(&TileCache::new(&config), &ports::tile_cache(&config));
+            check_ports(&Rasterizer::new(&config, 1), &ports::rasterizer(&config));
+            check_ports(&Weighting::new(&config, 1), &ports::weighting(&config));
+            check_ports(&DepthTest::new(&config), &ports::depth_test(&config));
+            check_ports(&Accumulator::new(&config), &ports::accumulator(&config));
+            check_ports(&Normalizer::new(&config, 1), &ports::normalizer(&config));
+            check_ports(&Top::new(&config, &latencies), &ports::top(&config));
+        }
+    }
 }

@@ -130,7 +130,7 @@ impl Record<Shape> for Out {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::core_a::testing::for_each_seed;
+    use crate::testing::for_each_seed;
 
     /// Frames of copies, random stalls: what leaves is what entered, frame by frame, in order of arrival within a tile.
     #[test]

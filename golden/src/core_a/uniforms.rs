@@ -142,7 +142,7 @@ impl Record<Shape> for UniformWrite {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::core_a::testing::Names;
+    use crate::testing::Names;
     use pointcore_spec::core_a::ports::UNIFORMS;
 
     #[test]

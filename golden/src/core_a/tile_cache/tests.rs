@@ -1,7 +1,7 @@
 //! The cache between a memory and an accumulator that adds one to the weight of every pixel of a copy's tile.
 
 use super::*;
-use crate::core_a::testing::for_each_seed;
+use crate::testing::for_each_seed;
 use fastrand::Rng;
 use std::collections::VecDeque;
 
