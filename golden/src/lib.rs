@@ -1,6 +1,7 @@
 //! Bit-exact, cycle-accurate models of the hardware, and the f64 reference they are judged by.
 
 pub mod core_a;
+pub mod core_b;
 pub mod datapath;
 pub mod float;
 pub mod number;

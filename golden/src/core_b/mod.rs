@@ -1,0 +1,51 @@
+//! Core B, the point-set processor, unit by unit as docs/core_b.md describes it.
+//!
+//! A unit is a [`Model`](crate::unit::Model) over the typed records of [`records`]; [`Ported`](crate::unit::Ported) gives it the
+//! ports of the specification.
+
+pub mod leaf;
+pub mod queue;
+pub mod records;
+pub mod recursion;
+pub mod stack;
+pub mod threads;
+pub mod top;
+pub mod traversal;
+
+pub use leaf::Leaf;
+pub use queue::Queue;
+pub use recursion::Recursion;
+pub use stack::Stack;
+pub use threads::Threads;
+pub use top::Top;
+pub use traversal::Traversal;
+
+/// Stages of the compiled pipelines, from the manifests that the generator writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Latencies {
+    /// Of the squared distance to a splitting plane.
+    pub path: u32,
+    /// Of the squared distances to a beat of points.
+    pub distance: u32,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::check_ports;
+    use pointcore_spec::core_b::{Config, ports};
+
+    #[test]
+    fn every_record_follows_its_port_list() {
+        for lanes in [1, 2, 4, 8] {
+            let config = Config { lanes, ..Config::default() };
+            check_ports(&Threads::new(&config), &ports::threads(&config));
+            check_ports(&Traversal::new(&config, 1), &ports::traversal(&config));
+            check_ports(&Stack::new(&config), &ports::stack(&config));
+            check_ports(&Recursion::new(&config), &ports::recursion(&config));
+            check_ports(&Leaf::new(&config, 1), &ports::leaf(&config));
+            check_ports(&Queue::new(&config), &ports::queue(&config));
+            check_ports(&Top::new(&config, Latencies { path: 1, distance: 1 }), &ports::top(&config));
+        }
+    }
+}

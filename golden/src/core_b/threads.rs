@@ -1,0 +1,304 @@
+//! Thread control: gives queries to threads and tells each thread what to do next (thesis 6.4, listing 6.2).
+//!
+//! A thread that has reached a leaf goes on popping while fewer than `leaves_in_flight` of its leaves are under way, else when
+//! the next of them is done. It finishes when its stack is empty and no leaf is under way.
+
+use super::records::{Descent, Query, Shape, Start, Thread};
+use crate::stream::Skid;
+use crate::unit::{Model, Record, Visitor, stream};
+use pointcore_spec::core_b::Config;
+
+/// The root of the tree.
+const ROOT: u32 = 1;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Queries.
+    pub query: Option<Query>,
+    /// Whether the traversal takes a descent.
+    pub descend_ready: bool,
+    /// Whether the recursion takes a thread.
+    pub pop_ready: bool,
+    /// Whether the queue takes a finished thread.
+    pub finish_ready: bool,
+    /// A thread's descent ended in a leaf.
+    pub reached: Option<Thread>,
+    /// All points of a leaf are in the thread's queue.
+    pub leaf_done: Option<Thread>,
+    /// A thread's stack has nothing left.
+    pub empty: Option<Thread>,
+    /// A thread's results are safe.
+    pub released: Option<Thread>,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a query is accepted.
+    pub query_ready: bool,
+    /// A thread taking up a query.
+    pub start: Option<Start>,
+    /// Descents from the root.
+    pub descend: Option<Descent>,
+    /// Threads that want the next path from their stack.
+    pub pop: Option<Thread>,
+    /// Threads whose search is over.
+    pub finish: Option<Thread>,
+    /// A query waited for a free thread in the last cycle.
+    pub event_thread_wait: bool,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct State {
+    busy: bool,
+    /// Leaves under way.
+    outstanding: u8,
+    /// As many leaves are under way as may be.
+    waiting: bool,
+    /// The stack is empty for good.
+    exhausted: bool,
+    wants_pop: bool,
+    wants_finish: bool,
+}
+
+/// The thread control.
+#[derive(Clone, Debug)]
+pub struct Threads {
+    shape: Shape,
+    leaves_in_flight: u8,
+    states: Vec<State>,
+    next_pop: usize,
+    next_finish: usize,
+    start: Option<Start>,
+    descend: Skid<Descent>,
+    pop: Skid<Thread>,
+    finish: Skid<Thread>,
+    event_thread_wait: bool,
+}
+
+impl Threads {
+    /// The unit after reset.
+    #[must_use]
+    pub fn new(config: &Config) -> Self {
+        Self {
+            shape: Shape::new(config),
+            leaves_in_flight: config.leaves_in_flight as u8,
+            states: vec![State::default(); config.threads as usize],
+            next_pop: 0,
+            next_finish: 0,
+            start: None,
+            descend: Skid::default(),
+            pop: Skid::default(),
+            finish: Skid::default(),
+            event_thread_wait: false,
+        }
+    }
+
+    fn free_thread(&self) -> Option<Thread> {
+        self.states.iter().position(|state| !state.busy).map(|index| Thread { thread: index as u8 })
+    }
+
+    fn query_ready(&self) -> bool {
+        self.free_thread().is_some() && self.descend.in_ready() && self.start.is_none()
+    }
+
+    /// Pulses change the threads' states all at once.
+    fn note_progress(&mut self, inputs: &In) {
+        let was_waiting = inputs.leaf_done.is_some_and(|thread| self.states[thread.index()].waiting);
+        if let Some(thread) = inputs.reached {
+            self.states[thread.index()].outstanding += 1;
+        }
+        if let Some(thread) = inputs.leaf_done {
+            let state = &mut self.states[thread.index()];
+            state.outstanding -= 1;
+            if was_waiting {
+                state.waiting = false;
+                state.wants_pop = true;
+            }
+        }
+        if let Some(thread) = inputs.reached {
+            let state = &mut self.states[thread.index()];
+            if state.outstanding < self.leaves_in_flight {
+                state.wants_pop = true;
+            } else {
+                state.waiting = true;
+            }
+        }
+        if let Some(thread) = inputs.empty {
+            self.states[thread.index()].exhausted = true;
+        }
+        for thread in [inputs.empty, inputs.leaf_done].into_iter().flatten() {
+            let state = &mut self.states[thread.index()];
+            state.wants_finish |= state.exhausted && state.outstanding == 0;
+        }
+        if let Some(thread) = inputs.released {
+            self.states[thread.index()] = State::default();
+        }
+    }
+}
+
+/// Grants the first wish from `next` on, cyclically.
+fn grant(states: &mut [State], next: &mut usize, wish: impl Fn(&mut State) -> &mut bool) -> Option<Thread> {
+    let (before, after) = (0..*next, *next..states.len());
+    let index = after.chain(before).find(|index| *wish(&mut states[*index]))?;
+    *wish(&mut states[index]) = false;
+    *next = (index + 1) % states.len();
+    Some(Thread { thread: index as u8 })
+}
+
+impl Model for Threads {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out {
+            query_ready: self.query_ready(),
+            start: self.start,
+            descend: self.descend.out().copied(),
+            pop: self.pop.out().copied(),
+            finish: self.finish.out().copied(),
+            event_thread_wait: self.event_thread_wait,
+        }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let free = self.free_thread();
+        let query = inputs.query.filter(|_| self.query_ready());
+        self.event_thread_wait = inputs.query.is_some() && free.is_none();
+
+        // Wishes are granted as they stand before this cycle's pulses.
+        let popped = if self.pop.in_ready() {
+            grant(&mut self.states, &mut self.next_pop, |state| &mut state.wants_pop)
+        } else {
+            None
+        };
+        let finished = if self.finish.in_ready() {
+            grant(&mut self.states, &mut self.next_finish, |state| &mut state.wants_finish)
+        } else {
+            None
+        };
+        self.note_progress(inputs);
+
+        let descent = self.start.map(|start| Descent { thread: start.thread, node: ROOT });
+        self.descend.step(descent, inputs.descend_ready);
+        self.pop.step(popped, inputs.pop_ready);
+        self.finish.step(finished, inputs.finish_ready);
+        self.start = free.zip(query).map(|(thread, query)| Start { thread, query });
+        if let Some(start) = self.start {
+            self.states[start.thread.index()].busy = true;
+        }
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "query_", &mut self.query);
+        visitor.field("descend_ready", &mut self.descend_ready);
+        visitor.field("pop_ready", &mut self.pop_ready);
+        visitor.field("finish_ready", &mut self.finish_ready);
+        stream(visitor, shape, "reached_", &mut self.reached);
+        stream(visitor, shape, "leaf_done_", &mut self.leaf_done);
+        stream(visitor, shape, "empty_", &mut self.empty);
+        stream(visitor, shape, "released_", &mut self.released);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("query_ready", &mut self.query_ready);
+        stream(visitor, shape, "start_", &mut self.start);
+        stream(visitor, shape, "descend_", &mut self.descend);
+        stream(visitor, shape, "pop_", &mut self.pop);
+        stream(visitor, shape, "finish_", &mut self.finish);
+        visitor.field("event_thread_wait", &mut self.event_thread_wait);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const READY: In = In {
+        query: None,
+        descend_ready: true,
+        pop_ready: true,
+        finish_ready: true,
+        reached: None,
+        leaf_done: None,
+        empty: None,
+        released: None,
+    };
+    const FIRST: Option<Thread> = Some(Thread { thread: 0 });
+
+    fn unit(threads: u32, leaves_in_flight: u32) -> Threads {
+        Threads::new(&Config { threads, leaves_in_flight, ..Config::default() })
+    }
+
+    /// Clocks one cycle with `inputs`, then idle ones; returns whether thread 0 popped and finished within them.
+    fn after(threads: &mut Threads, inputs: In) -> (bool, bool) {
+        threads.clock(&inputs);
+        let (mut popped, mut finished) = (false, false);
+        for _ in 0..4 {
+            let out = threads.outputs();
+            popped |= out.pop == FIRST;
+            finished |= out.finish == FIRST;
+            threads.clock(&READY);
+        }
+        (popped, finished)
+    }
+
+    #[test]
+    fn queries_start_in_the_lowest_free_thread() {
+        let mut threads = unit(3, 1);
+        let mut started = Vec::new();
+        for number in 0..12 {
+            let query = Some(Query { number, ..Query::default() });
+            let released = (number == 8).then_some(Thread { thread: 1 });
+            threads.clock(&In { query, released, ..READY });
+            started.extend(threads.outputs().start.map(|start| (start.query.number, start.thread.thread)));
+        }
+        assert_eq!(started, [(0, 0), (2, 1), (4, 2), (9, 1)]);
+        assert!(threads.outputs().event_thread_wait);
+    }
+
+    #[test]
+    fn a_thread_goes_on_until_its_leaves_in_flight_are_many() {
+        let mut threads = unit(2, 2);
+        threads.clock(&In { query: Some(Query::default()), ..READY });
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (true, false));
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (false, false), "two leaves are under way");
+        assert_eq!(after(&mut threads, In { leaf_done: FIRST, ..READY }), (true, false));
+        assert_eq!(after(&mut threads, In { empty: FIRST, ..READY }), (false, false), "a leaf is under way");
+        assert_eq!(after(&mut threads, In { leaf_done: FIRST, ..READY }), (false, true));
+        assert!(threads.states[0].busy, "until it is released");
+        assert_eq!(after(&mut threads, In { released: FIRST, ..READY }), (false, false));
+        assert!(!threads.states[0].busy);
+    }
+
+    #[test]
+    fn a_leaf_done_as_the_next_is_reached_leaves_their_number_as_it_was() {
+        let mut threads = unit(1, 2);
+        threads.clock(&In { query: Some(Query::default()), ..READY });
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (true, false));
+        assert_eq!(after(&mut threads, In { reached: FIRST, leaf_done: FIRST, ..READY }), (true, false));
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (false, false));
+    }
+
+    #[test]
+    fn wishes_are_granted_in_turn() {
+        let mut states = [State { wants_pop: true, ..State::default() }; 3];
+        let mut next = 1;
+        let mut granted = Vec::new();
+        for _ in 0..6 {
+            granted.extend(grant(&mut states, &mut next, |state| &mut state.wants_pop).map(|thread| thread.thread));
+            states[2].wants_pop = true;
+        }
+        assert_eq!(granted, [1, 2, 0, 2, 2, 2]);
+    }
+}
