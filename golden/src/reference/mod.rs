@@ -5,6 +5,7 @@
 //! bands that run in parallel.
 
 mod footprint;
+pub mod neighbors;
 mod projection;
 mod reconstruction;
 
