@@ -1,0 +1,144 @@
+//! Runs the composed core: feeds queries, answers its fetches late and in any order, collects results, stalling every stream at
+//! random.
+
+use crate::tree::Tree;
+use fastrand::Rng;
+use pointcore_golden::core_b::records::{Beat, BeatPlace, Fetch, Query};
+use pointcore_golden::core_b::top::{In, Top};
+use pointcore_golden::core_b::{Latencies, top};
+use pointcore_golden::unit::Model;
+use pointcore_spec::core_b::Config;
+
+/// Cycles without any transfer after which the core counts as stuck.
+const PATIENCE: u32 = 10_000;
+
+/// What surrounds the core.
+#[derive(Clone, Copy, Debug)]
+pub struct Surroundings {
+    /// Cycles from a fetch to its first beat, from one to this many.
+    pub latency: u64,
+    /// In how many of eight cycles a stream pauses.
+    pub pauses: u8,
+}
+
+/// A query's neighbors in the order of the results.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Answer {
+    pub number: u32,
+    /// Indices and squared distances.
+    pub neighbors: Vec<(u32, u32)>,
+}
+
+/// The point memory's requests.
+struct Memory<'a> {
+    tree: &'a Tree,
+    lanes: usize,
+    /// Requests and the cycles from which on they may be answered.
+    requests: Vec<(Fetch, u64)>,
+    /// The request that is answered, and its beats sent.
+    current: Option<(Fetch, u8)>,
+}
+
+impl Memory<'_> {
+    /// Chooses what to answer next among all requests that are old enough.
+    fn choose(&mut self, cycle: u64, random: &mut Rng) {
+        if self.current.is_none() {
+            let ready: Vec<_> = (0..self.requests.len()).filter(|index| self.requests[*index].1 <= cycle).collect();
+            self.current = random.choice(ready).map(|index| (self.requests.swap_remove(index).0, 0));
+        }
+    }
+
+    fn beat(&self) -> Option<Beat> {
+        let (fetch, sent) = self.current?;
+        let address = fetch.address + u32::from(sent);
+        let place = BeatPlace { thread: fetch.thread, address, last: sent + 1 == fetch.beats };
+        let mut beat = Beat { place, ..Beat::default() };
+        let first = address as usize * self.lanes;
+        beat.points[..self.lanes].copy_from_slice(&self.tree.points[first..first + self.lanes]);
+        Some(beat)
+    }
+
+    fn advance(&mut self) {
+        self.current = self.current.map(|(fetch, sent)| (fetch, sent + 1)).filter(|(fetch, sent)| *sent < fetch.beats);
+    }
+}
+
+/// The core with a tree.
+pub struct Bench<'a> {
+    top: Top,
+    memory: Memory<'a>,
+    surroundings: Surroundings,
+    random: Rng,
+    /// Cycles run.
+    pub cycles: u64,
+    /// Nodes visited.
+    pub visits: u64,
+    /// Beats of distances worked on.
+    pub beats: u64,
+}
+
+impl<'a> Bench<'a> {
+    pub fn new(config: &Config, latencies: Latencies, tree: &'a Tree, surroundings: Surroundings, seed: u64) -> Self {
+        let mut top = Top::new(config, latencies);
+        for write in &tree.writes {
+            top.clock(&In { tree: Some(*write), ..In::default() });
+        }
+        let memory = Memory { tree, lanes: config.lanes as usize, requests: Vec::new(), current: None };
+        Self { top, memory, surroundings, random: Rng::with_seed(seed), cycles: 0, visits: 0, beats: 0 }
+    }
+
+    fn goes_on(&mut self) -> bool {
+        self.random.u8(0..8) >= self.surroundings.pauses
+    }
+
+    /// Answers to all queries, in the order in which they come.
+    pub fn search(&mut self, queries: &[Query]) -> Vec<Answer> {
+        let mut queries_left = queries.iter();
+        let mut answers = Vec::new();
+        let mut neighbors = Vec::new();
+        let mut patience = PATIENCE;
+        while answers.len() < queries.len() {
+            self.memory.choose(self.cycles, &mut self.random);
+            let out = self.top.outputs();
+            let inputs = In {
+                tree: None,
+                query: queries_left.as_slice().first().copied().filter(|_| self.goes_on()),
+                fetch_ready: self.goes_on(),
+                beat: self.memory.beat().filter(|_| self.goes_on()),
+                result_ready: self.goes_on(),
+            };
+            patience -= 1;
+            if inputs.query.is_some() && out.query_ready {
+                queries_left.next();
+                patience = PATIENCE;
+            }
+            if let Some(fetch) = out.fetch.filter(|_| inputs.fetch_ready) {
+                assert!(fetch.beats > 0, "a leaf has a beat at least");
+                let latency = self.random.u64(1..=self.surroundings.latency);
+                self.memory.requests.push((fetch, self.cycles + latency));
+                patience = PATIENCE;
+            }
+            if inputs.beat.is_some() && out.beat_ready {
+                self.memory.advance();
+                patience = PATIENCE;
+            }
+            if let Some(result) = out.result.filter(|_| inputs.result_ready) {
+                neighbors.extend(result.found.then_some((result.index, result.distance2)));
+                if result.last {
+                    answers.push(Answer { number: result.number, neighbors: std::mem::take(&mut neighbors) });
+                }
+                patience = PATIENCE;
+            }
+            self.count(&out.events);
+            self.top.clock(&inputs);
+            self.cycles += 1;
+            assert!(patience > 0, "the core is stuck in cycle {}: {:?}", self.cycles, self.top.outputs());
+        }
+        answers
+    }
+
+    fn count(&mut self, events: &top::Events) {
+        self.visits += u64::from(events.node);
+        self.beats += u64::from(events.queue.beat);
+    }
+}
