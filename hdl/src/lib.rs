@@ -5,3 +5,5 @@ pub mod core_a;
 pub mod float;
 pub mod rtl;
 pub mod stream;
+
+mod units;

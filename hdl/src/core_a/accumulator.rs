@@ -8,11 +8,11 @@ use pointcore_spec::core_a::ports::EVENTS;
 use pointcore_spec::core_a::records::PIXEL_BITS;
 use pointcore_spec::core_a::{Config, records};
 
-use super::records::{Record, width};
-use super::{depth_test, layout, stream_in};
+use super::depth_test;
 use crate::float::add;
 use crate::rtl::{Expr, Module, Reg, Stream, bit, select};
 use crate::stream::fifo;
+use crate::units::records::{Record, layout, stream_in, width};
 
 /// What travels with a sample through every stage.
 struct Stage {

@@ -9,9 +9,8 @@ use pointcore_spec::core_a::{Config, Field};
 
 use super::heap_level::{self, Counts, RISE, step_fields};
 use super::heap_order::{EntryFormat, Order};
-use super::records::{Record, queue_out};
-use super::stream_in;
 use crate::rtl::{Expr, Module, cat, lit};
+use crate::units::records::{Record, queue_out, stream_in};
 
 /// The unit; ports as in `spec::core_a::ports::heap`.
 #[must_use]

@@ -9,8 +9,8 @@
 use pointcore_spec::core_a::{Config, Field};
 
 use super::heap_order::{EntryFormat, Order};
-use super::records::Record;
 use crate::rtl::{Expr, Module, Reg, address_width, cat, lit};
+use crate::units::records::Record;
 
 /// Parents of the nodes of a level.
 const fn parents(level: usize) -> usize {

@@ -14,31 +14,17 @@ pub mod top;
 pub mod transform;
 pub mod weighting;
 
-mod datapath;
 mod heap_level;
 mod heap_order;
-mod records;
 mod tile_directory;
-
-use crate::rtl::{Module, StreamIn};
-use pointcore_spec::core_a::Field;
-
-/// A record's fields with the widths the front end counts in.
-fn layout(record: &[Field]) -> Vec<(&str, usize)> {
-    record.iter().map(|(name, width)| (name.as_str(), *width as usize)).collect()
-}
-
-/// Declares the ports of a stream of records that comes in.
-fn stream_in(m: &mut Module, name: &str, record: &[Field]) -> StreamIn {
-    m.stream_in(name, &layout(record))
-}
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::compiler::{CompileError, Datapath, Options};
-    use crate::rtl::{self, elaborate};
-    use pointcore_spec::core_a::{Config, Direction, Feature, Port, ports};
+    use crate::rtl::Module;
+    use crate::units::testing::{check, check_in_order};
+    use pointcore_spec::core_a::{Config, Feature, Port, ports};
 
     type Unit = (fn(&Config) -> Module, fn(&Config) -> Vec<Port>);
 
@@ -60,24 +46,6 @@ mod tests {
         (weighting::datapath, ports::weighting),
         (normalizer::datapath, ports::normalizer),
     ];
-
-    fn spec_port(port: &rtl::Port) -> Port {
-        let direction = match port.direction {
-            rtl::Direction::Input => Direction::Input,
-            rtl::Direction::Output => Direction::Output,
-        };
-        Port { name: port.name.clone(), width: port.width as u32, direction }
-    }
-
-    /// Ports as specified, in any order since the harness finds them by name, and no path from input to output.
-    fn check(module: &Module, mut specified: Vec<Port>) {
-        let design = elaborate(module).unwrap_or_else(|error| panic!("{error}"));
-        let mut found: Vec<_> = design.ports().iter().filter(|port| port.name != "clk").map(spec_port).collect();
-        found.sort_by(|a, b| a.name.cmp(&b.name));
-        specified.sort_by(|a, b| a.name.cmp(&b.name));
-        assert_eq!(found, specified, "{}", module.unit());
-        assert_eq!(design.combinational_paths(), [], "{}", module.unit());
-    }
 
     #[test]
     fn units_have_the_specified_ports() {
@@ -106,9 +74,6 @@ mod tests {
     fn the_core_has_the_specified_ports_in_order() {
         let config = Config { cardinal: 1, ..Config::default() };
         let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let design = elaborate(&core.module).unwrap_or_else(|error| panic!("{error}"));
-        let found: Vec<_> = design.ports().iter().filter(|port| port.name != "clk").map(spec_port).collect();
-        assert_eq!(found, ports::top(&config));
-        assert_eq!(design.combinational_paths(), []);
+        check_in_order(&core.module, &ports::top(&config));
     }
 }

@@ -1,7 +1,7 @@
 //! Normalization (thesis eq. 5.13); golden twin: `pointcore_golden::core_a::normalizer`.
 
-use super::datapath::Inputs;
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use crate::units::datapath::Inputs;
 use pointcore_spec::core_a::config::{DEPTH_BITS, TILE_SIZE, WEIGHT_BITS};
 use pointcore_spec::core_a::{Config, records};
 

@@ -1,12 +1,12 @@
 //! Rasterizer (thesis 5.4.2): walks a copy's rectangle and evaluates one sample a cycle; golden twin:
 //! `pointcore_golden::core_a::rasterizer`.
 
-use super::datapath::{Inputs, uniform};
-use super::{layout, stream_in};
 use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
 use crate::float::exp_neg;
 use crate::rtl::{Expr, Instance, Module, Reg, Stream, cat};
 use crate::stream;
+use crate::units::datapath::{Inputs, uniform};
+use crate::units::records::{layout, stream_in};
 use pointcore_spec::core_a::config::{
     COPY_QUEUE_DEPTH, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS, index_bits,
 };

@@ -4,9 +4,9 @@
 use pointcore_spec::core_a::{Config, records};
 
 use super::heap;
-use super::records::{Record, queue_in, queue_out, width};
 use crate::rtl::Module;
 use crate::stream::fifo;
+use crate::units::records::{Record, queue_in, queue_out, width};
 
 /// The unit; ports as in `spec::core_a::ports::reorder`.
 #[must_use]

@@ -1,8 +1,8 @@
 //! Rasterization setup (thesis 5.4.1, table 5.2), recentred at the splat's projected centre; golden twin:
 //! `pointcore_golden::core_a::setup`.
 
-use super::datapath::{Inputs, uniform};
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
+use crate::units::datapath::{Inputs, uniform};
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use pointcore_spec::core_a::{Config, records};
 use pointcore_spec::{Fixed, Signedness};

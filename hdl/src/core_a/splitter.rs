@@ -4,9 +4,8 @@
 use pointcore_spec::core_a::config::TILE_SIZE;
 use pointcore_spec::core_a::{Config, records};
 
-use super::records::{Record, queue_out};
-use super::stream_in;
 use crate::rtl::{Expr, Module, cat, lit};
+use crate::units::records::{Record, queue_out, stream_in};
 
 /// Bits of a pixel's column or row within its tile.
 const LOCAL: usize = TILE_SIZE.ilog2() as usize;

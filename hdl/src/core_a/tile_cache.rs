@@ -4,10 +4,9 @@
 use pointcore_spec::core_a::records::PIXEL_BITS;
 use pointcore_spec::core_a::{Config, Field, records};
 
-use super::records::{QueueOut, Record, queue_in, queue_out};
-use super::stream_in;
 use super::tile_directory::{Changes, Directory};
 use crate::rtl::{Expr, Module, Reg, Stream, address_width, lit};
+use crate::units::records::{QueueOut, Record, queue_in, queue_out, stream_in};
 
 /// Bits of a number of pixels of a tile, all of them included; the top bit says that all are done.
 const COUNT_BITS: usize = PIXEL_BITS as usize + 1;

@@ -1,11 +1,10 @@
 //! The whole core: splats in, fragments out, reconstruction buffer behind a memory port; golden twin:
 //! `pointcore_golden::core_a::top`.
 
-use super::{
-    accumulator, normalizer, rasterizer, reorder, setup, splitter, stream_in, tile_cache, transform, weighting,
-};
+use super::{accumulator, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform, weighting};
 use crate::compiler::{CompileError, Datapath, Manifest, Options};
 use crate::rtl::{Expr, Instance, Module, lit};
+use crate::units::records::stream_in;
 use pointcore_spec::core_a::ports::{EVENTS, UNIFORM_ADDRESS_BITS, UNIFORMS};
 use pointcore_spec::core_a::{Config, Port, ports, records};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Transform and back-face culling (thesis table 5.1, top); golden twin: `pointcore_golden::core_a::transform`.
 
-use super::datapath::{Inputs, dot, uniform};
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use crate::units::datapath::{Inputs, dot, uniform};
 use pointcore_spec::core_a::{Config, ports::UNIFORMS, records};
 
 /// World space to camera space; drops splats that face away or whose centre is not beyond the near plane.

@@ -1,7 +1,7 @@
 //! A sample's contributions (thesis eq. 5.10); golden twin: `pointcore_golden::core_a::weighting`.
 
-use super::datapath::Inputs;
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use crate::units::datapath::Inputs;
 use pointcore_spec::core_a::config::WEIGHT_BITS;
 use pointcore_spec::core_a::{Config, records};
 

@@ -1,14 +1,13 @@
-//! Records of core A as hardware values, and the queues of two that stand at the units' ports.
+//! Records as hardware values, and the queues of two that stand at the units' ports.
 
 use pointcore_spec::core_a::Field;
 
-use super::{layout, stream_in};
-use crate::rtl::{Expr, Instance, Module, Stream, cat, lit};
+use crate::rtl::{Expr, Instance, Module, Stream, StreamIn, cat, lit};
 use crate::stream::skid;
 
 /// A value for every field of a record, in order.
 #[derive(Clone)]
-pub(super) struct Record(Vec<(String, Expr)>);
+pub(crate) struct Record(Vec<(String, Expr)>);
 
 impl Record {
     /// Asks for each field's value by its name.
@@ -94,12 +93,22 @@ impl From<&Stream> for Record {
 }
 
 /// The bits that hold a record.
-pub(super) fn width(fields: &[Field]) -> usize {
+pub(crate) fn width(fields: &[Field]) -> usize {
     fields.iter().map(|(_, width)| *width as usize).sum()
 }
 
+/// A record's fields with the widths the front end counts in.
+pub(crate) fn layout(record: &[Field]) -> Vec<(&str, usize)> {
+    record.iter().map(|(name, width)| (name.as_str(), *width as usize)).collect()
+}
+
+/// Declares the ports of a stream of records that comes in.
+pub(crate) fn stream_in(m: &mut Module, name: &str, record: &[Field]) -> StreamIn {
+    m.stream_in(name, &layout(record))
+}
+
 /// Declares the ports of a stream that comes in and puts a queue of two behind them; returns the queue's head.
-pub(super) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
+pub(crate) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
     let ports = stream_in(m, name, fields);
     let queue = m.instance(&format!("{name}_queue"), skid(&layout(fields)));
     m.stream_into(&queue, "in", &ports);
@@ -107,7 +116,7 @@ pub(super) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
 }
 
 /// A queue of two whose head is a stream that goes out.
-pub(super) struct QueueOut {
+pub(crate) struct QueueOut {
     instance: Instance,
     fields: Vec<Field>,
     /// An item can be pushed in this cycle.
@@ -117,7 +126,7 @@ pub(super) struct QueueOut {
 }
 
 /// Declares the ports of a stream that goes out, with a queue of two before them.
-pub(super) fn queue_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut {
+pub(crate) fn queue_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut {
     let instance = m.instance(&format!("{name}_queue"), skid(&layout(fields)));
     let head = m.stream_from(&instance, "out");
     m.stream_export(name, &head);
@@ -133,4 +142,40 @@ impl QueueOut {
             m.connect(&self.instance, &format!("in_{name}"), &value(name));
         }
     }
+}
+
+/// A record that is always taken: it comes with `valid` and without `ready`.
+pub(crate) struct Pulse {
+    /// The record is there.
+    pub valid: Expr,
+    /// Its fields.
+    pub record: Record,
+}
+
+/// Declares the ports of a pulse that comes in.
+pub(crate) fn pulse_in(m: &mut Module, name: &str, fields: &[Field]) -> Pulse {
+    let valid = m.input(&format!("{name}_valid"), 1);
+    Pulse { valid, record: Record::input(m, &format!("{name}_"), fields) }
+}
+
+/// Drives the ports of a pulse that goes out.
+pub(crate) fn pulse_out(m: &mut Module, name: &str, valid: &Expr, record: &Record) {
+    m.output(&format!("{name}_valid"), valid);
+    record.output(m, &format!("{name}_"));
+}
+
+/// A pulse that goes out in the cycle after `valid`.
+pub(crate) fn registered_pulse_out(m: &mut Module, name: &str, valid: &Expr, record: &Record) -> Pulse {
+    let shown = m.reg_reset(&format!("{name}_valid"), 1, 0);
+    m.next(&shown, valid);
+    let record = record.register(m, &format!("{name}_"), valid);
+    pulse_out(m, name, &shown, &record);
+    Pulse { valid: shown.expr(), record }
+}
+
+/// An output that is set in the cycle after `happens`.
+pub(crate) fn event_out(m: &mut Module, name: &str, happens: &Expr) {
+    let happened = m.reg_reset(name, 1, 0);
+    m.next(&happened, happens);
+    m.output(name, &happened);
 }

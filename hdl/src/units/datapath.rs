@@ -1,11 +1,11 @@
-//! What the fixed-function datapaths of core A share: records as program inputs and outputs.
+//! What the fixed-function datapaths share: records as program inputs and outputs.
 
 use crate::compiler::{Program, Type, Value};
 use pointcore_spec::Format;
 use pointcore_spec::core_a::Field;
 
 /// The fields of a record as inputs of a program.
-pub(super) struct Inputs {
+pub(crate) struct Inputs {
     fields: Vec<(String, Value)>,
 }
 
@@ -39,12 +39,12 @@ impl Inputs {
 }
 
 /// A uniform register of the geometry format.
-pub(super) fn uniform(program: &Program, format: Format, name: &str) -> Value {
+pub(crate) fn uniform(program: &Program, format: Format, name: &str) -> Value {
     program.uniform(name, Type::Float(format))
 }
 
 /// `⟨a, b⟩`, summed from left to right.
-pub(super) fn dot<const N: usize>(a: &[Value; N], b: &[Value; N]) -> Value {
+pub(crate) fn dot<const N: usize>(a: &[Value; N], b: &[Value; N]) -> Value {
     let products = a.iter().zip(b).map(|(a, b)| a * b);
     products.reduce(|sum, product| sum + product).expect("vectors have components")
 }
