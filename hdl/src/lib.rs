@@ -2,6 +2,7 @@
 
 pub mod compiler;
 pub mod core_a;
+pub mod core_b;
 pub mod float;
 pub mod rtl;
 pub mod stream;

@@ -1,0 +1,92 @@
+//! Leaf processing (thesis 6.5.2): fetches the points of a leaf and computes their squared distances; golden twin:
+//! `pointcore_golden::core_b::leaf`.
+
+use pointcore_spec::core_a::Field;
+use pointcore_spec::core_b::{Config, records};
+
+use super::coordinates::coordinates;
+use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
+use crate::rtl::Module;
+use crate::units::datapath::{Inputs, dot};
+use crate::units::records::{Record, pulse_in, queue_in, queue_out, width};
+
+const QUERY: [&str; 3] = ["query_x", "query_y", "query_z"];
+
+/// A beat with the coordinates of its thread's query.
+fn operands(config: &Config) -> Vec<Field> {
+    let mut fields = records::beat(config);
+    fields.extend(QUERY.map(|name| (name.to_owned(), config.geometry.width())));
+    fields
+}
+
+/// The squared distances of a beat's points to the query.
+fn distances(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let program = Program::new("core_b_distance", "Squared distances of points to a query.");
+    let beat = Inputs::new(&program, &operands(config));
+    let query = QUERY.map(|name| beat.float(config.geometry, name));
+    for name in ["thread", "address", "last"] {
+        program.output(name, &beat.bits(name));
+    }
+    for lane in 0..config.lanes {
+        let point = ["x", "y", "z"].map(|axis| beat.float(config.geometry, &format!("{axis}{lane}")));
+        let offset: [Value; 3] = std::array::from_fn(|axis| &point[axis] - &query[axis]);
+        program.output(&format!("distance{lane}"), &dot(&offset, &offset));
+    }
+    compile(&program, options)
+}
+
+/// The unit; ports as in `spec::core_b::ports::leaf`.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let thread_bits = config.thread_bits() as usize;
+    let mut m = Module::new("core_b_leaf", "Fetches leaves and computes the distances of their points.");
+    m.parameter("threads", config.threads);
+    m.parameter("lanes", config.lanes);
+    let tree = pulse_in(&mut m, "tree", &records::tree_write(config));
+    let start = pulse_in(&mut m, "start", &records::start(config));
+
+    // The table of leaves, and requests for their points.
+    let leaf = queue_in(&mut m, "leaf", &records::leaf(config));
+    let fetch = queue_out(&mut m, "fetch", &records::fetch(config));
+    let is_entry_field = |(name, _): &Field| ["begin", "beats"].contains(&name.as_str());
+    let entry: Vec<_> = records::tree_write(config).into_iter().filter(is_entry_field).collect();
+    let table = m.memory("leaves", 1 << config.tree_depth, width(&entry));
+    let writes = &tree.valid & tree.record.get("is_leaf");
+    m.write(&table, &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
+    let table_valid = m.reg_reset("table_valid", 1, 0);
+    let table_advance = m.wire("table_advance", &(!&table_valid | &fetch.room));
+    m.ready(&leaf, &table_advance);
+    m.next_if(&table_valid, &table_advance, &leaf.valid);
+    let table_thread = m.reg("table_thread", thread_bits);
+    m.next_if(&table_thread, &table_advance, &leaf.field("thread"));
+    let found = m.read_if(&table, "found", &table_advance, &leaf.field("leaf"));
+    let found = Record::unpack(&entry, &found);
+    let request = &table_valid & &fetch.room;
+    fetch.push(&mut m, &request, |name| match name {
+        "thread" => table_thread.expr(),
+        "address" => found.get("begin"),
+        field => found.get(field),
+    });
+
+    // Beats join the coordinates of their queries.
+    let beat = queue_in(&mut m, "beat", &records::beat(config));
+    let Datapath { module, manifest } = distances(config, options)?;
+    let distance = m.instance("distance", module);
+    let query_valid = m.reg_reset("query_valid", 1, 0);
+    let accepts = m.out(&distance, "in_ready");
+    let query_advance = m.wire("query_advance", &(!&query_valid | accepts));
+    m.ready(&beat, &query_advance);
+    m.next_if(&query_valid, &query_advance, &beat.valid);
+    let points = Record::from(&beat).register(&mut m, "points_", &query_advance);
+    let query = coordinates(&mut m, config, &start, &query_advance, &beat.field("thread"));
+    m.connect(&distance, "in_valid", &query_valid);
+    points.connect(&mut m, &distance, "in_");
+    for (name, coordinate) in QUERY.iter().zip(&query) {
+        m.connect(&distance, &format!("in_{name}"), coordinate);
+    }
+    let candidates = m.stream_from(&distance, "out");
+    m.stream_export("candidates", &candidates);
+    Ok(Datapath { module: m, manifest })
+}

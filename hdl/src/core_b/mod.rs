@@ -1,0 +1,56 @@
+//! Core B, the neighbor search of the point-set processor. `docs/core_b.md` states what every unit does in every cycle;
+//! each file names the thesis section it implements.
+
+pub mod leaf;
+pub mod queue;
+pub mod recursion;
+pub mod stack;
+pub mod threads;
+pub mod top;
+pub mod traversal;
+
+mod coordinates;
+mod queue_readout;
+mod queue_row;
+mod sets;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compiler::Options;
+    use crate::units::testing::{check, check_in_order};
+    use pointcore_spec::Format;
+    use pointcore_spec::core_b::{Config, ports};
+
+    fn configs() -> [Config; 3] {
+        let small =
+            Config { threads: 1, neighbors: 1, tree_depth: 1, leaves_in_flight: 1, bucket: 1, ..Config::default() };
+        let wide = Config { threads: 3, lanes: 4, index_bits: 4, geometry: Format::F24.flushed(), ..Config::default() };
+        [Config::default(), small, wide]
+    }
+
+    #[test]
+    fn units_have_the_specified_ports() {
+        let options = Options::default();
+        for config in configs() {
+            check(&threads::module(&config), ports::threads(&config));
+            check(&stack::module(&config), ports::stack(&config));
+            check(&recursion::module(&config), ports::recursion(&config));
+            check(&queue::module(&config), ports::queue(&config));
+            for (datapath, ports) in [
+                (traversal::datapath(&config, &options), ports::traversal(&config)),
+                (leaf::datapath(&config, &options), ports::leaf(&config)),
+            ] {
+                check(&datapath.unwrap_or_else(|error| panic!("{error}")).module, ports);
+            }
+        }
+    }
+
+    #[test]
+    fn the_core_has_the_specified_ports_in_order() {
+        for config in configs() {
+            let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+            check_in_order(&core.module, &ports::top(&config));
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Readout of the priority queues: a finished thread's row, sent neighbor by neighbor.
+
+use pointcore_spec::core_b::{Config, records};
+
+use super::queue_row::{entries, row_bits};
+use super::sets::contains;
+use crate::rtl::{Expr, Module, Reg, Stream, address_width, lit, select};
+use crate::units::records::{Record, registered_pulse_out};
+
+/// Idle, *fetch* or *send*.
+pub(super) struct Readout {
+    /// It leaves idleness in this cycle, and the thread's row is read.
+    pub starts: Expr,
+    fetching: Reg,
+    sending: Reg,
+    thread: Reg,
+}
+
+/// Where a thread's row may be.
+pub(super) struct Rows<'a> {
+    pub fresh: &'a Expr,
+    pub initial: &'a Expr,
+    pub owned: &'a Expr,
+    pub owner: &'a Expr,
+    pub working: &'a Expr,
+    pub stored: &'a Expr,
+}
+
+impl Readout {
+    /// Takes a finished thread when idle, unless its row is written back in this cycle.
+    pub fn new(m: &mut Module, config: &Config, finish: &Stream, written_back: &Expr) -> Self {
+        let [fetching, sending] = ["fetching", "sending"].map(|name| m.reg_reset(name, 1, 0));
+        let idle = !(&fetching | &sending);
+        let starts = m.wire("readout_starts", &((&finish.valid & idle) & !written_back));
+        m.ready(finish, &starts);
+        m.next(&fetching, &starts);
+        let thread = m.reg("readout_thread", config.thread_bits() as usize);
+        m.next_if(&thread, &starts, &finish.field("thread"));
+        Self { starts, fetching, sending, thread }
+    }
+
+    /// Fetches the row from where it is and sends it.
+    pub fn send(self, m: &mut Module, config: &Config, rows: &Rows<'_>, query: &Record) {
+        let Self { fetching, sending, thread, .. } = self;
+        let owns = rows.owned & rows.owner.eq(&thread);
+        let fetched = contains(rows.fresh, &thread).mux(rows.initial, &owns.mux(rows.working, rows.stored));
+        let row = m.reg("sent_row", row_bits(config));
+        m.next_if(&row, &fetching, &fetched);
+        let number = m.reg("sent_number", config.index_bits as usize);
+        m.next_if(&number, &fetching, &query.get("number"));
+        let released = Record::new(&records::thread_only(config), |_| thread.expr());
+        registered_pulse_out(m, "released", &fetching, &released);
+
+        let neighbors = config.neighbors as usize;
+        let rank_bits = config.rank_bits() as usize;
+        let position = m.reg("position", rank_bits);
+        let next_position = m.wire("next_position", &position.add_lit(1));
+        let transfer = m.forward("result_transfer", 1);
+        let first = lit(rank_bits, neighbors as u128) - query.get("k");
+        m.next_if(&position, &(&fetching | &transfer), &fetching.mux(&first, &next_position));
+
+        let words = entries(config, &row);
+        let entry_bits = address_width(neighbors);
+        let at = |position: &Expr, field: &str| {
+            let values: Vec<_> = words.iter().map(|entry| entry.get(field)).collect();
+            select(&position.trunc(entry_bits), &values.iter().collect::<Vec<_>>())
+        };
+        let at_end = position.eq_lit(neighbors as u128 - 1);
+        let last = m.wire("last_result", &(at_end | !at(&next_position, "found")));
+        let result = Record::new(&records::result(config), |name| match name {
+            "number" => number.expr(),
+            "last" => last.clone(),
+            field => at(&position, field),
+        });
+        let fields: Vec<_> = records::result(config).into_iter().map(|(name, _)| (result.get(&name), name)).collect();
+        let fields: Vec<_> = fields.iter().map(|(value, name)| (name.as_str(), value)).collect();
+        let ready = m.stream_out("result", &sending, &fields);
+        m.drive(&transfer, &(&sending & ready));
+        m.next(&sending, &(&fetching | (&sending & !(&transfer & last))));
+    }
+}

@@ -1,0 +1,61 @@
+//! A row of the priority queues: a thread's neighbors, nearest first, side by side in one word.
+
+use pointcore_spec::core_a::Field;
+use pointcore_spec::core_b::Config;
+
+use crate::rtl::{Expr, cat, lit};
+use crate::units::records::{Record, width};
+
+/// A neighbor in a row.
+pub(super) fn entry_fields(config: &Config) -> Vec<Field> {
+    vec![
+        ("found".to_owned(), 1),
+        ("index".to_owned(), config.index_bits),
+        ("distance2".to_owned(), config.geometry.width()),
+    ]
+}
+
+/// The bits of a row.
+pub(super) fn row_bits(config: &Config) -> usize {
+    config.neighbors as usize * width(&entry_fields(config))
+}
+
+/// The neighbors of a row, nearest first.
+pub(super) fn entries(config: &Config, row: &Expr) -> Vec<Record> {
+    let fields = entry_fields(config);
+    let bits = width(&fields);
+    let entry = |number: usize| Record::unpack(&fields, &row.bits((number + 1) * bits - 1, number * bits));
+    (0..config.neighbors as usize).map(entry).collect()
+}
+
+fn row(entries: &[Record]) -> Expr {
+    let words: Vec<_> = entries.iter().rev().map(Record::pack).collect();
+    cat(&words.iter().collect::<Vec<_>>())
+}
+
+/// The row of a query that has met no point: sentinels of distance 0 that leave `k` entries, then placeholders at the
+/// radius.
+pub(super) fn initial(config: &Config, k: &Expr, radius2: &Expr) -> Expr {
+    let nothing = Record::zeros(&entry_fields(config));
+    let entry = |number: u32| {
+        let is_sentinel = k.lt_lit((config.neighbors - number).into());
+        Record::new(&entry_fields(config), |name| match name {
+            "distance2" => is_sentinel.mux(&lit(radius2.width(), 0), radius2),
+            field => nothing.get(field),
+        })
+    };
+    row(&(0..config.neighbors).map(entry).collect::<Vec<_>>())
+}
+
+/// A neighbor inserted behind all that are as near; the last one falls out.
+pub(super) fn insert(old: &[Record], neighbor: &Record) -> Expr {
+    let stays: Vec<_> = old.iter().map(|entry| entry.get("distance2").le(&neighbor.get("distance2"))).collect();
+    let entry = |number: usize| {
+        let moved = match number {
+            0 => neighbor.clone(),
+            _ => neighbor.mux(&stays[number - 1], &old[number - 1]),
+        };
+        old[number].mux(&stays[number], &moved)
+    };
+    row(&(0..old.len()).map(entry).collect::<Vec<_>>())
+}

@@ -1,0 +1,67 @@
+//! Stack recursion (thesis 6.5.2, listing 6.2): pops paths until one is nearer than the farthest neighbor; golden twin:
+//! `pointcore_golden::core_b::recursion`.
+
+use pointcore_spec::core_b::{Config, records};
+
+use super::sets::{contains, decode};
+use crate::rtl::{Expr, Module};
+use crate::units::records::{Pulse, Record, event_out, pulse_in, pulse_out, queue_in, queue_out, registered_pulse_out};
+
+/// A squared radius for each thread, set by its query and by its leaves, which come in the same cycle for different
+/// threads: a memory for each, and a bit that says which of the two was written last.
+fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enable: &Expr, thread: &Expr) -> Expr {
+    let threads = config.threads as usize;
+    let [(by_query, query_set), (by_leaf, leaf_set)] =
+        [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
+            let writes = writer.record.get("thread");
+            let memory =
+                m.memory(&format!("{name}_radii"), 1 << config.thread_bits(), config.geometry.width() as usize);
+            m.write(&memory, &writer.valid, &writes, &writer.record.get("radius2"));
+            let radius = m.read_if(&memory, &format!("{name}_radius2"), enable, thread);
+            (radius, m.wire(&format!("{name}_set"), &decode(&writer.valid, &writes, threads)))
+        });
+    let from_leaf = m.reg_reset("from_leaf", threads, 0);
+    m.next(&from_leaf, &((&from_leaf & !query_set) | leaf_set));
+    let is_from_leaf = m.reg("r1_from_leaf", 1);
+    m.next_if(&is_from_leaf, enable, &contains(&from_leaf, thread));
+    is_from_leaf.mux(&by_leaf, &by_query)
+}
+
+/// The unit; ports as in `spec::core_b::ports::recursion`.
+#[must_use]
+pub fn module(config: &Config) -> Module {
+    let thread_bits = config.thread_bits() as usize;
+    let thread_only = records::thread_only(config);
+    let mut m = Module::new("core_b_recursion", "Pops paths until one is worth descending.");
+    m.parameter("threads", config.threads);
+    let start = pulse_in(&mut m, "start", &records::start(config));
+    let radius = pulse_in(&mut m, "radius", &records::radius(config));
+    let head = queue_in(&mut m, "in", &thread_only);
+    let top_empty = m.input("top_empty", 1);
+    let top = Record::input(&mut m, "top_", &records::path(config));
+    let resume = queue_out(&mut m, "resume", &records::descent(config));
+
+    let [r0_valid, r1_valid] = ["r0_valid", "r1_valid"].map(|name| m.reg_reset(name, 1, 0));
+    let [r0_thread, r1_thread] = ["r0_thread", "r1_thread"].map(|name| m.reg(name, thread_bits));
+    let advance = m.wire("advance", &(!&r1_valid | &resume.room));
+    let threads_only = |thread: &Expr| Record::new(&thread_only, |_| thread.clone());
+    pulse_out(&mut m, "pop", &(&advance & &r0_valid), &threads_only(&r0_thread));
+    let radius2 = radii(&mut m, config, [&start, &radius], &advance, &r0_thread);
+    m.next_if(&r1_valid, &advance, &r0_valid);
+    m.next_if(&r1_thread, &advance, &r0_thread);
+
+    let decides = m.wire("decides", &(&advance & &r1_valid));
+    let popped = m.wire("popped", &(&decides & !&top_empty));
+    let nearer = m.wire("nearer", &top.get("distance2").lt(&radius2));
+    let back = m.wire("back", &(&popped & !&nearer));
+    m.next_if(&r0_valid, &advance, &(&back | &head.valid));
+    m.next_if(&r0_thread, &advance, &back.mux(&r1_thread, &head.field("thread")));
+    m.ready(&head, &(&advance & !&back));
+    resume.push(&mut m, &(&popped & &nearer), |name| match name {
+        "thread" => r1_thread.expr(),
+        field => top.get(field),
+    });
+    registered_pulse_out(&mut m, "empty", &(decides & top_empty), &threads_only(&r1_thread));
+    event_out(&mut m, "event_pop", &popped);
+    m
+}

@@ -1,0 +1,86 @@
+//! Thread control (thesis 6.5.2): gives queries to threads, and says when a thread pops and when it is finished;
+//! golden twin: `pointcore_golden::core_b::threads`.
+
+use pointcore_spec::core_a::config::index_bits;
+use pointcore_spec::core_b::{Config, records};
+
+use super::sets::{decode, index_of, lowest, set};
+use crate::rtl::{Expr, Module, Reg, lit};
+use crate::units::records::{QueueOut, Record, event_out, pulse_in, queue_out, registered_pulse_out, stream_in};
+
+/// Pushes the first thread from a pointer on that has a wish, and moves the pointer behind it; returns whose wish is
+/// granted.
+fn grant(m: &mut Module, name: &str, wishes: &Reg, queue: QueueOut, thread_bits: usize) -> Expr {
+    let threads = wishes.width();
+    let next = m.reg_reset(&format!("next_{name}"), thread_bits, 0);
+    let from_next = wishes.expr() & (!lit(threads, 0)).shl_by(&next);
+    let first = m.wire(&format!("first_{name}"), &lowest(&from_next.any().mux(&from_next, wishes)));
+    let thread = m.wire(&format!("{name}_choice"), &index_of(&first, thread_bits));
+    let push = m.wire(&format!("{name}_push"), &(&queue.room & wishes.any()));
+    let last = thread.eq_lit(threads as u128 - 1);
+    m.next_if(&next, &push, &last.mux(&lit(thread_bits, 0), &thread.add_lit(1)));
+    queue.push(m, &push, |_| thread.clone());
+    m.wire(&format!("granted_{name}"), &(&first & push.repeat(threads)))
+}
+
+/// The unit; ports as in `spec::core_b::ports::threads`.
+#[must_use]
+pub fn module(config: &Config) -> Module {
+    let (threads, thread_bits) = (config.threads as usize, config.thread_bits() as usize);
+    let thread_only = records::thread_only(config);
+    let mut m = Module::new("core_b_threads", "Gives queries to threads and says what each does next.");
+    m.parameter("threads", threads);
+    m.parameter("leaves_in_flight", config.leaves_in_flight);
+    let query = stream_in(&mut m, "query", &records::query(config));
+    let [busy, waiting, exhausted, wants_pop, wants_finish] =
+        ["busy", "waiting", "exhausted", "wants_pop", "wants_finish"].map(|name| m.reg_reset(name, threads, 0));
+
+    // A query goes to the lowest free thread, whose descent begins at the root a cycle later.
+    let free = m.wire("free", &lowest(&!&busy));
+    let take = m.wire("take", &query.transfer());
+    let started = Record::new(&records::start(config), |name| match name {
+        "thread" => index_of(&free, thread_bits),
+        field => query.field(field),
+    });
+    let start = registered_pulse_out(&mut m, "start", &take, &started);
+    let descend = queue_out(&mut m, "descend", &records::descent(config));
+    m.ready(&query, &((free.any() & !&start.valid) & &descend.room));
+    descend.push(&mut m, &start.valid, |name| match name {
+        "node" => lit(config.node_bits() as usize, 1),
+        field => start.record.get(field),
+    });
+
+    let pop = queue_out(&mut m, "pop", &thread_only);
+    let popped = grant(&mut m, "pop", &wants_pop, pop, thread_bits);
+    let finish = queue_out(&mut m, "finish", &thread_only);
+    let finished = grant(&mut m, "finish", &wants_finish, finish, thread_bits);
+
+    let [reached, leaf_done, empty, released] = ["reached", "leaf_done", "empty", "released"].map(|name| {
+        let pulse = pulse_in(&mut m, name, &thread_only);
+        m.wire(&format!("{name}_set"), &decode(&pulse.valid, &pulse.record.get("thread"), threads))
+    });
+    let count_bits = index_bits(config.leaves_in_flight + 1) as usize;
+    let (mut below, mut none) = (vec![], vec![]);
+    for thread in 0..threads {
+        let outstanding = m.reg_reset(&format!("outstanding_{thread}"), count_bits, 0);
+        let [more, less] = [&reached, &leaf_done].map(|event| event.bit(thread).zext(count_bits));
+        let next = m.wire(&format!("outstanding_{thread}_next"), &(&outstanding + more - less));
+        m.next(&outstanding, &next);
+        below.push(next.lt_lit(config.leaves_in_flight.into()));
+        none.push(next.is_zero());
+    }
+    let (below, none) = (set(&below), set(&none));
+
+    let kept = m.wire("kept", &!released);
+    let taken = free & take.repeat(threads);
+    m.next(&busy, &((&busy | taken) & &kept));
+    let exhausted_now = m.wire("exhausted_now", &(&exhausted | &empty));
+    m.next(&exhausted, &(&exhausted_now & &kept));
+    m.next(&waiting, &(((&waiting & !&leaf_done) | (&reached & !&below)) & &kept));
+    let pop_wishes = (&reached & below) | (&leaf_done & &waiting);
+    m.next(&wants_pop, &(((&wants_pop & !popped) | pop_wishes) & &kept));
+    let finish_wishes = (empty | leaf_done) & (exhausted_now & none);
+    m.next(&wants_finish, &(((&wants_finish & !finished) | finish_wishes) & kept));
+    event_out(&mut m, "event_thread_wait", &(&query.valid & busy.all()));
+    m
+}
