@@ -75,7 +75,8 @@ impl Collector {
     fn floats(
         &mut self,
         name: &str,
-        (stages, module): (fn(Format) -> u32, fn(Format, u32) -> Operator),
+        stages: fn(Format) -> u32,
+        module: fn(Format, u32) -> Operator,
         count: usize,
         golden: fn(Format, [u64; 3]) -> u64,
     ) {
@@ -127,24 +128,20 @@ fn low_bits(format: Format, [a, b, _]: [u64; 3], width: u32) -> u64 {
 pub(super) fn operations(format: Format, stages: Stages) -> Vec<Operation> {
     use hdl::{add, compare, div, fma, minmax, mul, recip_newton, rsqrt, rsqrt_newton, sqrt};
     let mut all = Collector { format, stages, operations: vec![] };
-    all.floats("add", (add::stages, add::module), 2, |f, [a, b, _]| golden::add(f, a, b));
-    all.floats("mul", (mul::stages, mul::module), 2, |f, [a, b, _]| golden::mul(f, a, b));
-    all.floats("fma", (fma::stages, fma::module), 3, |f, [a, b, c]| golden::fma(f, a, b, c));
-    all.floats("div", (div::stages, div::module), 2, |f, [a, b, _]| golden::div(f, a, b));
-    all.floats("recip", (div::stages, div::recip), 1, |f, [a, ..]| golden::recip(f, a));
-    all.floats("sqrt", (sqrt::stages, sqrt::module), 1, |f, [a, ..]| golden::sqrt(f, a));
-    all.floats("rsqrt", (rsqrt::stages, rsqrt::module), 1, |f, [a, ..]| golden::rsqrt(f, a));
-    all.floats("recip_newton", (recip_newton::stages, recip_newton::module), 1, |f, [a, ..]| {
-        golden::recip_newton(f, a)
-    });
-    all.floats("rsqrt_newton", (rsqrt_newton::stages, rsqrt_newton::module), 1, |f, [a, ..]| {
-        golden::rsqrt_newton(f, a)
-    });
-    all.floats("min", (minmax::stages, minmax::min), 2, |f, [a, b, _]| golden::min(f, a, b));
-    all.floats("max", (minmax::stages, minmax::max), 2, |f, [a, b, _]| golden::max(f, a, b));
-    all.floats("lt", (compare::stages, compare::lt), 2, |f, [a, b, _]| golden::lt(f, a, b).into());
-    all.floats("le", (compare::stages, compare::le), 2, |f, [a, b, _]| golden::le(f, a, b).into());
-    all.floats("eq", (compare::stages, compare::eq), 2, |f, [a, b, _]| golden::eq(f, a, b).into());
+    all.floats("add", add::stages, add::module, 2, |f, [a, b, _]| golden::add(f, a, b));
+    all.floats("mul", mul::stages, mul::module, 2, |f, [a, b, _]| golden::mul(f, a, b));
+    all.floats("fma", fma::stages, fma::module, 3, |f, [a, b, c]| golden::fma(f, a, b, c));
+    all.floats("div", div::stages, div::module, 2, |f, [a, b, _]| golden::div(f, a, b));
+    all.floats("recip", div::stages, div::recip, 1, |f, [a, ..]| golden::recip(f, a));
+    all.floats("sqrt", sqrt::stages, sqrt::module, 1, |f, [a, ..]| golden::sqrt(f, a));
+    all.floats("rsqrt", rsqrt::stages, rsqrt::module, 1, |f, [a, ..]| golden::rsqrt(f, a));
+    all.floats("recip_newton", recip_newton::stages, recip_newton::module, 1, |f, [a, ..]| golden::recip_newton(f, a));
+    all.floats("rsqrt_newton", rsqrt_newton::stages, rsqrt_newton::module, 1, |f, [a, ..]| golden::rsqrt_newton(f, a));
+    all.floats("min", minmax::stages, minmax::min, 2, |f, [a, b, _]| golden::min(f, a, b));
+    all.floats("max", minmax::stages, minmax::max, 2, |f, [a, b, _]| golden::max(f, a, b));
+    all.floats("lt", compare::stages, compare::lt, 2, |f, [a, b, _]| golden::lt(f, a, b).into());
+    all.floats("le", compare::stages, compare::le, 2, |f, [a, b, _]| golden::le(f, a, b).into());
+    all.floats("eq", compare::stages, compare::eq, 2, |f, [a, b, _]| golden::eq(f, a, b).into());
     all.conversions();
     all.tables();
     all.operations
