@@ -55,15 +55,30 @@ impl Footprint {
     /// Kernel weight at the sample of pixel `(column, row)`; `None` outside the splat.
     #[must_use]
     pub fn weight(&self, column: usize, row: usize) -> Option<f64> {
+        self.weight_at(self.squared_distance(column, row))
+    }
+
+    /// `ρ²` at the sample of pixel `(column, row)`; below one inside the splat.
+    #[must_use]
+    pub fn squared_distance(&self, column: usize, row: usize) -> f64 {
         let x = column as f64 + 0.5 - self.center[0];
         let y = row as f64 + 0.5 - self.center[1];
-        let (squared_distance, amplitude) = match &self.shape {
+        match &self.shape {
             Shape::Backward { projection, filter_radius_px } => {
                 let on_splat = squared_distance_on_splat(projection, x, y);
                 let on_screen = filter_radius_px.map_or(f64::INFINITY, |radius| (x * x + y * y) / (radius * radius));
-                (on_splat.min(on_screen), 1.0)
+                on_splat.min(on_screen)
             }
-            Shape::Forward { xx, xy, yy, amplitude } => (xx * x * x + 2.0 * xy * x * y + yy * y * y, *amplitude),
+            Shape::Forward { xx, xy, yy, .. } => xx * x * x + 2.0 * xy * x * y + yy * y * y,
+        }
+    }
+
+    /// Kernel weight at `ρ²`; `None` outside the splat.
+    #[must_use]
+    pub fn weight_at(&self, squared_distance: f64) -> Option<f64> {
+        let amplitude = match &self.shape {
+            Shape::Backward { .. } => 1.0,
+            Shape::Forward { amplitude, .. } => *amplitude,
         };
         (squared_distance < 1.0).then(|| amplitude * (-self.kernel_gamma * squared_distance).exp())
     }

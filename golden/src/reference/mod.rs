@@ -11,7 +11,7 @@ mod reconstruction;
 
 pub use footprint::{Footprint, Mapping};
 pub use projection::{Bounds, Culled, Projection};
-pub use reconstruction::{Decision, Decisions, Fragment, Pixel};
+pub use reconstruction::{Decision, Decisions, Fragment, Margins, Pixel};
 
 use pointcore_spec::{Camera, Rendering, Splat};
 use rayon::prelude::*;
@@ -30,8 +30,8 @@ pub struct Frame {
     pub pixels: Vec<Option<Fragment>>,
     /// How each pixel's ternary depth tests went.
     pub decisions: Vec<Decisions>,
-    /// How near, in depth, a test of each pixel came to another outcome; `None` where none was made.
-    pub margins: Vec<Option<f64>>,
+    /// How near each pixel's tests came to another outcome.
+    pub margins: Vec<Margins>,
     /// What became of the splats and samples.
     pub statistics: Statistics,
 }
@@ -106,10 +106,12 @@ pub fn render(splats: &[Splat], camera: &Camera, rendering: &Rendering, mapping:
                 for row in rows.start.max(first_row)..rows.end.min(last_row) {
                     for column in footprint.bounds.columns.clone() {
                         samples += 1;
-                        if let Some(weight) = footprint.weight(column, row) {
+                        let pixel = &mut band[(row - first_row) * rendering.width + column];
+                        let squared_distance = footprint.squared_distance(column, row);
+                        pixel.margins.note_edge(squared_distance);
+                        if let Some(weight) = footprint.weight_at(squared_distance) {
                             inside += 1;
-                            band[(row - first_row) * rendering.width + column]
-                                .add(splat, projection, weight, rendering);
+                            pixel.add(splat, projection, weight, rendering);
                         }
                     }
                 }
@@ -123,7 +125,7 @@ pub fn render(splats: &[Splat], camera: &Camera, rendering: &Rendering, mapping:
         height: rendering.height,
         pixels: pixels.iter().map(Pixel::normalized).collect(),
         decisions: pixels.iter().map(|pixel| pixel.decisions).collect(),
-        margins: pixels.iter().map(|pixel| pixel.margin).collect(),
+        margins: pixels.iter().map(|pixel| pixel.margins).collect(),
         statistics: Statistics { samples, inside, ..statistics },
     }
 }

@@ -26,6 +26,28 @@ pub struct Decisions {
     pub blend: u32,
 }
 
+/// How near a pixel's tests came to another outcome: arithmetic that errs by more may decide otherwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margins {
+    /// Least distance in depth of a stored depth from an end of an ε-band; infinite where none was tested.
+    pub depth: f64,
+    /// Least distance of a sample's `ρ²` from one, the edge of its splat.
+    pub edge: f64,
+}
+
+impl Default for Margins {
+    fn default() -> Self {
+        Self { depth: f64::INFINITY, edge: f64::INFINITY }
+    }
+}
+
+impl Margins {
+    /// Takes note of a sample.
+    pub fn note_edge(&mut self, squared_distance: f64) {
+        self.edge = self.edge.min((squared_distance - 1.0).abs());
+    }
+}
+
 /// A normalized pixel (eq. 5.13), ready for shading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fragment {
@@ -52,8 +74,8 @@ pub struct Pixel {
     material: u16,
     /// How the tests of this pixel went.
     pub decisions: Decisions,
-    /// How near, in depth, a test came to another outcome; arithmetic that errs by more may decide otherwise.
-    pub margin: Option<f64>,
+    /// How near this pixel's tests came to another outcome.
+    pub margins: Margins,
 }
 
 impl Pixel {
@@ -62,7 +84,7 @@ impl Pixel {
         match self.test(projection, rendering) {
             Decision::Fail => self.decisions.fail += 1,
             Decision::Pass => {
-                *self = Self { decisions: self.decisions, margin: self.margin, ..Self::default() };
+                *self = Self { decisions: self.decisions, margins: self.margins, ..Self::default() };
                 self.decisions.pass += 1;
                 self.accumulate(splat, projection.depth.clamp(0.0, 1.0), weight);
             }
@@ -82,8 +104,7 @@ impl Pixel {
         let epsilon = projection.half_depth * rendering.epsilon_scale + rendering.epsilon_bias;
         let stored = self.weighted_depth / self.weight;
         let (low, high) = (projection.depth - epsilon, (projection.depth + epsilon).max(0.0));
-        let margin = (stored - low).abs().min((stored - high).abs());
-        self.margin = Some(self.margin.map_or(margin, |least| least.min(margin)));
+        self.margins.depth = self.margins.depth.min((stored - low).abs()).min((stored - high).abs());
         if stored < low {
             Decision::Fail
         } else if stored > high {

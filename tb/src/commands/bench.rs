@@ -110,7 +110,8 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failu
     insert("buffer_bytes", (report.buffer_read_bytes + report.buffer_write_bytes).into());
     insert("coverage_differences", report.coverage_differences.into());
     insert("outcome_differences", report.outcome_differences.into());
-    insert("unexplained_differences", report.unexplained_differences.into());
+    insert("depth_test_differences", report.depth_test_differences.into());
+    insert("edge_differences", report.edge_differences.into());
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::plan::Plan;
 use pointcore_golden::float::convert;
-use pointcore_golden::reference::{Decisions, Fragment, Frame, Statistics};
+use pointcore_golden::reference::{Decisions, Fragment, Frame, Margins, Statistics};
 use pointcore_spec::core_a::records;
 use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
 use pointcore_spec::{Format, Splat};
@@ -35,6 +35,6 @@ pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {
         pixels[row as usize * width + column as usize] = Some(fragment);
     }
     // Tests are counted by the reference only.
-    let (decisions, margins) = (vec![Decisions::default(); pixels.len()], vec![None; pixels.len()]);
+    let (decisions, margins) = (vec![Decisions::default(); pixels.len()], vec![Margins::default(); pixels.len()]);
     Frame { width, height, pixels, decisions, margins, statistics: Statistics::default() }
 }
