@@ -7,7 +7,7 @@ SCENE ?= scenes/knot.toml
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
-	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)).'
+	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench.'
 
 setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
 	@./scripts/setup verilator:verilator g++:g++
@@ -19,7 +19,7 @@ run: setup ## Render SCENE on the generated hardware, in lockstep with its model
 	cargo run --release --bin pointcore -- run $(SCENE)
 
 run-scan: setup ## Render a scan given by path: make run-scan SCAN=../shared/data/igea.ply
-	cargo run --release --bin pointcore -- run scenes/igea.toml $(if $(SCAN),--model-file $(abspath $(SCAN)))
+	cargo run --release --bin pointcore -- run scenes/igea.toml $(if $(SCAN),--set object.0.path=$(abspath $(SCAN)))
 
 plan: ## Show which hardware SCENE calls for, and why
 	cargo run --release --bin pointcore -- plan $(SCENE)
@@ -36,7 +36,7 @@ check: ## Formatting, clippy and documentation without warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
 
 bench: setup ## Measure and merge the figures into out/bench.json
-	cargo run --release --bin pointcore -- bench
+	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN)))
 
 doc: ## Build the documentation
 	cargo doc --workspace --no-deps
