@@ -10,7 +10,7 @@ help: ## List the targets
 	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench.'
 
 setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
-	@./scripts/setup verilator:verilator g++:g++
+	@./scripts/setup verilator:verilator g++:g++ zlib.h:zlib1g-dev
 
 setup-tests: setup ## Install what the tests need besides: Icarus Verilog, yosys
 	@./scripts/setup iverilog:iverilog yosys:yosys
