@@ -57,7 +57,8 @@ impl fmt::Display for Inspection {
         writeln!(f, "{}", self.path.display())?;
         writeln!(f, "  points     {}", self.points)?;
         writeln!(f, "  triangles  {}", self.triangles)?;
-        writeln!(f, "  bounds     {low} to {high}")?;
+        // As single precision, in which scans come: no digits that the file does not have.
+        writeln!(f, "  bounds     {} to {}", low.as_vec3(), high.as_vec3())?;
         writeln!(f, "  normals    {}", self.normals)?;
         writeln!(f, "  colors     {}", if self.colors { "in the file" } else { "none" })?;
         write!(f, "  spacing    {least:.3e} least, {mean:.3e} mean, {greatest:.3e} greatest")

@@ -29,6 +29,8 @@ pub const SAMPLE_QUEUE_DEPTH: u32 = 64;
 pub const IN_FLIGHT_BITS: u32 = 8;
 /// Image edges the coordinates hold, in pixels.
 pub const IMAGE_EDGE_MAX: u32 = 4096;
+/// Sharpness of kernels that the weight table resolves.
+pub const KERNEL_GAMMA_RANGE: std::ops::RangeInclusive<f64> = 0.1..=8.0;
 
 /// Whether a part of the hardware is generated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -158,8 +160,9 @@ impl Config {
                 return Err(ConfigError::Range { key, value, low, high });
             }
         }
-        if !(0.1..=8.0).contains(&self.kernel_gamma) {
-            return Err(ConfigError::Range { key: "kernel_gamma", value: self.kernel_gamma, low: 0.1, high: 8.0 });
+        if !KERNEL_GAMMA_RANGE.contains(&self.kernel_gamma) {
+            let (low, high) = KERNEL_GAMMA_RANGE.into_inner();
+            return Err(ConfigError::Range { key: "kernel_gamma", value: self.kernel_gamma, low, high });
         }
         let attributes = u64::from(self.continuous) + u64::from(self.cardinal);
         if !(1..=u64::from(ATTRIBUTES_MAX)).contains(&attributes) {

@@ -1,14 +1,26 @@
 //! From where the scene is looked at to the numbers of [`Camera`].
 
 use super::file::{CameraTable, ImageTable};
+use super::model::COORDINATE_LIMIT;
 use glam::DVec3;
 use pointcore_spec::Camera;
+use pointcore_spec::core_a::config::IMAGE_EDGE_MAX;
+use std::ops::RangeInclusive;
 
-/// Wider than the prototypes' screens by far; keeps a slip of the keyboard from filling the memory.
-const SIZE_LIMIT_PX: usize = 4096;
+/// Beyond these a pixel is wider than any scene, or narrower than a single-precision coordinate resolves.
+const FOV_RANGE_DEGREES: RangeInclusive<f64> = 0.01..=179.0;
+/// Depths of the near and far plane: reciprocals and ratios of them stay within single precision.
+const DEPTH_RANGE: RangeInclusive<f64> = 1e-9..=1e12;
 
 /// A key and what is wrong with its value.
 pub(super) type Problem = (&'static str, String);
+
+/// Rejects a number outside its range, NaN included.
+pub(super) fn within(key: &'static str, number: f64, range: RangeInclusive<f64>) -> Result<(), Problem> {
+    let (low, high) = (range.start(), range.end());
+    let valid = range.contains(&number);
+    valid.then_some(()).ok_or_else(|| (key, format!("is {number:?}: expected {low:?} to {high:?}")))
+}
 
 /// Derives the camera.
 ///
@@ -17,31 +29,30 @@ pub(super) type Problem = (&'static str, String);
 /// `a + b/Z` with `a = far/(far − near)` and `b = −near·a`, which is 0 at the near and 1 at the far plane.
 pub(super) fn derive(camera: &CameraTable, image: &ImageTable) -> Result<Camera, Problem> {
     for (key, size) in [("image.width", image.width), ("image.height", image.height)] {
-        if !(1..=SIZE_LIMIT_PX).contains(&size) {
-            return Err((key, format!("is {size}: expected 1 to {SIZE_LIMIT_PX} pixels")));
+        if !(1..=IMAGE_EDGE_MAX as usize).contains(&size) {
+            return Err((key, format!("is {size}: expected 1 to {IMAGE_EDGE_MAX} pixels")));
         }
     }
-    if !(camera.fov_degrees > 0.0 && camera.fov_degrees < 180.0) {
-        return Err((
-            "camera.fov_degrees",
-            format!("is {}: expected more than 0 and less than 180", camera.fov_degrees),
-        ));
-    }
-    if !(camera.near > 0.0 && camera.near.is_finite()) {
-        return Err(("camera.near", format!("is {}: expected a positive distance", camera.near)));
-    }
-    if !(camera.far > camera.near && camera.far.is_finite()) {
+    within("camera.fov_degrees", camera.fov_degrees, FOV_RANGE_DEGREES)?;
+    within("camera.near", camera.near, DEPTH_RANGE)?;
+    within("camera.far", camera.far, DEPTH_RANGE)?;
+    if camera.far <= camera.near {
         return Err(("camera.far", format!("is {}: expected more than near, which is {}", camera.far, camera.near)));
+    }
+    for (key, vector) in [("camera.eye", camera.eye), ("camera.target", camera.target), ("camera.up", camera.up)] {
+        if !vector.iter().all(|component| component.abs() <= COORDINATE_LIMIT) {
+            return Err((key, format!("is {vector:?}: expected numbers up to {COORDINATE_LIMIT:e}")));
+        }
     }
     let (eye, target, up) =
         (DVec3::from_array(camera.eye), DVec3::from_array(camera.target), DVec3::from_array(camera.up));
-    let forward = (target - eye)
-        .try_normalize()
-        .ok_or_else(|| ("camera.target", "must be finite and differ from the eye".to_owned()))?;
+    let forward = (target - eye).try_normalize().ok_or_else(|| {
+        ("camera.target", format!("is {:?}, where the eye is: expected another point", camera.target))
+    })?;
     let right = forward
         .cross(up)
         .try_normalize()
-        .ok_or_else(|| ("camera.up", "must not be parallel to the viewing direction".to_owned()))?;
+        .ok_or_else(|| ("camera.up", format!("is {:?}: expected a vector across the viewing direction", camera.up)))?;
     let row = |axis: DVec3| [axis.x, axis.y, axis.z, -axis.dot(eye)];
     let scale = image.height as f64 / (2.0 * (camera.fov_degrees.to_radians() / 2.0).tan());
     let depth_a = camera.far / (camera.far - camera.near);

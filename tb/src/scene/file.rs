@@ -104,9 +104,22 @@ pub(super) enum Kind {
     File,
 }
 
+impl Kind {
+    /// As the scene file spells it.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Sphere => "sphere",
+            Self::Torus => "torus",
+            Self::TorusKnot => "torus_knot",
+            Self::Plane => "plane",
+            Self::File => "file",
+        }
+    }
+}
+
 /// The radius of an object's splats before [`ObjectTable::radius_scale`].
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(untagged, expecting = "a number or \"spacing\"")]
+#[serde(untagged, expecting = "expected a number or \"spacing\"")]
 pub(super) enum Radius {
     Length(f64),
     Derived(DerivedRadius),

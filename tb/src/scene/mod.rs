@@ -17,14 +17,25 @@ pub use file::{Light, Material};
 pub use model::{Model, NormalOrigin, NormalSource};
 
 use crate::shading::linear_from_srgb;
-use file::SceneFile;
+use file::{ImageTable, SceneFile, SplattingTable};
 use glam::DVec3;
+use pointcore_spec::core_a::config::KERNEL_GAMMA_RANGE;
 use pointcore_spec::{Camera, Rendering, Splat};
 use std::path::Path;
 
 /// The share of a splat's radius by which surfaces may lie apart in depth and still blend. Neighboring splats of a
 /// curved surface that all face the eye have no depth range of their own (eq. 5.9), but do differ in depth.
 const BLENDED_RADIUS_SHARE: f64 = 0.5;
+/// Thirty times the largest scan of the thesis; keeps a slip of the keyboard from filling the memory.
+const SPLAT_LIMIT: usize = 4_000_000;
+/// A filter of eight tiles' width; beyond, a picture is a blur.
+const FILTER_RADIUS_LIMIT_PX: f64 = 64.0;
+/// A splat that blends with what lies this many of its own depth ranges away blends with everything.
+const EPSILON_SCALE_LIMIT: f64 = 1e6;
+/// A light that is overexposed by this factor leaves nothing but white.
+const INTENSITY_LIMIT: f64 = 1000.0;
+/// A highlight narrower than a pixel of the largest picture.
+const SHININESS_LIMIT: f64 = 1e6;
 
 /// A scene, ready to be rendered.
 #[derive(Clone, Debug)]
@@ -59,6 +70,10 @@ impl Scene {
         object::check_color(file.image.background).map_err(|problem| value("image.background".to_owned(), problem))?;
         check_light(&file.light).map_err(|(key, problem)| value(key.to_owned(), problem))?;
 
+        for (index, material) in file.materials.iter().enumerate() {
+            check_material(material).map_err(|(key, problem)| value(format!("material.{index}.{key}"), problem))?;
+        }
+
         let materials = if file.materials.is_empty() { vec![Material::default()] } else { file.materials };
         let mut splats = Vec::new();
         for (index, object) in file.objects.iter().enumerate() {
@@ -68,43 +83,66 @@ impl Scene {
                 return Err(value(format!("{key}.material"), problem));
             }
             splats.extend(object::build(object, path, &key)?);
+            if splats.len() > SPLAT_LIMIT {
+                let problem = format!("brings the scene to {} splats: expected up to {SPLAT_LIMIT}", splats.len());
+                return Err(value(key, problem));
+            }
         }
         if splats.is_empty() {
             return Err(value("object".to_owned(), "is empty: a scene needs at least one object".to_owned()));
         }
 
-        let positive_or = |given: Option<f64>, default: f64, key: &str| match given {
-            Some(number) if !(number >= 0.0 && number.is_finite()) => {
-                Err(value(format!("splatting.{key}"), format!("is {number}: expected zero or a positive number")))
-            }
-            _ => Ok(given.unwrap_or(default)),
-        };
-        let splatting = &file.splatting;
-        let filter_radius_px =
-            positive_or(splatting.filter_radius_px, Rendering::DEFAULT_FILTER_RADIUS_PX, "filter_radius_px")?;
-        let rendering = Rendering {
-            width: file.image.width,
-            height: file.image.height,
-            kernel_gamma: positive_or(splatting.kernel_gamma, Rendering::DEFAULT_KERNEL_GAMMA, "kernel_gamma")?,
-            filter_radius_px: (filter_radius_px > 0.0).then_some(filter_radius_px),
-            epsilon_scale: positive_or(splatting.epsilon_scale, Rendering::DEFAULT_EPSILON_SCALE, "epsilon_scale")?,
-            epsilon_bias: positive_or(splatting.epsilon_bias, blending_depth(&splats, &camera), "epsilon_bias")?,
-        };
+        let rendering = rendering(&file.image, &file.splatting, blending_depth(&splats, &camera))
+            .map_err(|(key, problem)| value(key.to_owned(), problem))?;
         let background = file.image.background.map(linear_from_srgb);
         Ok(Self { camera, rendering, splats, light: file.light, materials, background, overrides: file.overrides })
     }
+}
+
+/// Image size, kernel and tolerance; `blending_depth` is the tolerance unless the scene says another.
+fn rendering(
+    image: &ImageTable,
+    splatting: &SplattingTable,
+    blending_depth: f64,
+) -> Result<Rendering, camera::Problem> {
+    let number = |key, given: Option<f64>, default, range| {
+        given.map_or(Ok(default), |number| camera::within(key, number, range).map(|()| number))
+    };
+    let kernel_gamma =
+        number("splatting.kernel_gamma", splatting.kernel_gamma, Rendering::DEFAULT_KERNEL_GAMMA, KERNEL_GAMMA_RANGE)?;
+    let filter_radius_px = number(
+        "splatting.filter_radius_px",
+        splatting.filter_radius_px,
+        Rendering::DEFAULT_FILTER_RADIUS_PX,
+        0.0..=FILTER_RADIUS_LIMIT_PX,
+    )?;
+    let epsilon_scale = number(
+        "splatting.epsilon_scale",
+        splatting.epsilon_scale,
+        Rendering::DEFAULT_EPSILON_SCALE,
+        0.0..=EPSILON_SCALE_LIMIT,
+    )?;
+    Ok(Rendering {
+        width: image.width,
+        height: image.height,
+        kernel_gamma,
+        filter_radius_px: (filter_radius_px > 0.0).then_some(filter_radius_px),
+        epsilon_scale,
+        epsilon_bias: number("splatting.epsilon_bias", splatting.epsilon_bias, blending_depth, 0.0..=1.0)?,
+    })
 }
 
 fn check_light(light: &Light) -> Result<(), camera::Problem> {
     if DVec3::from_array(light.direction).try_normalize().is_none() {
         return Err(("light.direction", format!("is {:?}: expected a vector other than zero", light.direction)));
     }
-    for (key, intensity) in [("light.ambient", light.ambient), ("light.diffuse", light.diffuse)] {
-        if !(intensity >= 0.0 && intensity.is_finite()) {
-            return Err((key, format!("is {intensity}: expected zero or a positive number")));
-        }
-    }
-    Ok(())
+    camera::within("light.ambient", light.ambient, 0.0..=INTENSITY_LIMIT)?;
+    camera::within("light.diffuse", light.diffuse, 0.0..=INTENSITY_LIMIT)
+}
+
+fn check_material(material: &Material) -> Result<(), camera::Problem> {
+    camera::within("specular", material.specular, 0.0..=1.0)?;
+    camera::within("shininess", material.shininess, 0.0..=SHININESS_LIMIT)
 }
 
 /// The mean, over the splats before the camera, of the depth difference that [`BLENDED_RADIUS_SHARE`] of their radius

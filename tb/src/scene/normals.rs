@@ -51,7 +51,10 @@ pub fn normalize(points: &[DVec3], normals: &[DVec3]) -> Result<Vec<DVec3>, Stri
 pub fn estimate(points: &[DVec3]) -> Result<Vec<DVec3>, String> {
     const PLANE: usize = 3;
     if points.len() < PLANE {
-        return Err(format!("holds {} points, but normals can only be estimated from {PLANE} on", points.len()));
+        return Err(format!(
+            "has no normals, and its {} vertices are too few to estimate them: add normals, or at least {PLANE} vertices",
+            points.len()
+        ));
     }
     let neighbors = neighbors::nearest(points, FITTED_NEIGHBORS);
     let fit = |(point, neighbors): (&DVec3, &Vec<Neighbor>)| {

@@ -4,14 +4,15 @@ use super::camera::Problem;
 use super::error::SceneError;
 use super::file::{DerivedRadius, Kind, ObjectTable, Radius};
 use super::model::{COORDINATE_LIMIT, Model};
-use super::{neighbors, shapes};
+use super::{SPLAT_LIMIT, neighbors, shapes};
 use crate::shading::linear_from_srgb;
 use glam::{DQuat, DVec2, DVec3, EulerRot};
 use pointcore_spec::Splat;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
-/// Some hundreds of times what the prototypes rendered; keeps a slip of the keyboard from filling the memory.
-const POINT_LIMIT: usize = 10_000_000;
+/// Radii of splats after scaling, whose squares stay within single precision.
+const SPLAT_RADIUS_RANGE: RangeInclusive<f64> = 1e-12..=COORDINATE_LIMIT;
 /// Windings beyond this leave no room between the turns of a tube.
 const WINDING_LIMIT: u32 = 1000;
 /// sRGB gray of objects without any color.
@@ -34,7 +35,16 @@ pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec
     let (surface, source) = if object.kind == Kind::File {
         let relative = required(object.path.as_deref(), "path", Kind::File).map_err(value)?;
         let path = scene.parent().unwrap_or(Path::new("")).join(relative);
-        (file_surface(object, &path, color)?, path)
+        let surface = file_surface(object, &path, color).map_err(|error| match error {
+            SceneError::Read { path, source } => {
+                let (path, example) = (path.display(), format!("--set {key}.path=FILE"));
+                let problem =
+                    format!("leads to {path}, which cannot be read ({source}): set another, e.g. by `{example}`");
+                value(("path", problem))
+            }
+            other => other,
+        })?;
+        (surface, path)
     } else {
         (shape_surface(object, color).map_err(value)?, scene.to_owned())
     };
@@ -48,22 +58,31 @@ pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec
     let [x, y, z] = object.rotate_degrees.map(f64::to_radians);
     let rotation = DQuat::from_euler(EulerRot::XYZEx, x, y, z);
     let translation = DVec3::from_array(object.translate);
-    let splats = (0..surface.points.len()).map(|index| {
+    let splat = |index: usize| {
         let center = rotation * (object.scale * surface.points[index]) + translation;
         let normal = rotation * surface.normals[index];
         let radius = object.scale * object.radius_scale * radii[index];
+        if !SPLAT_RADIUS_RANGE.contains(&radius) || center.abs().max_element() > COORDINATE_LIMIT {
+            let (low, high) = SPLAT_RADIUS_RANGE.into_inner();
+            let center = center.to_array();
+            let problem = format!(
+                "and the object's size put splat {index} of radius {radius:e} at {center:?}: expected radii from {low:e} \
+                 to {high:e} and coordinates up to {COORDINATE_LIMIT:e}"
+            );
+            return Err(value(("scale", problem)));
+        }
         // Any two axes of a circle will do.
         let (first, second) = normal.any_orthonormal_pair();
         let [nx, ny, nz] = normal.as_vec3().to_array();
         let [red, green, blue] = surface.colors[index];
-        Splat {
+        Ok(Splat {
             center: center.as_vec3().to_array(),
             tangents: [first, second].map(|axis| (radius * axis).as_vec3().to_array()),
             attributes: [nx, ny, nz, red, green, blue],
             material: object.material,
-        }
-    });
-    Ok(splats.collect())
+        })
+    };
+    (0..surface.points.len()).map(splat).collect()
 }
 
 fn linear(color: [f64; 3]) -> [f32; 3] {
@@ -87,7 +106,10 @@ fn check_keys(object: &ObjectTable) -> Result<(), Problem> {
         ("normals", object.normals.is_some(), &[File]),
     ];
     match uses.iter().find(|(_, given, kinds)| *given && !kinds.contains(&object.kind)) {
-        Some((key, _, kinds)) => Err((key, format!("belongs to {kinds:?}, but the object is a {:?}", object.kind))),
+        Some((key, _, kinds)) => {
+            let kinds: Vec<_> = kinds.iter().map(|kind| format!("`{}`", kind.name())).collect();
+            Err((key, format!("belongs to {}, but the object is a `{}`", kinds.join(", "), object.kind.name())))
+        }
         None if object.checks.is_some() != object.checker_color.is_some() => {
             Err(("checks", "and `checker_color` need each other: give both or none".to_owned()))
         }
@@ -126,14 +148,14 @@ fn positive(value: f64, key: &'static str) -> Result<f64, Problem> {
 }
 
 fn required<T>(value: Option<T>, key: &'static str, kind: Kind) -> Result<T, Problem> {
-    value.ok_or_else(|| (key, format!("is missing: a {kind:?} needs it")))
+    value.ok_or_else(|| (key, format!("is missing: a `{}` needs it", kind.name())))
 }
 
 fn shape_surface(object: &ObjectTable, color: [f32; 3]) -> Result<Surface, Problem> {
     let kind = object.kind;
     let count = required(object.points, "points", kind)?;
-    if !(1..=POINT_LIMIT).contains(&count) {
-        return Err(("points", format!("is {count}: expected 1 to {POINT_LIMIT}")));
+    if !(1..=SPLAT_LIMIT).contains(&count) {
+        return Err(("points", format!("is {count}: expected 1 to {SPLAT_LIMIT}")));
     }
     let length = |value: Option<f64>, key| positive(required(value, key, kind)?, key);
     let samples = match kind {

@@ -118,7 +118,7 @@ fn settings_replace_values() {
         ("object.0.kind.x.y=1", "below a plain value"),
         ("object.0.points=many", "invalid type"),
         ("object.0.colour=red", "unknown field"),
-        ("object.0.path=a b.ply", "belongs to [File]"),
+        ("object.0.path=a b.ply", "belongs to `file`"),
     ] {
         let message = load(SPHERE, &[setting]).expect_err("the setting is bad").to_string();
         assert!(message.contains(part), "`{part}` is missing in: {message}");
@@ -131,9 +131,12 @@ fn bad_scenes_are_named_with_their_key() {
     assert_fails("points = 500", "pionts = 500", &["line 5", "pionts"]);
     assert_fails("points = 500", "", &["object.0.points", "missing"]);
     assert_fails("points = 500", "points = 0", &["object.0.points", "1 to"]);
-    assert_fails("points = 500", "points = 500\nsize = 3", &["object.0.size", "Plane"]);
+    assert_fails("points = 500", "points = 500\nsize = 3", &["object.0.size", "`plane`"]);
     assert_fails("points = 500", "points = 500\nradius = \"big\"", &["a number or"]);
     assert_fails("points = 500", "points = 500\nradius = -1", &["object.0.radius", "positive"]);
+    assert_fails("points = 500", "points = 500\nradius = 1e-300", &["object.0.scale", "splat 0", "1e-300"]);
+    assert_fails("points = 500", "points = 500\nscale = 1e9\nradius_scale = 1e9", &["object.0.scale", "splat 0"]);
+    assert_fails("points = 500", "points = 4000001", &["object.0.points", "1 to 4000000"]);
     assert_fails("points = 500", "points = 500\nmaterial = 1", &["object.0.material", "below 1"]);
     assert_fails("points = 500", "points = 500\ncolor = [0, 0, 255]", &["object.0.color", "0 to 1"]);
     assert_fails("points = 500", "points = 500\nchecks = [2, 2]", &["checker_color"]);
@@ -145,12 +148,22 @@ fn bad_scenes_are_named_with_their_key() {
     assert_fails("near = 1", "near = 0", &["camera.near"]);
     assert_fails("far = 10", "far = 1", &["camera.far"]);
     assert_fails("fov_degrees = 40", "fov_degrees = 180", &["camera.fov_degrees"]);
+    assert_fails("fov_degrees = 40", "fov_degrees = 1e-300", &["camera.fov_degrees", "0.01 to 179"]);
+    assert_fails("eye = [0, 0, 5]", "eye = [0, 0, 1e12]", &["camera.eye", "1e9"]);
+    assert_fails("eye = [0, 0, 5]", "eye = [0, nan, 5]", &["camera.eye", "NaN"]);
     assert_fails("width = 64", "width = 0", &["image.width"]);
     assert_fails("[[object]]", "[splatting]\nepsilon_bias = -1\n[[object]]", &["splatting.epsilon_bias"]);
+    assert_fails("[[object]]", "[splatting]\nkernel_gamma = 100\n[[object]]", &["splatting.kernel_gamma", "0.1 to 8"]);
+    assert_fails("[[object]]", "[splatting]\nfilter_radius_px = 1e9\n[[object]]", &["splatting.filter_radius_px"]);
+    assert_fails("[[object]]", "[[material]]\nspecular = nan\n[[object]]", &["material.0.specular", "0.0 to 1.0"]);
+    assert_fails("[[object]]", "[[material]]\nshininess = -1\n[[object]]", &["material.0.shininess"]);
+    assert_fails("[[object]]", "[light]\ndiffuse = inf\n[[object]]", &["light.diffuse"]);
     assert_fails("[[object]]", "[light]\ndirection = [0, 0, 0]\n[[object]]", &["light.direction"]);
     let absent = SPHERE.replace("\"sphere\"\npoints = 500\nouter_radius = 1", "\"file\"\npath = \"gone.ply\"");
     let message = load(&absent, &[]).expect_err("there is no such model").to_string();
-    assert!(message.contains("gone.ply: cannot be read"), "{message}");
+    for part in ["scene.toml: `object.0.path`", "gone.ply, which cannot be read", "--set object.0.path="] {
+        assert!(message.contains(part), "`{part}` is missing in: {message}");
+    }
     let message = Scene::load(Path::new("no/such.toml"), &[]).expect_err("there is no such file").to_string();
     assert!(message.contains("no/such.toml"), "{message}");
 }

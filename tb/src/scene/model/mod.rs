@@ -84,9 +84,9 @@ impl Model {
         }
         let unusable = |vector: &DVec3| !vector.is_finite() || vector.abs().max_element() > COORDINATE_LIMIT;
         if let Some(index) = self.points.iter().position(unusable) {
-            let point = self.points[index];
+            let point = self.points[index].to_array();
             return Err(format!(
-                "vertex {index} lies at {point}: coordinates must be finite and below {COORDINATE_LIMIT:e}"
+                "vertex {index} lies at {point:?}: coordinates must be finite and below {COORDINATE_LIMIT:e}"
             ));
         }
         if let Some(index) = self.normals.iter().flatten().position(unusable) {

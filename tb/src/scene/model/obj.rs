@@ -13,7 +13,8 @@ struct Corner {
 
 /// Parses a whole file; an error names the line.
 pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
-    let text = std::str::from_utf8(bytes).map_err(|error| format!("not text: {error}"))?;
+    // Comments and names may be in any encoding; what a model needs is ASCII.
+    let text = String::from_utf8_lossy(bytes);
     let (mut model, mut normals) = (Model::default(), Vec::new());
     let mut polygons = Vec::new();
     for (index, line) in text.lines().enumerate() {

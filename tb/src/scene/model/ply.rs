@@ -7,6 +7,7 @@ use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
+use std::collections::HashSet;
 use std::io::Cursor;
 
 /// Scalar properties that are kept, in the order of [`Element::scalars`].
@@ -62,7 +63,12 @@ impl PropertyAccess for Element {
 pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
     let parser = Parser::<Element>::new();
     let mut reader = Reader::new(Cursor::new(bytes));
-    let header = parser.read_header(&mut reader).map_err(|error| format!("not a PLY header: {error}"))?;
+    let header = parser.read_header(&mut reader).map_err(|error| format!("not a PLY header: {}", one_line(&error)))?;
+    check_names(bytes)?;
+    if (header.version.major, header.version.minor) != (1, 0) {
+        let (major, minor) = (header.version.major, header.version.minor);
+        return Err(format!("is in version {major}.{minor} of PLY: expected 1.0"));
+    }
     check_counts(&header, bytes.len() as u64 - reader.get_ref().position())?;
     let vertices = header.elements.get("vertex").ok_or("the header declares no element `vertex`")?;
     for axis in &SCALARS[..NORMAL] {
@@ -75,7 +81,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
     for definition in header.elements.values() {
         let elements = parser
             .read_payload_for_element(&mut reader, definition, &header)
-            .map_err(|error| format!("element `{}`: {error}", definition.name))?;
+            .map_err(|error| format!("element `{}`: {}", definition.name, one_line(&error)))?;
         match definition.name.as_str() {
             "vertex" => add_vertices(&mut model, definition, &elements),
             "face" => {
@@ -94,6 +100,41 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Model, String> {
         }
     }
     Ok(model)
+}
+
+/// The parser's message without what its grammar would have taken: `line 9: couldn't read element line: 0 nan 0`.
+fn one_line(error: &impl std::fmt::Display) -> String {
+    let message = error.to_string();
+    let mut lines = message.lines();
+    let first = lines.next().unwrap_or_default().trim_end_matches('.');
+    let summary = first.strip_prefix("Line ").map_or(first.to_owned(), |rest| format!("line {rest}"));
+    match lines.next().and_then(|line| line.trim().strip_prefix("String: ")) {
+        Some(text) => format!("{summary}: {}", text.trim_matches('\'').trim()),
+        None => summary,
+    }
+}
+
+/// The parser keeps the last of several declarations of one name, and would read what follows askew.
+fn check_names(bytes: &[u8]) -> Result<(), String> {
+    let (mut elements, mut properties) = (HashSet::new(), HashSet::new());
+    for (index, line) in bytes.split(|byte| *byte == b'\n').enumerate() {
+        let line = String::from_utf8_lossy(line);
+        let words: Vec<_> = line.split_whitespace().collect();
+        let fresh = match words[..] {
+            ["end_header"] => break,
+            ["element", name, ..] => {
+                properties.clear();
+                elements.insert(name.to_owned())
+            }
+            ["property", .., name] => properties.insert(name.to_owned()),
+            _ => true,
+        };
+        if !fresh {
+            let (kind, name) = (words[0], if words[0] == "element" { words[1] } else { words[words.len() - 1] });
+            return Err(format!("line {}: the header declares {kind} `{name}` twice", index + 1));
+        }
+    }
+    Ok(())
 }
 
 /// A header may promise any number of elements; no more than fit the file are read.
