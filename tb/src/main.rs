@@ -11,7 +11,7 @@ use std::process::ExitCode;
 /// Start with `pointcore run scenes/knot.toml`: it derives the hardware the scene calls for, writes its Verilog, runs it under
 /// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/.
 ///
-/// Exit codes: 0 success, 1 the hardware and its model disagree, 2 wrong input, 3 a tool is missing or failed.
+/// Exit codes: 0 success, 1 the hardware and its model disagree, 2 wrong input or a folder that cannot be written, 3 a tool is missing or failed.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Arguments {
@@ -59,8 +59,13 @@ impl Failure {
     fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Mismatch(_) => 1,
-            Self::Scene(_) | Self::Plan(_) | Self::Configuration { .. } | Self::Usage(_) => 2,
-            Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) | Self::Write { .. } | Self::Picture(_) => 3,
+            Self::Scene(_)
+            | Self::Plan { .. }
+            | Self::Configuration { .. }
+            | Self::Usage(_)
+            | Self::Write { .. }
+            | Self::Picture(_) => 2,
+            Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) => 3,
         })
     }
 }

@@ -5,20 +5,62 @@ use pointcore_golden::reference::{Footprint, Mapping, Projection};
 use pointcore_spec::core_a::config::{Config, ConfigError, Feature, TILE_SIZE};
 use pointcore_spec::splat::{CONTINUOUS_ATTRIBUTES, NORMAL};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Relative margin by which the filter must be idle in f64 before hardware of less precision may do without it.
 const FILTER_MARGIN: f64 = 1.0 / 256.0;
 
-/// A scene asks for hardware that does not exist.
-#[derive(Debug, thiserror::Error)]
+/// Keys of the configuration that follow from the scene alone, and where it says them.
+const SCENE_KEYS: [(&str, &str); 5] = [
+    ("width", "set `image.width`"),
+    ("height", "set `image.height`"),
+    ("kernel_gamma", "set `splatting.kernel_gamma`"),
+    ("continuous", "it counts the components of normal and color that differ between splats"),
+    ("cardinal", "it is 1 where splats differ in `material`"),
+];
+
+/// An `[overrides]` table that does not fit the hardware or the scene.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlanError {
-    /// The `[overrides]` table has an unknown key or a value of the wrong type.
+    /// A key that is no parameter of the hardware.
+    #[error("`overrides.{key}` is unknown: expected one of {expected}")]
+    Unknown {
+        /// The key.
+        key: String,
+        /// The keys there are.
+        expected: String,
+    },
+    /// A parameter that follows from the scene.
+    #[error("`overrides.{key}` follows from the scene and cannot be overridden: {place}")]
+    Determined {
+        /// The key.
+        key: &'static str,
+        /// Where the scene says it.
+        place: &'static str,
+    },
+    /// A value of the wrong type, or none of the values there are.
+    #[error("`overrides.{key}` = {value}: {problem}")]
+    Value {
+        /// The key.
+        key: String,
+        /// Its value.
+        value: toml::Value,
+        /// What would be right.
+        problem: String,
+    },
+    /// A value that the scene contradicts.
+    #[error("`overrides.{key}` = \"{value}\", but {conflict}")]
+    Conflict {
+        /// The key.
+        key: &'static str,
+        /// Its value.
+        value: &'static str,
+        /// What the scene needs, and what to do.
+        conflict: String,
+    },
+    /// A number out of range.
     #[error("[overrides]: {0}")]
-    Overrides(String),
-    /// A parameter is out of range.
-    #[error("[overrides] or the scene asks for a core that cannot be built: {0}")]
-    Config(#[from] ConfigError),
+    Range(#[from] ConfigError),
 }
 
 /// A part of the hardware that a scene may do without, or the size of one.
@@ -63,13 +105,39 @@ impl Demand {
             copies: self.copies + other.copies,
         }
     }
+
+    /// Parts of the hardware decide what the picture shows, so overrides may neither take nor add them at will.
+    fn check(&self, config: &Config, filter_radius_px: Option<f64>) -> Result<(), PlanError> {
+        let conflict = |key, value, conflict| Err(PlanError::Conflict { key, value, conflict });
+        if !config.culling.is_on() && self.back_facing > 0 {
+            let splats = self.back_facing;
+            let problem =
+                format!("{splats} splats of the scene face away from the eye and need it: remove the override");
+            return conflict("culling", "off", problem);
+        }
+        match filter_radius_px {
+            Some(radius) if !config.screen_filter.is_on() && self.filtered > 0 => {
+                let splats = self.filtered;
+                let problem = format!(
+                    "{splats} splats of the scene are narrower than its filter of {radius} px: remove the override or set \
+                     `splatting.filter_radius_px = 0`"
+                );
+                conflict("screen_filter", "off", problem)
+            }
+            None if config.screen_filter.is_on() => {
+                let problem = "the scene switches it off: remove the override or `splatting.filter_radius_px = 0`";
+                conflict("screen_filter", "on", problem.to_owned())
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 impl Plan {
     /// Derives the hardware from the scene; its `[overrides]` have the last word.
     ///
     /// # Errors
-    /// Overrides that are no keys of the configuration, or a configuration the hardware cannot hold.
+    /// Overrides that are no keys of the configuration, that the scene contradicts, or that the hardware cannot hold.
     pub fn of(scene: &Scene) -> Result<Self, PlanError> {
         let mut choices = Vec::new();
         let demand = scene.splats.par_iter().map(|splat| demand(scene, splat)).reduce(Demand::default, Demand::sum);
@@ -134,6 +202,7 @@ impl Plan {
         });
 
         config = overridden(&config, &scene.overrides)?;
+        demand.check(&config, scene.rendering.filter_radius_px)?;
         for (key, value) in &scene.overrides {
             let (chosen, reason) = (format!("{key} = {value}"), "the scene's [overrides] say so".to_owned());
             choices.push(Choice { part: "override", chosen, reason });
@@ -200,8 +269,96 @@ fn attributes(scene: &Scene) -> (Vec<usize>, [Option<f32>; CONTINUOUS_ATTRIBUTES
 
 /// A configuration with some of its keys replaced.
 fn overridden(config: &Config, overrides: &toml::Table) -> Result<Config, PlanError> {
-    let wrong = |error: &dyn std::fmt::Display| PlanError::Overrides(error.to_string().trim_end().to_owned());
-    let mut table = toml::Table::try_from(config).map_err(|error| wrong(&error))?;
-    table.extend(overrides.clone());
-    table.try_into().map_err(|error| wrong(&error))
+    let mut table = toml::Table::try_from(config).expect("a configuration is a TOML table");
+    for (key, value) in overrides {
+        if let Some(&(key, place)) = SCENE_KEYS.iter().find(|(determined, _)| determined == key) {
+            return Err(PlanError::Determined { key, place });
+        }
+        let wrong = |problem| PlanError::Value { key: key.clone(), value: value.clone(), problem };
+        let Some(planned) = table.get(key) else {
+            let determined = |key: &str| SCENE_KEYS.iter().any(|(determined, _)| *determined == key);
+            let keys: Vec<_> = table.keys().filter(|key| !determined(key)).map(|key| format!("`{key}`")).collect();
+            return Err(PlanError::Unknown { key: key.clone(), expected: keys.join(", ") });
+        };
+        if !planned.same_type(value) {
+            return Err(wrong(format!("expected a value such as {planned}")));
+        }
+        table.insert(key.clone(), value.clone());
+        // Key by key, so that the error is that of this key; its first line leaves out the key, which stands there already.
+        Config::deserialize(table.clone())
+            .map_err(|error| wrong(error.message().lines().next().unwrap_or_default().to_owned()))?;
+    }
+    Ok(table.try_into().expect("every replaced key was tried"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_spec::Format;
+    use std::path::Path;
+
+    const HEAD: &str = "camera = { eye = [0, 0, 5], target = [0, 0, 0], fov_degrees = 40, near = 1, far = 10 }\n\
+                        image = { width = 64, height = 48 }\n";
+    /// Half of its splats face away, and those at its rim are narrower than the screen filter.
+    const SPHERE: &str = "[[object]]\nkind = \"sphere\"\npoints = 500\nouter_radius = 1\n";
+    /// Faces the eye, with splats of a tenth of a pixel.
+    const DUST: &str =
+        "[[object]]\nkind = \"plane\"\npoints = 100\nsize = 1\nrotate_degrees = [90, 0, 0]\nradius = 0.01\n";
+
+    fn plan(text: &str) -> Result<Plan, PlanError> {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let path = folder.path().join("scene.toml");
+        std::fs::write(&path, text).expect("the folder is writable");
+        Plan::of(&Scene::load(Path::new(&path), &[]).unwrap_or_else(|error| panic!("{error}")))
+    }
+
+    #[test]
+    fn parts_are_generated_where_the_scene_needs_them() {
+        let sphere = plan(&format!("{HEAD}{SPHERE}")).expect("the scene is good").config;
+        assert_eq!((sphere.culling, sphere.screen_filter), (Feature::On, Feature::On));
+        let dust = plan(&format!("{HEAD}{DUST}")).expect("the scene is good").config;
+        assert_eq!((dust.culling, dust.screen_filter), (Feature::Off, Feature::On));
+        let plates = plan(&format!("{HEAD}{}", DUST.replace("0.01", "0.2"))).expect("the scene is good").config;
+        assert_eq!((plates.culling, plates.screen_filter), (Feature::Off, Feature::Off));
+        assert_eq!((dust.width, dust.height, dust.cardinal), (64, 48, 0));
+    }
+
+    #[test]
+    fn overrides_have_the_last_word() {
+        let text = format!("{HEAD}{DUST}[overrides]\nculling = \"on\"\nheap_levels = 9\ngeometry = \"f24-ftz\"\n");
+        let plan = plan(&text).expect("the overrides are good");
+        assert_eq!((plan.config.culling, plan.config.heap_levels), (Feature::On, 9));
+        assert_eq!(plan.config.geometry, Format::F24.flushed());
+        assert_eq!(plan.choices.iter().filter(|choice| choice.part == "override").count(), 3);
+    }
+
+    #[test]
+    fn overrides_that_do_not_fit_name_key_and_remedy() {
+        for (object, setting, parts) in [
+            (SPHERE, "frob = 1", ["`overrides.frob`", "`heap_levels`"]),
+            (SPHERE, "width = 64", ["`overrides.width`", "`image.width`"]),
+            (SPHERE, "height = 48", ["`overrides.height`", "`image.height`"]),
+            (SPHERE, "kernel_gamma = 2.0", ["`overrides.kernel_gamma`", "`splatting.kernel_gamma`"]),
+            (SPHERE, "continuous = 1", ["`overrides.continuous`", "normal and color"]),
+            (SPHERE, "cardinal = 1", ["`overrides.cardinal`", "`material`"]),
+            (SPHERE, "heap_levels = 99", ["`heap_levels` = 99", "2 to 14"]),
+            (SPHERE, "heap_levels = -1", ["`overrides.heap_levels` = -1", "u32"]),
+            (SPHERE, "heap_levels = \"9\"", ["`overrides.heap_levels` = \"9\"", "such as"]),
+            (SPHERE, "geometry = \"f8\"", ["`overrides.geometry` = \"f8\"", "f24"]),
+            (SPHERE, "culling = false", ["`overrides.culling` = false", "\"on\""]),
+            (SPHERE, "culling = \"maybe\"", ["`overrides.culling` = \"maybe\"", "`off`"]),
+            (SPHERE, "culling = \"off\"", ["`overrides.culling` = \"off\"", "face away"]),
+            (DUST, "screen_filter = \"off\"", ["`overrides.screen_filter` = \"off\"", "filter_radius_px"]),
+        ] {
+            let message = plan(&format!("{HEAD}{object}[overrides]\n{setting}\n")).expect_err(setting).to_string();
+            for part in parts {
+                assert!(message.contains(part), "`{part}` is missing in: {message}");
+            }
+            assert_eq!(message.lines().count(), 1, "{message}");
+        }
+        let unfiltered =
+            format!("{HEAD}{DUST}[splatting]\nfilter_radius_px = 0\n[overrides]\nscreen_filter = \"on\"\n");
+        let message = plan(&unfiltered).expect_err("the scene has no filter").to_string();
+        assert!(message.contains("screen_filter") && message.contains("filter_radius_px"), "{message}");
+    }
 }

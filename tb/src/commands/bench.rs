@@ -1,6 +1,6 @@
 //! `pointcore bench`: the project's figures, merged into one flat JSON object.
 
-use super::{Failure, Output, scene_name, write};
+use super::{Failure, Output, load, scene_name, write};
 use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble, verilate};
 use pointcore::float_check::{Enable, Stages, check_format};
 use pointcore::lockstep::Stall;
@@ -54,8 +54,7 @@ struct Prepared {
 
 impl Prepared {
     fn new(path: &Path, settings: &[String]) -> Result<Self, Failure> {
-        let scene = Scene::load(path, settings)?;
-        let plan = Plan::of(&scene)?;
+        let (scene, plan) = load(path, settings)?;
         let core = Core::generate(&plan.config)?;
         let library = verilate(&core, Trace::Off)?;
         let frame = EncodedFrame::new(&scene, &plan);

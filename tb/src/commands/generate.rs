@@ -1,9 +1,7 @@
 //! `pointcore gen SCENE|CONFIG -o DIR`.
 
-use super::{Failure, Output, write};
+use super::{Failure, Output, load, write};
 use pointcore::core_a::{Core, area};
-use pointcore::plan::Plan;
-use pointcore::scene::Scene;
 use pointcore_spec::core_a::Config;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -23,19 +21,22 @@ pub struct Arguments {
     /// The folder to write into; made if missing.
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Replaces a value of the scene file, e.g. `--set object.0.path=scan.ply`.
+    /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<String>,
 }
 
-/// Reads a configuration, from its own file or derived from a scene: what has a `[camera]` is a scene.
+/// Tables of which every scene has one and no configuration has any.
+const SCENE_TABLES: [&str; 3] = ["camera", "image", "object"];
+
+/// Reads a configuration, from its own file or derived from a scene.
 fn configuration(arguments: &Arguments) -> Result<Config, Failure> {
     let path = &arguments.source;
     let wrong = |problem: String| Failure::Configuration { path: path.clone(), problem };
     let text = std::fs::read_to_string(path).map_err(|error| wrong(format!("cannot be read: {error}")))?;
     let table: toml::Table = toml::from_str(&text).map_err(|error| wrong(error.to_string().trim_end().to_owned()))?;
-    if table.contains_key("camera") {
-        return Ok(Plan::of(&Scene::load(path, &arguments.settings)?)?.config);
+    if SCENE_TABLES.iter().any(|key| table.contains_key(*key)) {
+        return Ok(load(path, &arguments.settings)?.1.config);
     }
     if !arguments.settings.is_empty() {
         return Err(Failure::Usage("--set changes scenes; edit the configuration file instead".to_owned()));

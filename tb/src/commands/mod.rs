@@ -10,8 +10,8 @@ use pointcore::core_a::GenerateError;
 use pointcore::float_check::FloatCheckError;
 use pointcore::lockstep::LockstepError;
 use pointcore::picture::PictureError;
-use pointcore::plan::PlanError;
-use pointcore::scene::SceneError;
+use pointcore::plan::{Plan, PlanError};
+use pointcore::scene::{Scene, SceneError};
 use pointcore::verilated::VerilatedError;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -41,9 +41,14 @@ pub enum Failure {
     /// The scene or a model.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The hardware the scene asks for.
-    #[error(transparent)]
-    Plan(#[from] PlanError),
+    /// The hardware a scene asks for.
+    #[error("{}: {source}", path.display())]
+    Plan {
+        /// The scene file.
+        path: PathBuf,
+        /// What is wrong with its overrides.
+        source: PlanError,
+    },
     /// A configuration file.
     #[error("{}: {problem}", path.display())]
     Configuration {
@@ -78,6 +83,13 @@ pub enum Failure {
     /// A picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),
+}
+
+/// Loads a scene and derives its hardware.
+pub fn load(path: &Path, settings: &[String]) -> Result<(Scene, Plan), Failure> {
+    let scene = Scene::load(path, settings)?;
+    let plan = Plan::of(&scene).map_err(|source| Failure::Plan { path: path.to_owned(), source })?;
+    Ok((scene, plan))
 }
 
 /// Writes a file, making its folder.

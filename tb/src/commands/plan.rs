@@ -1,9 +1,7 @@
 //! `pointcore plan SCENE`.
 
-use super::{Failure, Output};
+use super::{Failure, Output, load};
 use pointcore::core_a::{Core, area};
-use pointcore::plan::Plan;
-use pointcore::scene::Scene;
 use pointcore_spec::core_a::{Config, Feature};
 use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
 use serde_json::json;
@@ -15,7 +13,7 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// The scene file.
     scene: PathBuf,
-    /// Replaces a value of the scene file, e.g. `--set object.0.path=scan.ply`.
+    /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<String>,
 }
@@ -34,8 +32,7 @@ fn everything(config: &Config) -> Config {
 
 /// Explains the hardware for a scene.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
-    let scene = Scene::load(&arguments.scene, &arguments.settings)?;
-    let plan = Plan::of(&scene)?;
+    let (scene, plan) = load(&arguments.scene, &arguments.settings)?;
     let planned = Core::generate(&plan.config)?;
     let full = Core::generate(&everything(&plan.config))?;
 

@@ -1,11 +1,9 @@
 //! `pointcore run SCENE`.
 
-use super::{Failure, Output, generate, scene_name, write};
+use super::{Failure, Output, generate, load, scene_name, write};
 use indicatif::{ProgressBar, ProgressStyle};
 use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble, verilate};
 use pointcore::lockstep::Stall;
-use pointcore::plan::Plan;
-use pointcore::scene::Scene;
 use pointcore::shading::shade;
 use pointcore::verilated::Trace;
 use pointcore_golden::reference::{self, Mapping};
@@ -52,7 +50,7 @@ pub struct Arguments {
     /// Seed of the stalls and of the hardware's uninitialized values.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Replaces a value of the scene file, e.g. `--set object.0.path=scan.ply`.
+    /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<String>,
 }
@@ -130,8 +128,7 @@ impl Arguments {
 /// Renders a scene.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     arguments.check()?;
-    let scene = Scene::load(&arguments.scene, &arguments.settings)?;
-    let plan = Plan::of(&scene)?;
+    let (scene, plan) = load(&arguments.scene, &arguments.settings)?;
     let name = scene_name(&arguments.scene);
     let folder = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(&name));
     std::fs::create_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
