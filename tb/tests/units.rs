@@ -1,4 +1,5 @@
 //! Hardware against golden models, one module a unit.
+mod command;
 mod compiler;
 mod float;
 mod harness;
