@@ -103,6 +103,38 @@ pub fn stream<S, T: Record<S>>(visitor: &mut impl Visitor, shape: S, prefix: &'s
     optional(visitor, shape, prefix, "valid", value);
 }
 
+/// What a unit sees that one stream runs through, ports `in` and `out`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ThroughIn<T> {
+    /// The item on offer.
+    pub input: Option<T>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+}
+
+/// What a unit shows that one stream runs through.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ThroughOut<T> {
+    /// Whether an item is accepted.
+    pub in_ready: bool,
+    /// The item on offer.
+    pub out: Option<T>,
+}
+
+impl<S: Copy, T: Record<S>> Record<S> for ThroughIn<T> {
+    fn visit(&mut self, shape: S, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+    }
+}
+
+impl<S: Copy, T: Record<S>> Record<S> for ThroughOut<T> {
+    fn visit(&mut self, shape: S, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "out_", &mut self.out);
+    }
+}
+
 /// A model with its ports as words.
 #[derive(Clone, Debug)]
 pub struct Ported<M> {

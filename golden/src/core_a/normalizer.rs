@@ -5,7 +5,7 @@
 use super::records::{FinishedPixel, Fragment, Shape};
 use crate::datapath::Datapath;
 use crate::number::Number;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::{Model, ThroughIn, ThroughOut};
 use pointcore_spec::Format;
 use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::{DEPTH_BITS, DEPTH_SUM_BITS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS};
@@ -13,22 +13,10 @@ use pointcore_spec::core_a::config::{DEPTH_BITS, DEPTH_SUM_BITS, TILE_SIZE, WEIG
 const SIZE: u32 = TILE_SIZE;
 
 /// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Pixels that hold a weight.
-    pub input: Option<FinishedPixel>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-}
+pub type In = ThroughIn<FinishedPixel>;
 
 /// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a pixel is accepted.
-    pub in_ready: bool,
-    /// Fragments.
-    pub out: Option<Fragment>,
-}
+pub type Out = ThroughOut<Fragment>;
 
 /// The normalizer.
 #[derive(Clone, Debug)]
@@ -95,20 +83,6 @@ impl Model for Normalizer {
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready()).map(|pixel| self.normalize(pixel));
         self.datapath.step(accepted, inputs.out_ready);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
     }
 }
 

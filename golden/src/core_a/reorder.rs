@@ -7,26 +7,14 @@ use super::heap::{self, Heap, HeapEntry};
 use super::records::{Shape, SplatCopy};
 use crate::stream::Fifo;
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::{Model, ThroughIn, ThroughOut};
 use pointcore_spec::core_a::Config;
 
 /// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Copies in order of arrival.
-    pub input: Option<SplatCopy>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-}
+pub type In = ThroughIn<SplatCopy>;
 
 /// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a copy is accepted.
-    pub in_ready: bool,
-    /// Copies in order of tiles.
-    pub out: Option<SplatCopy>,
-}
+pub type Out = ThroughOut<SplatCopy>;
 
 /// The reorder stage.
 #[derive(Clone, Debug)]
@@ -110,20 +98,6 @@ impl Model for Reorder {
         self.heap.clock(&heap::In { input: offer.map(|(entry, _)| entry), out_ready: advances });
         self.input.step(inputs.input, ends || inserted.is_some());
         self.out.step(out, inputs.out_ready);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
     }
 }
 

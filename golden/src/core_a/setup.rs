@@ -7,7 +7,7 @@ use super::records::{Band, Footprint, Rectangle, SetupSplat, Shape, Splat};
 use super::uniforms::SetupUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
 use pointcore_spec::Format;
 use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::DEPTH_BITS;
@@ -38,13 +38,7 @@ pub struct In {
 }
 
 /// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a splat is accepted.
-    pub in_ready: bool,
-    /// Splats with footprint and bounds.
-    pub out: Option<SetupSplat>,
-}
+pub type Out = ThroughOut<SetupSplat>;
 
 /// The setup unit.
 #[derive(Clone, Debug)]
@@ -204,13 +198,6 @@ impl Record<Shape> for In {
         stream(visitor, shape, "in_", &mut self.input);
         visitor.field("out_ready", &mut self.out_ready);
         self.uniforms.visit(shape, visitor);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
     }
 }
 

@@ -4,29 +4,17 @@
 
 use super::records::{Rectangle, SetupSplat, Shape, SplatCopy};
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::{Model, ThroughIn, ThroughOut};
 use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::TILE_SIZE;
 
 const SIZE: u16 = TILE_SIZE as u16;
 
 /// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Splats with bounds in the image.
-    pub input: Option<SetupSplat>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-}
+pub type In = ThroughIn<SetupSplat>;
 
 /// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a splat is accepted.
-    pub in_ready: bool,
-    /// Copies with bounds in their tile.
-    pub out: Option<SplatCopy>,
-}
+pub type Out = ThroughOut<SplatCopy>;
 
 /// The splat that is being cut and the tile that comes next.
 #[derive(Clone, Copy, Debug)]
@@ -119,20 +107,6 @@ impl Model for Splitter {
             self.work = if self.in_ready() { inputs.input.map(Work::new) } else { self.work.map(Work::next) };
         }
         self.out.step(copy, inputs.out_ready);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
     }
 }
 

@@ -7,7 +7,7 @@ use super::records::{Shape, Splat};
 use super::uniforms::TransformUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
 use pointcore_spec::Format;
 use pointcore_spec::core_a::{Config, Feature};
 
@@ -23,13 +23,7 @@ pub struct In {
 }
 
 /// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a splat is accepted.
-    pub in_ready: bool,
-    /// Splats in camera space.
-    pub out: Option<Splat>,
-}
+pub type Out = ThroughOut<Splat>;
 
 /// The transform unit.
 #[derive(Clone, Debug)]
@@ -107,13 +101,6 @@ impl Record<Shape> for In {
         stream(visitor, shape, "in_", &mut self.input);
         visitor.field("out_ready", &mut self.out_ready);
         self.uniforms.visit(shape, visitor);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
     }
 }
 

@@ -6,28 +6,16 @@
 use super::records::{Sample, Shape, WeightedSample};
 use crate::datapath::Datapath;
 use crate::number::Number;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::{Model, ThroughIn, ThroughOut};
 use pointcore_spec::Format;
 use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::WEIGHT_BITS;
 
 /// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Samples.
-    pub input: Option<Sample>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-}
+pub type In = ThroughIn<Sample>;
 
 /// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a sample is accepted.
-    pub in_ready: bool,
-    /// Samples with their contributions.
-    pub out: Option<WeightedSample>,
-}
+pub type Out = ThroughOut<WeightedSample>;
 
 /// The weighting unit.
 #[derive(Clone, Debug)]
@@ -74,20 +62,6 @@ impl Model for Weighting {
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready()).map(|sample| self.weigh(sample));
         self.datapath.step(accepted, inputs.out_ready);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
     }
 }
 
