@@ -31,7 +31,7 @@ fn field_width(format: Format) -> usize {
 
 fn delays(format: Format) -> Vec<u32> {
     let (p, field) = (format.mantissa + 1, field_width(format) as u32);
-    let exponents = 3 * delay::adder(format.exponent) / 2 + 2 * delay::LEVEL;
+    let exponents = 2 * delay::adder(format.exponent) + 2 * delay::LEVEL;
     let mut delays = vec![exponents];
     delays.extend(product_delays(p, p));
     delays.extend(normalize_sum_delays(format, field, delay::adder(field) + delay::LEVEL));
@@ -63,14 +63,15 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let nan = pipe.carry("nan", &nan);
     let infinite = pipe.carry("infinite", &infinite);
 
-    // Biased exponent of the field's top bit, where the addend stands unshifted; less one, the shift down to exponent 1.
+    // The product's biased exponent at the field's top bit, where the addend stands unshifted, is `factors + lead`; less
+    // one, it is the shift down to exponent 1.
     let bits = exponent_width(format) + 1;
-    let lead = signed(bits, (p + EXTRA) as i32 - format.bias());
-    let product_exponent = a.exponent.zext(bits) + b.exponent.zext(bits) + lead;
+    let lead = (p + EXTRA) as i32 - format.bias();
     let addend_exponent = c.exponent.zext(bits);
-    let distance = &product_exponent - &addend_exponent;
+    let factors = a.exponent.zext(bits) + b.exponent.zext(bits);
+    let distance = &factors + (signed(bits, lead) - &addend_exponent);
     let addend_leads = pipe.module.wire("addend_leads", &(product_zero | distance.msb()));
-    let limit = addend_leads.mux(&addend_exponent.sub_lit(1), &product_exponent.sub_lit(1)).trunc(bits - 1);
+    let limit = addend_leads.mux(&addend_exponent.sub_lit(1), &(factors + signed(bits, lead - 1))).trunc(bits - 1);
     let mut limit = pipe.carry("limit", &limit);
     let [distance, left, right, addend] = pipe.cut([
         ("distance", &(distance & !addend_leads.repeat(bits)).trunc(bits - 1)),
