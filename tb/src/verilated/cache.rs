@@ -17,8 +17,9 @@ pub struct Cache {
 }
 
 impl Cache {
+    /// Tools run in folders of their own, so the path is made absolute.
     pub fn new(folder: PathBuf) -> Self {
-        Self { folder }
+        Self { folder: std::path::absolute(&folder).unwrap_or(folder) }
     }
 
     pub fn folder(&self) -> &Path {
