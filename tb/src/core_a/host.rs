@@ -54,7 +54,7 @@ impl Places {
 /// What a run counted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Cycles from the first splat offered to the end fragment.
+    /// Cycles from the first splat offered to the last end fragment.
     pub cycles: u64,
     /// Cycles of each of [`EVENTS`].
     pub events: [u64; EVENTS.len()],
@@ -81,15 +81,18 @@ pub struct Host<'a> {
     fragment: StreamPlaces,
     events: Range<usize>,
     sent: usize,
+    /// End records whose end fragment has not come yet.
+    open_frames: usize,
     buffer: ReconstructionBuffer,
-    /// Fragments as they came, field by field; the end fragment is not among them.
+    /// Fragments as they came, field by field; end fragments are not among them.
     pub fragments: Vec<u64>,
     /// Counts so far.
     pub counters: Counters,
 }
 
 impl<'a> Host<'a> {
-    /// A host that sends `frame` once; `stalls` says when it holds back.
+    /// A host that sends `frame` once and waits for as many end fragments as it has end records; `stalls` says when it holds
+    /// back.
     #[must_use]
     pub fn new(config: &Config, frame: &'a Frame, stalls: Stalls, progress: Progress<'a>) -> Self {
         let places = Places::new(&ports::top(config));
@@ -109,13 +112,14 @@ impl<'a> Host<'a> {
             fragment: places.stream(Direction::Output, "fragment", records::fragment(config).len()),
             events: events..events + EVENTS.len(),
             sent: 0,
+            open_frames: frame.records.chunks_exact(frame.record_words).filter(|record| record[0] == 1).count(),
             buffer: ReconstructionBuffer::new(tiles, pixel_words, MEMORY_LATENCY_CYCLES),
             fragments: Vec::new(),
             counters: Counters::default(),
         }
     }
 
-    /// Accounts for what moved in the cycle before; true when the end fragment came.
+    /// Accounts for what moved in the cycle before; true when the last end fragment came.
     fn account(&mut self, cycle: u64, inputs: &[u64], outputs: &[u64]) -> bool {
         if inputs[self.splat.valid] & outputs[self.splat.ready] == 1 {
             self.sent += 1;
@@ -137,11 +141,12 @@ impl<'a> Host<'a> {
             return false;
         }
         let fields = &outputs[self.fragment.fields.clone()];
-        let end = fields[0] == 1;
-        if !end {
+        if fields[0] == 1 {
+            self.open_frames -= 1;
+        } else {
             self.fragments.extend(&fields[1..]);
         }
-        end
+        self.open_frames == 0
     }
 
     /// Offers the next record, unless the stalls hold it back; an offer once made stands.

@@ -3,6 +3,17 @@
 use pointcore_spec::core_a::Port;
 use pointcore_spec::core_a::ports::Direction;
 use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Names of the ports of a direction, in the order of their words.
+fn names(ports: &[Port], direction: Direction) -> impl Iterator<Item = &str> {
+    ports.iter().filter(move |port| port.direction == direction).map(|port| port.name.as_str())
+}
+
+fn place(ports: &[Port], direction: Direction, name: &str) -> usize {
+    names(ports, direction).position(|port| port == name).expect("masks name ports of their own unit")
+}
 
 /// A mask for [`Lockstep`](crate::lockstep::Lockstep): an end record carries nothing else, so its other fields are left open.
 pub fn end_records(ports: &[Port]) -> impl FnMut(&mut [u64], &mut [u64]) + Send + 'static {
@@ -18,6 +29,74 @@ pub fn end_records(ports: &[Port]) -> impl FnMut(&mut [u64], &mut [u64]) + Send 
             for (end, fields) in &records {
                 if words[*end] == 1 {
                     words[fields.clone()].fill(0);
+                }
+            }
+        }
+    }
+}
+
+/// The mask of the tile cache: end records, and the pixel to be drained while none is.
+///
+/// # Panics
+/// When the ports are another unit's.
+pub fn tile_cache(ports: &[Port]) -> impl FnMut(&mut [u64], &mut [u64]) + Send + 'static {
+    let mut end_records = end_records(ports);
+    let [enable, slot, pixel] =
+        ["drain_enable", "drain_slot", "drain_pixel"].map(|name| place(ports, Direction::Output, name));
+    move |hardware, golden| {
+        end_records(hardware, golden);
+        for words in [hardware, golden] {
+            if words[enable] == 0 {
+                (words[slot], words[pixel]) = (0, 0);
+            }
+        }
+    }
+}
+
+/// The mask of the accumulator: a drained pixel shows from the cycle after its drain until its slot is ready again, when samples
+/// read the slot. Inputs decide, so it watches what the model sees.
+pub struct DrainedPixel {
+    enable: usize,
+    slot: usize,
+    ready: usize,
+    pixel: Vec<usize>,
+    shows: Arc<AtomicBool>,
+}
+
+impl DrainedPixel {
+    /// For the accumulator's ports in the order of the words.
+    ///
+    /// # Panics
+    /// When the ports are another unit's.
+    #[must_use]
+    pub fn new(ports: &[Port]) -> Self {
+        let [enable, slot, ready] =
+            ["drain_enable", "drain_slot", "slot_ready"].map(|name| place(ports, Direction::Input, name));
+        let outputs = names(ports, Direction::Output).enumerate();
+        let pixel = outputs.filter(|(_, name)| name.starts_with("drain_")).map(|(place, _)| place).collect();
+        Self { enable, slot, ready, pixel, shows: Arc::default() }
+    }
+
+    /// The model, watched.
+    pub fn watch<M: FnMut(&[u64], &mut [u64])>(&self, mut model: M) -> impl FnMut(&[u64], &mut [u64]) + use<M> {
+        let (enable, slot, ready, shows) = (self.enable, self.slot, self.ready, Arc::clone(&self.shows));
+        let mut drained_slot = None;
+        move |inputs, outputs| {
+            shows.store(drained_slot.is_some(), Ordering::Relaxed);
+            model(inputs, outputs);
+            if inputs[enable] == 1 {
+                drained_slot = Some(inputs[slot]);
+            }
+            drained_slot = drained_slot.filter(|slot| inputs[ready] >> slot & 1 == 0);
+        }
+    }
+
+    /// The mask itself.
+    pub fn mask(self) -> impl FnMut(&mut [u64], &mut [u64]) + Send + 'static {
+        move |hardware, golden| {
+            if !self.shows.load(Ordering::Relaxed) {
+                for words in [hardware, golden] {
+                    self.pixel.iter().for_each(|&place| words[place] = 0);
                 }
             }
         }
