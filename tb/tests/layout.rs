@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders of `hdl/src` and `golden/src` whose files are units.
-const CORES: &[&str] = &["stream"];
+const CORES: &[&str] = &["stream", "core_a"];
 
 /// Files in those folders of `hdl/src` that are no units but serve several.
-const HELPERS: &[&str] = &[];
+const HELPERS: &[&str] = &["core_a/heap_level", "core_a/heap_order", "core_a/tile_directory"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

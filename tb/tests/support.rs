@@ -3,12 +3,52 @@
 use std::sync::Arc;
 
 use pointcore::verilated::{Builder, Library, Options, Source};
-use pointcore_hdl::rtl::{Module, elaborate};
+use pointcore_golden::unit::Unit;
+use pointcore_hdl::rtl::{self, Module, elaborate};
+use pointcore_spec::core_a::{Direction, Port};
 
 /// A unit, elaborated and verilated; its outputs must be functions of registers only.
 pub fn verilate(unit: &Module) -> Arc<Library> {
     let design = elaborate(unit).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(design.combinational_paths(), [], "{} has a path from input to output", design.top());
+    build(&Source::from(&design))
+}
+
+/// A design, verilated so that it builds soonest.
+pub fn build(source: &Source) -> Arc<Library> {
     let builder = Builder::new().unwrap_or_else(|error| panic!("{error}"));
-    builder.build(&Source::from(&design), Options::default()).unwrap_or_else(|error| panic!("{error}"))
+    builder.build(source, Options::default()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The hardware's ports in the specification's terms and the hardware's order.
+pub fn ports(library: &Library) -> Vec<Port> {
+    let port = |port: &rtl::Port| Port {
+        name: port.name.clone(),
+        width: u32::try_from(port.width).expect("ports fit a word"),
+        direction: match port.direction {
+            rtl::Direction::Input => Direction::Input,
+            rtl::Direction::Output => Direction::Output,
+        },
+    };
+    library.inputs().iter().chain(library.outputs()).map(port).collect()
+}
+
+/// For each of the specified ports of a direction, its place among the hardware's.
+pub fn places(library: &Library, specified: &[Port], direction: Direction) -> Vec<usize> {
+    let side = if direction == Direction::Input { library.inputs() } else { library.outputs() };
+    let of_direction = specified.iter().filter(|port| port.direction == direction);
+    let place = |port: &Port| side.iter().position(|other| other.name == port.name);
+    of_direction.map(|port| place(port).unwrap_or_else(|| panic!("the hardware has no port {}", port.name))).collect()
+}
+
+/// A model that finds its words by the names of the ports: the hardware's order need not be the specification's.
+pub fn by_name(library: &Library, specified: &[Port], mut model: impl Unit) -> impl FnMut(&[u64], &mut [u64]) {
+    let [input_places, output_places] =
+        [Direction::Input, Direction::Output].map(|direction| places(library, specified, direction));
+    let (mut inputs, mut outputs) = (vec![0; input_places.len()], vec![0; output_places.len()]);
+    move |hardware_inputs, hardware_outputs| {
+        inputs.iter_mut().zip(&input_places).for_each(|(input, &place)| *input = hardware_inputs[place]);
+        model.step(&inputs, &mut outputs);
+        outputs.iter().zip(&output_places).for_each(|(output, &place)| hardware_outputs[place] = *output);
+    }
 }

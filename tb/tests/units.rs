@@ -1,9 +1,23 @@
 //! Hardware against golden models, one module a unit.
 mod command;
 mod compiler;
+mod core_a;
+mod core_a_accumulator;
+mod core_a_depth_test;
+mod core_a_heap;
+mod core_a_normalizer;
+mod core_a_rasterizer;
+mod core_a_reorder;
+mod core_a_setup;
+mod core_a_splitter;
+mod core_a_tile_cache;
+mod core_a_top;
+mod core_a_transform;
+mod core_a_weighting;
 mod float;
 mod harness;
 mod layout;
+mod plan;
 mod stream_fifo;
 mod stream_skid;
 mod support;

@@ -1,0 +1,43 @@
+//! `core_a_heap` against its model, in every cycle.
+
+use pointcore_golden::core_a::Heap;
+use pointcore_hdl::core_a::heap;
+use pointcore_spec::core_a::{Config, ports};
+
+use crate::core_a::{Device, RUNS, scene};
+
+const ENTRIES: u64 = 3000;
+
+/// Entries in bursts of few tiles, so that many have the same tile and differ in arrival only.
+fn entries(config: &Config) -> Vec<Vec<u64>> {
+    let mut random = scene::random();
+    let (tiles, pointers) = (1 << config.tile_bits(), 1 << config.heap_levels);
+    let entry = |index: u64| {
+        let spread = if index % 64 < 32 { 3 } else { tiles };
+        vec![random.u64(0..spread), random.u64(0..pointers)]
+    };
+    (0..ENTRIES).map(entry).collect()
+}
+
+fn sorted(mut entries: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
+    entries.sort();
+    entries
+}
+
+/// Levels, bits of the arrival number and image width: epochs as short as two arrivals, longer ones than the heap is large, one
+/// column of tiles and many.
+#[test]
+fn it_agrees_with_the_model_at_every_size() {
+    for (heap_levels, sequence_bits, width) in [(2, 2, 8), (3, 3, 61), (4, 2, 61), (5, 4, 130), (3, 6, 61)] {
+        let config = Config { heap_levels, sequence_bits, width, height: 37, ..Config::default() };
+        let device = Device::new(&heap::module(&config), ports::heap(&config));
+        let entries = entries(&config);
+        let runs = device.runs(&Heap::new(&config), &entries, &[]);
+        let reordered = runs.iter().filter(|run| **run != entries).count() as u64;
+        // Without stalls every entry leaves at once.
+        assert!(reordered >= runs.len() as u64 - 1, "{reordered} runs of {RUNS} were reordered");
+        for run in runs {
+            assert!(sorted(run) == sorted(entries.clone()), "what leaves is what entered");
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! `core_a_setup` against its model, in every cycle.
+
+use pointcore_golden::core_a::Setup;
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::core_a::setup;
+use pointcore_spec::core_a::ports;
+
+use crate::core_a::{Device, configs, scene};
+
+const SPLATS: usize = 1500;
+
+#[test]
+fn it_agrees_with_the_model_on_splats_of_all_kinds() {
+    for config in configs() {
+        let hardware = setup::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        let device = Device::new(&hardware.module, ports::setup(&config));
+        let mut splats = scene::camera(&config, SPLATS);
+        scene::spoil(&config, &mut splats, 16, &mut scene::random());
+        let model = Setup::new(&config, hardware.manifest.latency);
+        let passed = device.run(&model, &splats, &scene::uniforms(&config)).len();
+        assert!((SPLATS / 10..splats.len()).contains(&passed), "{passed} of {} splats are in view", splats.len());
+    }
+}

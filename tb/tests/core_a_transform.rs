@@ -1,0 +1,24 @@
+//! `core_a_transform` against its model, in every cycle.
+
+use pointcore_golden::core_a::Transform;
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::core_a::transform;
+use pointcore_spec::core_a::ports;
+
+use crate::core_a::{Device, configs, scene};
+
+const SPLATS: usize = 1500;
+
+#[test]
+fn it_agrees_with_the_model_on_splats_of_all_kinds() {
+    for config in configs() {
+        let hardware = transform::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        let device = Device::new(&hardware.module, ports::transform(&config));
+        let mut splats = scene::world(&config, SPLATS);
+        scene::spoil(&config, &mut splats, 16, &mut scene::random());
+        let model = Transform::new(&config, hardware.manifest.latency);
+        let passed = device.run(&model, &splats, &scene::uniforms(&config)).len();
+        let (least, most) = if config.culling.is_on() { (SPLATS / 5, SPLATS * 3 / 5) } else { (SPLATS / 2, SPLATS) };
+        assert!((least..most).contains(&passed), "{passed} of {SPLATS} splats are visible");
+    }
+}
