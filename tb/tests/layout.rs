@@ -5,10 +5,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders of `hdl/src` and `golden/src` whose files are units.
-const CORES: &[&str] = &["stream", "core_a"];
+const CORES: &[&str] = &["stream", "core_a", "core_b"];
 
 /// Files in those folders of `hdl/src` that are no units but serve several.
-const HELPERS: &[&str] = &["core_a/heap_level", "core_a/heap_order", "core_a/tile_directory"];
+const HELPERS: &[&str] = &[
+    "core_a/heap_level",
+    "core_a/heap_order",
+    "core_a/tile_directory",
+    "core_b/coordinates",
+    "core_b/queue_readout",
+    "core_b/queue_row",
+    "core_b/sets",
+];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

@@ -1,0 +1,46 @@
+//! Thread control against its model, with surroundings that end searches sooner or later.
+
+use pointcore_golden::core_b::Threads;
+use pointcore_hdl::core_b::threads;
+use pointcore_spec::core_b::ports;
+
+use crate::core_b::environment::{Feeds, Rule};
+use crate::core_b::{all, configs, lockstep, query};
+
+const QUERIES: u64 = 100;
+
+/// Descents reach leaves, leaves are done later, pops find a path or an empty stack.
+#[derive(Clone)]
+struct Searches;
+
+impl Rule for Searches {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        let thread = vec![fields[0]];
+        match stream {
+            "descend" => feeds.feed("reached", thread),
+            "reached" => feeds.feed("leaf_done", thread),
+            "pop" if feeds.random.u8(..4) == 0 => feeds.feed("empty", thread),
+            "pop" => feeds.feed("reached", thread),
+            "finish" => feeds.feed("released", thread),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn threads_agree_with_the_model_until_every_query_is_finished() {
+    for config in configs() {
+        let begin = |feeds: &mut Feeds| {
+            for number in 0..QUERIES {
+                let query = query(&config, number, &mut feeds.random);
+                feeds.feed("query", query);
+            }
+            Searches
+        };
+        let (module, model) = (threads::module(&config), Threads::new(&config));
+        lockstep(&module, &model, &ports::threads(&config), begin, all, |_, report| {
+            assert_eq!(report.transfers("finish"), QUERIES);
+            assert_eq!(report.transfers("reached"), report.transfers("leaf_done"));
+        });
+    }
+}

@@ -1,0 +1,74 @@
+//! Node traversal against its model on small random trees.
+
+use pointcore_golden::core_b::Traversal;
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::core_b::traversal;
+use pointcore_spec::core_b::{Config, ports};
+
+use crate::core_b::environment::{Feeds, Rule};
+use crate::core_b::tree::Tree;
+use crate::core_b::{all, configs, lockstep, start};
+
+const DESCENTS: u64 = 100;
+
+/// Each thread comes back with a path that it pushed, or with another query when it has none.
+#[derive(Clone)]
+struct Threads {
+    config: Config,
+    writes_left: usize,
+    starts_left: u64,
+    paths: Vec<Vec<u64>>,
+}
+
+impl Threads {
+    fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
+        if self.starts_left > 0 {
+            self.starts_left -= 1;
+            let start = start(&self.config, thread, self.starts_left, &mut feeds.random);
+            feeds.feed("start", start);
+        }
+    }
+}
+
+impl Rule for Threads {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        match stream {
+            "tree" => {
+                self.writes_left -= 1;
+                if self.writes_left == 0 {
+                    (0..self.config.threads.into()).for_each(|thread| self.restart(feeds, thread));
+                }
+            }
+            "start" => feeds.feed("descend", vec![fields[0], 1]),
+            "push" => self.paths[fields[0] as usize].push(fields[1]),
+            "reached" => match self.paths[fields[0] as usize].pop() {
+                Some(node) => feeds.feed("resume", vec![fields[0], node]),
+                None => self.restart(feeds, fields[0]),
+            },
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn descents_agree_with_the_model_and_visit_every_leaf() {
+    for config in configs() {
+        let unit = traversal::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        let begin = |feeds: &mut Feeds| {
+            let tree = Tree::random(&config, &mut feeds.random);
+            tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone()));
+            Threads {
+                config: config.clone(),
+                writes_left: tree.writes.len(),
+                starts_left: DESCENTS,
+                paths: vec![vec![]; config.threads as usize],
+            }
+        };
+        let model = Traversal::new(&config, unit.manifest.latency);
+        lockstep(&unit.module, &model, &ports::traversal(&config), begin, all, |threads, report| {
+            assert_eq!(report.transfers("descend"), DESCENTS);
+            assert_eq!(report.transfers("leaf"), DESCENTS + report.transfers("push"), "a path ends in a leaf each");
+            assert!(threads.paths.iter().all(Vec::is_empty));
+        });
+    }
+}
