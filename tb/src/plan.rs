@@ -134,6 +134,21 @@ impl Demand {
 }
 
 impl Plan {
+    /// The same frame on hardware with everything in: what leaving parts out is measured against.
+    #[must_use]
+    pub fn with_everything(&self) -> Self {
+        let config = Config {
+            culling: Feature::On,
+            screen_filter: Feature::On,
+            continuous: CONTINUOUS_ATTRIBUTES as u32,
+            cardinal: self.config.cardinal.max(1),
+            heap_levels: self.config.heap_levels.max(Config::default().heap_levels),
+            ..self.config.clone()
+        };
+        let attributes = (0..CONTINUOUS_ATTRIBUTES).collect();
+        Self { config, attributes, constants: [None; CONTINUOUS_ATTRIBUTES], choices: Vec::new() }
+    }
+
     /// Derives the hardware from the scene; its `[overrides]` have the last word.
     ///
     /// # Errors

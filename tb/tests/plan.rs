@@ -49,13 +49,7 @@ fn hardware_shrinks_with_the_scene() {
         assert!(small < large, "{figure}: {small} for the plane, {large} for the shapes");
     }
 
-    // Everything in, at the plane's image size.
-    let everything = Plan {
-        config: Config { width: small.config.width, height: small.config.height, ..large.config },
-        attributes: (0..CONTINUOUS_ATTRIBUTES).collect(),
-        constants: [None; CONTINUOUS_ATTRIBUTES],
-        choices: Vec::new(),
-    };
+    let everything = small.with_everything();
     let large_core = generate(&everything);
     let [with_little, with_all] =
         [(&small, &cores[0]), (&everything, &large_core)].map(|(plan, core)| render(&plane, plan, core));

@@ -1,7 +1,7 @@
 //! `pointcore bench`: the project's figures, merged into one flat JSON object.
 
 use super::{Failure, Output, load, scene_name, write};
-use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble, verilate};
+use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, area, assemble, verilate};
 use pointcore::float_check::{Enable, Stages, check_format};
 use pointcore::lockstep::Stall;
 use pointcore::plan::Plan;
@@ -55,10 +55,19 @@ struct Prepared {
 impl Prepared {
     fn new(path: &Path, settings: &[String]) -> Result<Self, Failure> {
         let (scene, plan) = load(path, settings)?;
+        Self::on(scene_name(path), scene, plan)
+    }
+
+    fn on(name: String, scene: Scene, plan: Plan) -> Result<Self, Failure> {
         let core = Core::generate(&plan.config)?;
         let library = verilate(&core, Trace::Off)?;
         let frame = EncodedFrame::new(&scene, &plan);
-        Ok(Self { name: scene_name(path), scene, plan, core, library, frame })
+        Ok(Self { name, scene, plan, core, library, frame })
+    }
+
+    /// The same frame on hardware with everything in.
+    fn with_everything(&self) -> Result<Self, Failure> {
+        Self::on(self.name.clone(), self.scene.clone(), self.plan.with_everything())
     }
 
     fn runner(&self, stall: Stall, seed: u64) -> Runner<'_> {
@@ -141,6 +150,28 @@ fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failu
     Ok(())
 }
 
+/// What leaving out what a scene does not call for saves: simulation time, alternating with hardware that has everything in.
+fn saving_figures(planned: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+    let everything = planned.with_everything()?;
+    let mut ratios = Vec::new();
+    for repetition in 1..=REPETITIONS {
+        eprintln!("{}: planned hardware beside everything, {repetition} of {REPETITIONS}", planned.name);
+        let [small, large] = [planned, &everything].map(|prepared| {
+            prepared
+                .runner(Stall::Never, 1)
+                .hardware(&prepared.library, None)
+                .map(|outcome| outcome.elapsed.as_secs_f64())
+        });
+        ratios.push(small? / large?);
+    }
+    figures.insert(format!("plan.{}.time_ratio", planned.name), median(ratios).into());
+    for (name, small, large) in area::rows(&planned.core.design, &everything.core.design) {
+        let key = format!("plan.{}.{}_ratio", planned.name, name.replace(' ', "_"));
+        figures.insert(key, (small as f64 / large as f64).into());
+    }
+    Ok(())
+}
+
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
@@ -181,6 +212,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         Err(Failure::Scene(error)) if arguments.scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
         Err(failure) => return Err(failure),
     }
+    saving_figures(&Prepared::new(Path::new("scenes/plane.toml"), &[])?, &mut figures)?;
     operator_figures(&mut figures)?;
 
     let mut merged = existing(&arguments.output)?;

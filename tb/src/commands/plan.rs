@@ -2,8 +2,6 @@
 
 use super::{Failure, Output, load};
 use pointcore::core_a::{Core, area};
-use pointcore_spec::core_a::{Config, Feature};
-use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
 use serde_json::json;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -18,23 +16,11 @@ pub struct Arguments {
     settings: Vec<String>,
 }
 
-/// The core with everything in: what a scene's hardware is compared with.
-fn everything(config: &Config) -> Config {
-    Config {
-        culling: Feature::On,
-        screen_filter: Feature::On,
-        continuous: CONTINUOUS_ATTRIBUTES as u32,
-        cardinal: 1,
-        heap_levels: config.heap_levels.max(Config::default().heap_levels),
-        ..config.clone()
-    }
-}
-
 /// Explains the hardware for a scene.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let (scene, plan) = load(&arguments.scene, &arguments.settings)?;
     let planned = Core::generate(&plan.config)?;
-    let full = Core::generate(&everything(&plan.config))?;
+    let full = Core::generate(&plan.with_everything().config)?;
 
     let mut text = format!("{}: {} splats\n\n", arguments.scene.display(), scene.splats.len());
     for choice in &plan.choices {
