@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Folders of `hdl/src` and `golden/src` whose files are units.
 const CORES: &[&str] = &["stream", "core_a", "core_b"];
 
-/// Files in those folders of `hdl/src` that are no units but serve several.
+/// Files of `hdl/src` in those folders and in `float` that are no units but serve several.
 const HELPERS: &[&str] = &[
     "core_a/heap_level",
     "core_a/heap_order",
@@ -16,6 +16,14 @@ const HELPERS: &[&str] = &[
     "core_b/queue_readout",
     "core_b/queue_row",
     "core_b/sets",
+    "float/delay",
+    "float/newton",
+    "float/operand",
+    "float/pipe",
+    "float/product",
+    "float/round",
+    "float/shift",
+    "float/table",
 ];
 
 fn root() -> PathBuf {
@@ -71,6 +79,24 @@ fn every_unit_has_hardware_a_model_a_test_and_a_module() {
             if !read(&root().join(&hardware)).contains(&format!("\"{test}\"")) {
                 missing.push(format!("module `{test}` in {hardware}"));
             }
+        }
+    }
+    assert!(missing.is_empty(), "missing:\n{}", missing.join("\n"));
+}
+
+/// Operators of one format are verilated and compared together, so their tests are one file.
+#[test]
+fn every_operator_has_hardware_a_model_and_a_comparison() {
+    let compared = read(&root().join("tb/src/float_check/operations.rs"));
+    assert!(root().join("tb/tests/float.rs").is_file(), "the comparison of operators is gone");
+    let mut missing = vec![];
+    for operator in units("float") {
+        let model = format!("golden/src/float/{operator}.rs");
+        if !root().join(&model).is_file() {
+            missing.push(model);
+        }
+        if !compared.contains(&format!("{operator}::")) {
+            missing.push(format!("`{operator}` in tb/src/float_check/operations.rs"));
         }
     }
     assert!(missing.is_empty(), "missing:\n{}", missing.join("\n"));
