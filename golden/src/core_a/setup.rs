@@ -163,10 +163,9 @@ impl Setup {
         if !center.is_at_most(one) {
             return None;
         }
-        let (depth, half_depth) = match slant.whole {
-            Some(f) => (center + b * (slant.squared * f), (b.abs() * (slant.squared.sqrt() * f)).min(one)),
-            None => (center, b.abs().min(one)),
-        };
+        let range = slant.whole.map(|f| (center + b * (slant.squared * f), b.abs() * (slant.squared.sqrt() * f)));
+        let beyond_near = range.filter(|(depth, half)| self.number(0).is_at_most(*depth - *half));
+        let (depth, half_depth) = beyond_near.unwrap_or((center, b.abs().min(one)));
         let epsilon = half_depth * self.number(uniforms.epsilon_scale) + self.number(uniforms.epsilon_bias);
         let fixed = |depth: Number| depth.max(self.number(0)).to_fixed(DEPTH_BITS, DEPTH_BITS) as u32;
         Some(Band { depth: fixed(depth), low: fixed(depth - epsilon), high: fixed(depth + epsilon) })
@@ -244,12 +243,20 @@ mod tests {
 
     #[test]
     fn a_slanted_disc_has_a_depth_range() {
-        let splat = setup([[0.2, 0.0, 1.0], [0.0, 0.2, 0.0]]).expect("it is in view");
+        let splat = setup([[0.2, 0.0, 0.5], [0.0, 0.2, 0.0]]).expect("it is in view");
         let Band { low, high, .. } = splat.footprint.band;
-        // It reaches from z = 1 to z = 3: depths 0 and ⅔.
-        let error =
-            [(low, 0.0), (high, 2.0 / 3.0)].map(|(bits, depth)| (f64::from(bits) / f64::from(1 << 24) - depth).abs());
+        // It reaches from z = 1½ to z = 2½: depths ⅓ and ⅗.
+        let error = [(low, 1.0 / 3.0), (high, 3.0 / 5.0)]
+            .map(|(bits, depth)| (f64::from(bits) / f64::from(1 << 24) - depth).abs());
         assert!(error.into_iter().all(|error| error < 1e-6), "{low}, {high}");
+    }
+
+    #[test]
+    fn a_splat_across_the_near_plane_is_tested_at_its_center() {
+        // It reaches from z = ½ to z = 3½.
+        let splat = setup([[0.2, 0.0, 1.5], [0.0, 0.2, 0.0]]).expect("it is in view");
+        assert_ne!(bounds(&splat), [0, 255, 0, 127]);
+        assert_eq!(splat.footprint.band, Band { depth: 1 << 23, low: 0, high: (1 << 24) - 1 });
     }
 
     #[test]

@@ -20,8 +20,9 @@
 //! `(1 ± m)/e`, whose middle is `1 + m²/e` and whose half width is `m/e`.
 //!
 //! A splat that crosses the eye plane has no such bounds: it may cover any pixel and reaches from the near plane
-//! backwards, so its bounds are the viewport, its depth is its center's, and its half depth range is that of a splat
-//! with `m/e = 1`. No half depth range exceeds 1: depths lie in `0..=1`, so no two differ by more.
+//! backwards, so its bounds are the viewport. Where the depth range begins before the near plane its middle says nothing
+//! about what is seen: such a splat's depth is its center's, and its half depth range is that of a splat with `m/e = 1`, but
+//! no more than 1, since depths lie in `0..=1`.
 
 use glam::DVec3;
 use pointcore_spec::{Camera, Rendering, Splat};
@@ -117,18 +118,17 @@ impl Projection {
         let squared_slant = alpha * alpha + beta * beta;
         let e = 1.0 - squared_slant;
         let depth_scale = camera.depth_b * r;
-        let (depth, half_depth) = if e > CROSSING_CLEARANCE {
-            (center_depth + depth_scale * squared_slant / e, depth_scale.abs() * squared_slant.sqrt() / e)
-        } else {
-            (center_depth, depth_scale.abs())
-        };
+        let range = (center_depth + depth_scale * squared_slant / e, depth_scale.abs() * squared_slant.sqrt() / e);
+        let beyond_near = e > CROSSING_CLEARANCE && range.0 - range.1 >= 0.0;
+        let (depth, half_depth) =
+            if beyond_near { range } else { (center_depth, depth_scale.abs().min(HALF_DEPTH_MAX)) };
         Ok(Self {
             center: [camera.scale_x * vx + camera.center_x, camera.scale_y * vy + camera.center_y],
             gradient_x: gradient(camera.scale_x, vx, a1.x, a2.x),
             gradient_y: gradient(camera.scale_y, vy, a1.y, a2.y),
             slant: [alpha, beta],
             depth,
-            half_depth: half_depth.min(HALF_DEPTH_MAX),
+            half_depth,
         })
     }
 

@@ -125,7 +125,7 @@ fn weights_follow_the_ray_cast_and_bounds_hold_them_all() {
 #[test]
 fn bounds_are_tight() {
     // Every side of the rectangle is touched: growing the splat's image by a pixel is all that rounding may add.
-    let mut compared = 0;
+    let (mut compared, mut ranges) = (0, 0);
     for splat in random_splats(3000) {
         let Ok(projection) = Projection::new(&splat, &CAMERA) else { continue };
         let Ok(footprint) = Footprint::new(&projection, &UNFILTERED, Mapping::Backward) else { continue };
@@ -148,10 +148,17 @@ fn bounds_are_tight() {
         assert!((columns.end as f64 - 0.5 - high_x).abs() <= 1.01, "{columns:?}, {high_x}");
         let (low, high) = (projection.depth - projection.half_depth, projection.depth + projection.half_depth);
         let tolerance = 1e-9 + 1e-3 * projection.half_depth;
-        assert!((low - low_depth).abs() < tolerance && (high - high_depth).abs() < tolerance, "{splat:?}");
         compared += 1;
+        // The rim is sampled, so it may seem to begin just beyond the near plane.
+        if low_depth > tolerance {
+            ranges += 1;
+            assert!((low - low_depth).abs() < tolerance && (high - high_depth).abs() < tolerance, "{splat:?}");
+        } else if low_depth < 0.0 {
+            let center = CAMERA.depth_a + CAMERA.depth_b / f64::from(splat.center[2]);
+            assert!((projection.depth - center).abs() < 1e-9, "{splat:?}");
+        }
     }
-    assert!(compared > 100, "compared only {compared} splats");
+    assert!(compared > 100 && ranges > 100, "compared only {compared} splats, {ranges} of them with their depths");
 }
 
 #[test]

@@ -122,12 +122,14 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
 
     let b = frame.uniform("depth_b") * r;
     let center_depth = frame.uniform("depth_a") + &b;
-    let depth = &center_depth + &b * (&q * f);
-    let half = b.abs() * (q.sqrt() * f);
-    let depth = whole.select(&depth, &center_depth);
-    let half = whole.select(&half, &b.abs()).min(&one);
+    let spread_depth = &center_depth + &b * (&q * f);
+    let spread_half = b.abs() * (q.sqrt() * f);
+    let zero = program.float(format, 0.0);
+    let beyond_near = (whole & zero.le(&(&spread_depth - &spread_half))).named("beyond_near");
+    let depth = beyond_near.select(&spread_depth, &center_depth);
+    let half = beyond_near.select(&spread_half, &b.abs().min(&one));
     let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");
-    let fixed = |depth: &Value| depth.max(&program.float(format, 0.0)).to_fixed(DEPTH);
+    let fixed = |depth: &Value| depth.max(&zero).to_fixed(DEPTH);
 
     let visible = center_depth.le(&one) & &x.occupied & &y.occupied;
     program.keep_if(&(splat.bits("end") | visible));

@@ -12,7 +12,7 @@ pub const EVENTS: [&str; 6] = [
     "event_node",
     // A path was popped.
     "event_pop",
-    // A beat of points entered the priority queue unit.
+    // The priority queue unit was done with a beat of points.
     "event_beat",
     // A neighbor was inserted.
     "event_insert",
