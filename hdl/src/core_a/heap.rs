@@ -1,7 +1,7 @@
 //! Pipelined heap that orders splat copies by tile (thesis 5.5.2, eq. 5.14), an operation every second cycle; golden twin:
 //! `pointcore_golden::core_a::heap`.
 //!
-//! This module holds the root and the numbers that order entries; [`heap_level`] is a level below. An insertion walks
+//! This module holds the root and the numbers that order entries; `heap_level` is a level below. An insertion walks
 //! down to where there is room, a removal pulls the first child up level by level, and a replacement is a removal whose
 //! hole the new entry may fill.
 

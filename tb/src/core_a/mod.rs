@@ -14,5 +14,5 @@ pub use encode::Frame as EncodedFrame;
 pub use frame::assemble;
 pub use generate::{Core, GenerateError};
 pub use host::{Counters, Host, Progress};
-pub use report::{Measured, Report};
+pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, Measured, ROUNDING_LIMIT, Report};
 pub use run::{Outcome, Runner, verilate};
