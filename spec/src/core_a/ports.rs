@@ -130,6 +130,16 @@ impl Ports {
         self.0
     }
 
+    /// The reconstruction buffer's port: tiles requested, their pixels, pixels written.
+    fn memory(self, config: &Config) -> Self {
+        let pixel = records::pixel(config);
+        let mut write = tile_and_pixel(config);
+        write.extend(pixel.clone());
+        self.stream_out("read", &field("tile", config.tile_bits()))
+            .stream_in("data", &pixel)
+            .stream_out("write", &write)
+    }
+
     fn uniforms(self, config: &Config, names: &[&str]) -> Self {
         names.iter().fold(self, |ports, name| ports.input(*name, config.geometry.width()))
     }
@@ -190,14 +200,10 @@ pub fn reorder(config: &Config) -> Vec<Port> {
 #[must_use]
 pub fn tile_cache(config: &Config) -> Vec<Port> {
     let pixel = records::pixel(config);
-    let mut write = tile_and_pixel(config);
-    write.extend(pixel.clone());
     Ports::new()
         .stream_in("in", &records::copy(config))
         .stream_out("out", &records::placed_copy(config))
-        .stream_out("read", &field("tile", config.tile_bits()))
-        .stream_in("data", &pixel)
-        .stream_out("write", &write)
+        .memory(config)
         .stream_out("pixel", &records::finished_pixel(config))
         .output("slot_ready", config.tile_slots)
         .input("retire_valid", 1)
@@ -271,17 +277,12 @@ pub fn normalizer(config: &Config) -> Vec<Port> {
 /// Ports of the whole core.
 #[must_use]
 pub fn top(config: &Config) -> Vec<Port> {
-    let pixel = records::pixel(config);
-    let mut write = tile_and_pixel(config);
-    write.extend(pixel.clone());
     let ports = Ports::new()
         .input("uniform_valid", 1)
         .input("uniform_address", UNIFORM_ADDRESS_BITS)
         .input("uniform_data", config.geometry.width())
         .stream_in("splat", &records::splat(config))
-        .stream_out("read", &field("tile", config.tile_bits()))
-        .stream_in("data", &pixel)
-        .stream_out("write", &write)
+        .memory(config)
         .stream_out("fragment", &records::fragment(config));
     EVENTS.iter().fold(ports, |ports, event| ports.output(*event, 1)).0
 }
