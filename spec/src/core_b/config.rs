@@ -27,6 +27,14 @@ pub struct Config {
     pub index_bits: u32,
     /// Leaves a thread may have under way while it goes on searching with the radius known by then.
     pub leaves_in_flight: u32,
+    /// Beats of near enough points that may wait for the priority queues.
+    pub sieve_depth: u32,
+    /// Leaves whose points the point cache holds, a power of two; 0 leaves it out.
+    pub point_cache: u32,
+    /// Records of the tree that the tree cache holds, a power of two; 0 keeps the whole tree on chip instead.
+    pub tree_cache: u32,
+    /// Neighborhoods that the coherent neighbor cache holds; 0 leaves it out.
+    pub neighbor_cache: u32,
 }
 
 impl Default for Config {
@@ -40,6 +48,10 @@ impl Default for Config {
             bucket: 16,
             index_bits: 24,
             leaves_in_flight: 2,
+            sieve_depth: 16,
+            point_cache: 64,
+            tree_cache: 0,
+            neighbor_cache: 0,
         }
     }
 }
@@ -55,6 +67,18 @@ pub enum ConfigError {
         /// Its value.
         value: u32,
         /// Smallest value allowed.
+        low: u32,
+        /// Largest value allowed.
+        high: u32,
+    },
+    /// A number of cache lines that no bits of an address can choose among.
+    #[error("`{key}` = {value}: expected 0 or a power of two from {low} to {high}")]
+    PowerOfTwo {
+        /// The TOML key.
+        key: &'static str,
+        /// Its value.
+        value: u32,
+        /// Smallest value allowed besides 0.
         low: u32,
         /// Largest value allowed.
         high: u32,
@@ -80,10 +104,18 @@ impl Config {
             ("bucket", self.bucket, 1, 255),
             ("index_bits", self.index_bits, 4, 32),
             ("leaves_in_flight", self.leaves_in_flight, 1, 4),
+            ("sieve_depth", self.sieve_depth, 2, 64),
+            ("neighbor_cache", self.neighbor_cache, 0, 32),
         ];
         for (key, value, low, high) in ranges {
             if !(low..=high).contains(&value) {
                 return Err(ConfigError::Range { key, value, low, high });
+            }
+        }
+        let caches = [("point_cache", self.point_cache, 2, 256), ("tree_cache", self.tree_cache, 16, 65_536)];
+        for (key, value, low, high) in caches {
+            if value != 0 && !(value.is_power_of_two() && (low..=high).contains(&value)) {
+                return Err(ConfigError::PowerOfTwo { key, value, low, high });
             }
         }
         if ![1, 2, 4, 8].contains(&self.lanes) {
@@ -124,6 +156,18 @@ impl Config {
     pub const fn beat_bits(&self) -> u32 {
         let bits = self.index_bits - self.lanes.ilog2();
         if bits == 0 { 1 } else { bits }
+    }
+
+    /// Bits of the number of a neighborhood in the neighbor cache.
+    #[must_use]
+    pub const fn entry_bits(&self) -> u32 {
+        index_bits(self.neighbor_cache)
+    }
+
+    /// Searches that the neighbor cache may have under way: a few more than there are threads, so that none waits for a copy.
+    #[must_use]
+    pub const fn tickets(&self) -> u32 {
+        (self.threads + 2).next_power_of_two()
     }
 }
 

@@ -39,19 +39,78 @@ pub fn result(config: &Config) -> Vec<Field> {
     ]
 }
 
+/// A query as the host sends it to a core with a neighbor cache. `reach` is the radius around the query within which a cached
+/// neighborhood must be complete: 0 for k nearest neighbors, the radius of a ball query.
+#[must_use]
+pub fn cached_query(config: &Config) -> Vec<Field> {
+    let mut record = query(config);
+    record.push(field("reach", config.geometry.width()));
+    record
+}
+
+/// A neighbor from a core with a neighbor cache. Where `cached` is high, the squared distance is that to the query whose
+/// neighborhood is reused.
+#[must_use]
+pub fn cached_result(config: &Config) -> Vec<Field> {
+    let mut record = result(config);
+    record.push(field("cached", 1));
+    record
+}
+
+/// How the neighbor cache judges its neighborhoods: whether queries are balls (thesis table 6.1), the factor of the distance to
+/// the farthest neighbor, and that of what is left of it.
+#[must_use]
+pub fn cache_setup(config: &Config) -> Vec<Field> {
+    let width = config.geometry.width();
+    vec![field("ball", 1), field("far_scale", width), field("margin_scale", width)]
+}
+
+/// A request for a record of a tree in external memory: nodes lie at their own addresses, leaf `l` of the deepest level at
+/// `2^tree_depth + l`.
+#[must_use]
+pub fn lookup(config: &Config) -> Vec<Field> {
+    vec![thread(config), field("address", config.node_bits())]
+}
+
+/// A record of the tree from external memory, under the thread and address of its request: of a node `split`, `dimension` and
+/// `internal_leaf` count, of a leaf `begin` and `beats`.
+#[must_use]
+pub fn tree_record(config: &Config) -> Vec<Field> {
+    let mut record = lookup(config);
+    record.extend(node(config));
+    record.extend(bucket(config));
+    record
+}
+
+/// What a node holds.
+#[must_use]
+pub fn node(config: &Config) -> Vec<Field> {
+    let split = field("split", config.geometry.width());
+    vec![split, field("dimension", DIMENSION_BITS), field("internal_leaf", 1)]
+}
+
+/// Where the points of a leaf lie.
+#[must_use]
+pub fn bucket(config: &Config) -> Vec<Field> {
+    vec![field("begin", config.beat_bits()), field("beats", config.beats_bits())]
+}
+
+/// A node with its thread and address.
+#[must_use]
+pub fn node_record(config: &Config) -> Vec<Field> {
+    let mut record = descent(config);
+    record.extend(node(config));
+    record
+}
+
 /// A write to the tree memories by the host. `is_leaf` chooses the leaf table (address: the leaf's number), else the node
 /// memory.
 #[must_use]
 pub fn tree_write(config: &Config) -> Vec<Field> {
-    vec![
-        field("is_leaf", 1),
-        field("address", config.tree_depth),
-        field("split", config.geometry.width()),
-        field("dimension", DIMENSION_BITS),
-        field("internal_leaf", 1),
-        field("begin", config.beat_bits()),
-        field("beats", config.beats_bits()),
-    ]
+    let mut record = vec![field("is_leaf", 1), field("address", config.tree_depth)];
+    record.extend(node(config));
+    record.extend(bucket(config));
+    record
 }
 
 /// A thread taking up a query.
