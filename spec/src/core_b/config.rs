@@ -97,12 +97,14 @@ impl Config {
     /// # Errors
     /// The first parameter the hardware cannot hold.
     pub fn validate(&self) -> Result<(), ConfigError> {
+        // A search bears its ticket as its number.
+        let fewest_index_bits = if self.neighbor_cache == 0 { 4 } else { index_bits(self.tickets()).max(4) };
         let ranges = [
             ("threads", self.threads, 1, 32),
             ("neighbors", self.neighbors, 1, 64),
             ("tree_depth", self.tree_depth, 1, 20),
             ("bucket", self.bucket, 1, 255),
-            ("index_bits", self.index_bits, 4, 32),
+            ("index_bits", self.index_bits, fewest_index_bits, 32),
             ("leaves_in_flight", self.leaves_in_flight, 1, 4),
             ("sieve_depth", self.sieve_depth, 2, 64),
             ("neighbor_cache", self.neighbor_cache, 0, 32),
