@@ -6,6 +6,7 @@ pub mod inspect;
 pub mod lockstep;
 pub mod picture;
 pub mod plan;
+pub mod plot;
 pub mod scene;
 pub mod shading;
 pub mod toolchain;
