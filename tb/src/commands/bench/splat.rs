@@ -1,17 +1,16 @@
-//! `pointcore bench`: the project's figures, merged into one flat JSON object.
+//! Figures of core A: frames, simulation speed, what planned hardware saves.
 
-use super::{Failure, Output, load, scene_name, write};
+use super::{Figures, median};
+use crate::commands::{Failure, load, scene_name};
 use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, area, assemble, verilate};
-use pointcore::float_check::{Enable, Stages, check_format};
 use pointcore::lockstep::Stall;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::shading::shade;
 use pointcore::verilated::{Library, Trace};
 use pointcore_golden::reference::{self, Mapping};
-use pointcore_spec::Format;
-use serde_json::{Map, Value};
-use std::path::{Path, PathBuf};
+use serde_json::Value;
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -21,26 +20,22 @@ const REPETITIONS: usize = 5;
 const TIMED_CYCLES: u64 = 60_000;
 /// Seeds of stalls with which a frame must come out the same.
 const STALL_SEEDS: std::ops::RangeInclusive<u64> = 1..=5;
-/// Operand triples for each operator and format.
-const OPERATOR_CASES: u64 = 1 << 20;
-/// Seed of the operands.
-const OPERATOR_SEED: u64 = 1;
 /// Share of the cycles in which a stalled run holds each stream back.
 const STALL_SHARE: f64 = 0.3;
 
-/// Arguments of `bench`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// The scan for scenes/igea.toml; without it that scene is measured only if its own path exists.
-    #[arg(long, value_name = "FILE")]
-    scan: Option<PathBuf>,
-    /// The file to merge the figures into.
-    #[arg(short, long, default_value = "out/bench.json")]
-    output: PathBuf,
+/// Measures the shipped scenes; `scan` is the model of scenes/igea.toml.
+pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), Failure> {
+    let knot = Prepared::new(Path::new("scenes/knot.toml"), &[])?;
+    speed_figures(&knot, figures)?;
+    frame_figures(&knot, figures)?;
+    let setting = scan.map(|path| format!("object.0.path={}", path.display()));
+    match Prepared::new(Path::new("scenes/igea.toml"), setting.as_slice()) {
+        Ok(igea) => frame_figures(&igea, figures)?,
+        Err(Failure::Scene(error)) if scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
+        Err(failure) => return Err(failure),
+    }
+    saving_figures(&Prepared::new(Path::new("scenes/plane.toml"), &[])?, figures)
 }
-
-/// Figures by key.
-type Figures = Map<String, Value>;
 
 /// A scene with its hardware, ready to run.
 struct Prepared {
@@ -169,56 +164,5 @@ fn saving_figures(planned: &Prepared, figures: &mut Figures) -> Result<(), Failu
         let key = format!("plan.{}.{}_ratio", planned.name, name.replace(' ', "_"));
         figures.insert(key, (small as f64 / large as f64).into());
     }
-    Ok(())
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
-/// Operators of every format, hardware against golden.
-fn operator_figures(figures: &mut Figures) -> Result<(), Failure> {
-    for (name, format) in Format::NAMED {
-        eprintln!("operators: {name}");
-        for report in check_format(format, Stages::Default, Enable::Always, OPERATOR_CASES, OPERATOR_SEED)? {
-            let key = format!("fp.{}.{name}", report.operation);
-            figures.insert(format!("{key}.cases"), report.cases.into());
-            figures.insert(format!("{key}.mismatches"), report.mismatches.into());
-        }
-    }
-    Ok(())
-}
-
-/// The figures that are already in the file; none if there is no such file.
-fn existing(path: &Path) -> Result<Figures, Failure> {
-    let wrong = |problem| Failure::Configuration { path: path.to_owned(), problem };
-    match std::fs::read_to_string(path) {
-        Ok(text) => serde_json::from_str(&text).map_err(|error| wrong(format!("{error}; delete it to start anew"))),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Figures::new()),
-        Err(error) => Err(wrong(format!("cannot be read: {error}"))),
-    }
-}
-
-/// Measures everything.
-pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
-    let mut figures = Figures::new();
-    let knot = Prepared::new(Path::new("scenes/knot.toml"), &[])?;
-    speed_figures(&knot, &mut figures)?;
-    frame_figures(&knot, &mut figures)?;
-    let scan = arguments.scan.as_ref().map(|path| format!("object.0.path={}", path.display()));
-    match Prepared::new(Path::new("scenes/igea.toml"), scan.as_slice()) {
-        Ok(igea) => frame_figures(&igea, &mut figures)?,
-        Err(Failure::Scene(error)) if arguments.scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
-        Err(failure) => return Err(failure),
-    }
-    saving_figures(&Prepared::new(Path::new("scenes/plane.toml"), &[])?, &mut figures)?;
-    operator_figures(&mut figures)?;
-
-    let mut merged = existing(&arguments.output)?;
-    merged.extend(figures);
-    let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
-    write(&arguments.output, &(text.clone() + "\n"))?;
-    output.print(&merged, &text);
     Ok(())
 }
