@@ -21,6 +21,31 @@ pub struct Area {
     pub mux_bits: usize,
 }
 
+/// A memory or table of a module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Storage {
+    /// Its name in the module.
+    pub name: String,
+    /// Words.
+    pub depth: usize,
+    /// Bits of a word.
+    pub width: usize,
+}
+
+impl Storage {
+    /// The memories of a module, without its children.
+    pub(super) fn of(graph: &Graph) -> Vec<Self> {
+        let stores = graph.module.stores.iter().zip(&graph.stores).filter(|(_, need)| **need == Need::Hardware);
+        stores.map(|(store, _)| Self { name: store.name.clone(), depth: store.depth, width: store.width }).collect()
+    }
+
+    /// Bits in all.
+    #[must_use]
+    pub const fn bits(&self) -> usize {
+        self.depth * self.width
+    }
+}
+
 impl Area {
     /// Counts the hardware of a module.
     pub(super) fn of(graph: &Graph) -> Self {
@@ -31,9 +56,7 @@ impl Area {
                 area.register_bits += signal.reference.width();
             }
         }
-        for (store, _) in graph.module.stores.iter().zip(&graph.stores).filter(|(_, need)| **need == Need::Hardware) {
-            area.memory_bits += store.depth * store.width;
-        }
+        area.memory_bits = Storage::of(graph).iter().map(Storage::bits).sum();
         for node in &graph.nodes[..graph.hardware_nodes] {
             match node.operation {
                 Operation::Multiply | Operation::MultiplySigned => {

@@ -1,6 +1,6 @@
 //! From a module and everything below it to a design: checked, lowered, measured.
 
-use super::area::Area;
+use super::area::{Area, Storage};
 use super::check::Checker;
 use super::dependencies::Reach;
 use super::emit::PortKind;
@@ -39,6 +39,8 @@ pub struct ModuleSummary {
     pub parameters: Vec<(String, String)>,
     /// What it holds, without its children.
     pub area: Area,
+    /// Its memories and tables.
+    pub memories: Vec<Storage>,
     /// How many times the design contains it.
     pub instances: usize,
 }
@@ -104,6 +106,7 @@ pub fn elaborate(top: &Module) -> Result<Design, ElaborationError> {
         unit: module.unit.clone(),
         parameters: module.parameters.clone(),
         area: module.area,
+        memories: module.memories.clone(),
         instances,
     });
     let ports = library.ports(index).iter().map(|(name, width, kind)| {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fmt::Write as _;
 
-use super::area::Area;
+use super::area::{Area, Storage};
 use super::canonical::Graph;
 use super::emit::{self, Body, PortKind};
 use super::frame::{Frame, FramePort};
@@ -18,6 +18,7 @@ pub(super) struct Lowered {
     pub unit: String,
     pub parameters: Parameters,
     pub area: Area,
+    pub memories: Vec<Storage>,
     /// Indices of the modules of its children.
     pub children: Vec<usize>,
     summary: String,
@@ -56,6 +57,7 @@ impl Library {
                 unit: module.unit.clone(),
                 parameters: module.parameters.clone(),
                 area: Area::of(&graph),
+                memories: Storage::of(&graph),
                 children,
                 summary: module.summary.clone(),
                 body,

@@ -30,7 +30,7 @@ mod stream;
 mod text;
 mod writer;
 
-pub use area::Area;
+pub use area::{Area, Storage};
 pub use elaborate::{Design, Direction, ModuleSummary, Port, elaborate};
 pub use error::{ElaborationError, Fault, FaultKind};
 pub use expression::{Expr, bit, cat, lit, select};
