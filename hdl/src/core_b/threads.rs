@@ -55,16 +55,18 @@ pub fn module(config: &Config) -> Module {
     let finish = queue_out(&mut m, "finish", &thread_only);
     let finished = grant(&mut m, "finish", &wants_finish, finish, thread_bits);
 
-    let [reached, leaf_done, empty, released] = ["reached", "leaf_done", "empty", "released"].map(|name| {
+    let pulses = ["reached", "leaf_done", "skipped", "empty", "released"];
+    let [reached, leaf_done, skipped, empty, released] = pulses.map(|name| {
         let pulse = pulse_in(&mut m, name, &thread_only);
         m.wire(&format!("{name}_set"), &decode(&pulse.valid, &pulse.record.get("thread"), threads))
     });
+    let leaf_ended = m.wire("leaf_ended", &(&leaf_done | &skipped));
     let count_bits = index_bits(config.leaves_in_flight + 1) as usize;
     let (mut below, mut none) = (vec![], vec![]);
     for thread in 0..threads {
         let outstanding = m.reg_reset(&format!("outstanding_{thread}"), count_bits, 0);
-        let [more, less] = [&reached, &leaf_done].map(|event| event.bit(thread).zext(count_bits));
-        let next = m.wire(&format!("outstanding_{thread}_next"), &(&outstanding + more - less));
+        let [more, done, skip] = [&reached, &leaf_done, &skipped].map(|event| event.bit(thread).zext(count_bits));
+        let next = m.wire(&format!("outstanding_{thread}_next"), &(&outstanding + more - done - skip));
         m.next(&outstanding, &next);
         below.push(next.lt_lit(config.leaves_in_flight.into()));
         none.push(next.is_zero());
@@ -76,10 +78,10 @@ pub fn module(config: &Config) -> Module {
     m.next(&busy, &((&busy | taken) & &kept));
     let exhausted_now = m.wire("exhausted_now", &(&exhausted | &empty));
     m.next(&exhausted, &(&exhausted_now & &kept));
-    m.next(&waiting, &(((&waiting & !&leaf_done) | (&reached & !&below)) & &kept));
-    let pop_wishes = (&reached & below) | (&leaf_done & &waiting);
+    m.next(&waiting, &(((&waiting & !&leaf_ended) | (&reached & !&below)) & &kept));
+    let pop_wishes = (&reached & below) | (&leaf_ended & &waiting);
     m.next(&wants_pop, &(((&wants_pop & !popped) | pop_wishes) & &kept));
-    let finish_wishes = (empty | leaf_done) & (exhausted_now & none);
+    let finish_wishes = (empty | leaf_ended) & (exhausted_now & none);
     m.next(&wants_finish, &(((&wants_finish & !finished) | finish_wishes) & kept));
     event_out(&mut m, "event_thread_wait", &(&query.valid & busy.all()));
     m
