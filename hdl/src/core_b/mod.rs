@@ -4,6 +4,7 @@
 pub mod leaf;
 pub mod queue;
 pub mod recursion;
+pub mod sieve;
 pub mod stack;
 pub mod threads;
 pub mod top;
@@ -12,6 +13,7 @@ pub mod traversal;
 mod coordinates;
 mod queue_readout;
 mod queue_row;
+mod radii;
 mod sets;
 
 #[cfg(test)]

@@ -3,29 +3,9 @@
 
 use pointcore_spec::core_b::{Config, records};
 
-use super::sets::{contains, decode};
+use super::radii::radii;
 use crate::rtl::{Expr, Module};
-use crate::units::records::{Pulse, Record, event_out, pulse_in, pulse_out, queue_in, queue_out, registered_pulse_out};
-
-/// A squared radius for each thread, set by its query and by its leaves, which come in the same cycle for different
-/// threads: a memory for each, and a bit that says which of the two was written last.
-fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enable: &Expr, thread: &Expr) -> Expr {
-    let threads = config.threads as usize;
-    let [(by_query, query_set), (by_leaf, leaf_set)] =
-        [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
-            let writes = writer.record.get("thread");
-            let memory =
-                m.memory(&format!("{name}_radii"), 1 << config.thread_bits(), config.geometry.width() as usize);
-            m.write(&memory, &writer.valid, &writes, &writer.record.get("radius2"));
-            let radius = m.read_if(&memory, &format!("{name}_radius2"), enable, thread);
-            (radius, m.wire(&format!("{name}_set"), &decode(&writer.valid, &writes, threads)))
-        });
-    let from_leaf = m.reg_reset("from_leaf", threads, 0);
-    m.next(&from_leaf, &((&from_leaf & !query_set) | leaf_set));
-    let is_from_leaf = m.reg("r1_from_leaf", 1);
-    m.next_if(&is_from_leaf, enable, &contains(&from_leaf, thread));
-    is_from_leaf.mux(&by_leaf, &by_query)
-}
+use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out, registered_pulse_out};
 
 /// The unit; ports as in `spec::core_b::ports::recursion`.
 #[must_use]

@@ -1,0 +1,28 @@
+//! The search radii of the threads.
+
+use pointcore_spec::core_b::Config;
+
+use super::sets::{contains, decode};
+use crate::rtl::{Expr, Module};
+use crate::units::records::Pulse;
+
+/// A squared radius for each thread, set by its query and by its leaves, which come in the same cycle for different
+/// threads: a memory for each, and a bit that says which of the two was written last. Reads that of `thread` where `enable`
+/// is set.
+pub(super) fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enable: &Expr, thread: &Expr) -> Expr {
+    let threads = config.threads as usize;
+    let [(by_query, query_set), (by_leaf, leaf_set)] =
+        [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
+            let writes = writer.record.get("thread");
+            let memory =
+                m.memory(&format!("{name}_radii"), 1 << config.thread_bits(), config.geometry.width() as usize);
+            m.write(&memory, &writer.valid, &writes, &writer.record.get("radius2"));
+            let radius = m.read_if(&memory, &format!("{name}_radius2"), enable, thread);
+            (radius, m.wire(&format!("{name}_set"), &decode(&writer.valid, &writes, threads)))
+        });
+    let from_leaf = m.reg_reset("from_leaf", threads, 0);
+    m.next(&from_leaf, &((&from_leaf & !query_set) | leaf_set));
+    let is_from_leaf = m.reg("is_from_leaf", 1);
+    m.next_if(&is_from_leaf, enable, &contains(&from_leaf, thread));
+    is_from_leaf.mux(&by_leaf, &by_query)
+}
