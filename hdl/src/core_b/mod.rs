@@ -2,6 +2,7 @@
 //! each file names the thesis section it implements.
 
 pub mod leaf;
+pub mod point_cache;
 pub mod queue;
 pub mod recursion;
 pub mod sieve;
