@@ -1,5 +1,5 @@
 //! Leaf processing (thesis 6.5.2): fetches the points of a leaf and computes their squared distances; golden twin:
-//! `pointcore_golden::core_b::leaf`.
+//! `pointcore_golden::core_b::leaf`. With a tree cache, that fetches the points.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
@@ -35,23 +35,12 @@ fn distances(config: &Config, options: &Options) -> Result<Datapath, CompileErro
     compile(&program, options)
 }
 
-/// The unit; ports as in `spec::core_b::ports::leaf`.
-///
-/// # Errors
-/// What the compiler rejects.
-pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
-    let thread_bits = config.thread_bits() as usize;
-    let mut m = Module::new("core_b_leaf", "Fetches leaves and computes the distances of their points.");
-    m.parameter("threads", config.threads);
-    m.parameter("lanes", config.lanes);
-    let tree = pulse_in(&mut m, "tree", &records::tree_write(config));
-    let start = pulse_in(&mut m, "start", &records::start(config));
-
-    // The table of leaves, and requests for their points.
-    let leaf = queue_in(&mut m, "leaf", &records::leaf(config));
-    let fetch = queue_out(&mut m, "fetch", &records::fetch(config));
-    let is_entry_field = |(name, _): &Field| ["begin", "beats"].contains(&name.as_str());
-    let entry: Vec<_> = records::tree_write(config).into_iter().filter(is_entry_field).collect();
+/// The table of leaves, and requests for their points.
+fn request_points(m: &mut Module, config: &Config) {
+    let tree = pulse_in(m, "tree", &records::tree_write(config));
+    let leaf = queue_in(m, "leaf", &records::leaf(config));
+    let fetch = queue_out(m, "fetch", &records::fetch(config));
+    let entry = records::bucket(config);
     let table = m.memory("leaves", 1 << config.tree_depth, width(&entry));
     let writes = &tree.valid & tree.record.get("is_leaf");
     m.write(&table, &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
@@ -59,16 +48,30 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let table_advance = m.wire("table_advance", &(!&table_valid | &fetch.room));
     m.ready(&leaf, &table_advance);
     m.next_if(&table_valid, &table_advance, &leaf.valid);
-    let table_thread = m.reg("table_thread", thread_bits);
+    let table_thread = m.reg("table_thread", config.thread_bits() as usize);
     m.next_if(&table_thread, &table_advance, &leaf.field("thread"));
     let found = m.read_if(&table, "found", &table_advance, &leaf.field("leaf"));
     let found = Record::unpack(&entry, &found);
     let request = &table_valid & &fetch.room;
-    fetch.push(&mut m, &request, |name| match name {
+    fetch.push(m, &request, |name| match name {
         "thread" => table_thread.expr(),
         "address" => found.get("begin"),
         field => found.get(field),
     });
+}
+
+/// The unit; ports as in `spec::core_b::ports::leaf`.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let mut m = Module::new("core_b_leaf", "Fetches leaves and computes the distances of their points.");
+    m.parameter("threads", config.threads);
+    m.parameter("lanes", config.lanes);
+    if config.tree_cache == 0 {
+        request_points(&mut m, config);
+    }
+    let start = pulse_in(&mut m, "start", &records::start(config));
 
     // Beats join the coordinates of their queries.
     let beat = queue_in(&mut m, "beat", &records::beat(config));

@@ -10,8 +10,10 @@ pub mod stack;
 pub mod threads;
 pub mod top;
 pub mod traversal;
+pub mod tree_cache;
 
 mod coordinates;
+mod nodes;
 mod queue_readout;
 mod queue_row;
 mod radii;

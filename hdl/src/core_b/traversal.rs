@@ -1,17 +1,19 @@
 //! Node traversal (thesis 6.5.2, listing 6.2): descends from a node to a leaf and stacks the paths not taken; golden
 //! twin: `pointcore_golden::core_b::traversal`.
 //!
-//! Tokens go round through three stages: `t0` presents addresses, `t1` has node and coordinates, `t2` has the decision.
+//! Tokens go round through three stages: `t0` presents addresses, `t1` has node and coordinates, `t2` has the decision. With
+//! a tree cache, that is in the place of `t0`.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
 use super::coordinates::coordinates;
+use super::nodes::{Nodes, Place, Token};
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
 use crate::float::compare;
-use crate::rtl::{Expr, Module, Reg, cat, select};
+use crate::rtl::{Expr, Module, cat, select};
 use crate::units::datapath::Inputs;
-use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out, registered_pulse_out, width};
+use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out, registered_pulse_out};
 
 /// What `t2` sends on: a leaf, or a path not taken with what its distance follows from.
 fn steps(config: &Config) -> Vec<Field> {
@@ -46,33 +48,6 @@ fn leaf_number(node: &Expr) -> Expr {
     shifted.trunc(depth)
 }
 
-/// A token: its thread and node.
-struct Token {
-    valid: Reg,
-    thread: Reg,
-    node: Reg,
-}
-
-impl Token {
-    fn new(m: &mut Module, config: &Config, stage: &str) -> Self {
-        Self {
-            valid: m.reg_reset(&format!("{stage}_valid"), 1, 0),
-            thread: m.reg(&format!("{stage}_thread"), config.thread_bits() as usize),
-            node: m.reg(&format!("{stage}_node"), config.node_bits() as usize),
-        }
-    }
-
-    fn take(&self, m: &mut Module, advance: &Expr, valid: &Expr, thread: &Expr, node: &Expr) {
-        m.next_if(&self.valid, advance, valid);
-        m.next_if(&self.thread, advance, thread);
-        m.next_if(&self.node, advance, node);
-    }
-
-    fn follow(&self, m: &mut Module, advance: &Expr, before: &Self) {
-        self.take(m, advance, &before.valid, &before.thread, &before.node);
-    }
-}
-
 /// A value of `t1` as it is in `t2`.
 fn later(m: &mut Module, name: &str, advance: &Expr, value: &Expr) -> Expr {
     let register = m.reg(name, value.width());
@@ -89,28 +64,24 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let mut m = Module::new("core_b_traversal", "Descends to leaves and stacks the paths not taken.");
     m.parameter("threads", config.threads);
     m.parameter("tree_depth", tree_depth);
-    let tree = pulse_in(&mut m, "tree", &records::tree_write(config));
     let start = pulse_in(&mut m, "start", &records::start(config));
     let descend = queue_in(&mut m, "descend", &records::descent(config));
     let resume = queue_in(&mut m, "resume", &records::descent(config));
     let Datapath { module, manifest } = distance(config, options)?;
     let path = m.instance("path", module);
-    let advance = m.out(&path, "in_ready");
-    let [t0, t1, t2] = ["t0", "t1", "t2"].map(|stage| Token::new(&mut m, config, stage));
+    let nodes = Nodes::new(&mut m, config);
+    let accepts = m.out(&path, "in_ready");
+    let room = nodes.room();
+    let advance = m.wire("advance", &(accepts & &room));
+    let [t1, t2] = ["t1", "t2"].map(|stage| Token::new(&mut m, config, stage));
 
     // t0 → t1: node and query are read.
-    t1.follow(&mut m, &advance, &t0);
-    let is_node_field = |(name, _): &Field| ["split", "dimension", "internal_leaf"].contains(&name.as_str());
-    let node_fields: Vec<_> = records::tree_write(config).into_iter().filter(is_node_field).collect();
-    let nodes = m.memory("nodes", 1 << tree_depth, width(&node_fields));
-    let writes = &tree.valid & !tree.record.get("is_leaf");
-    m.write(&nodes, &writes, &tree.record.get("address"), &tree.record.only(&node_fields).pack());
-    let node = m.read_if(&nodes, "t1_record", &advance, &t0.node.trunc(tree_depth));
-    let node = Record::unpack(&node_fields, &node);
-    let [x, y, z] = coordinates(&mut m, config, &start, &advance, &t0.thread);
+    let (entering, node) = nodes.read(&mut m, config, &advance);
+    t1.take(&mut m, &advance, &entering);
+    let [x, y, z] = coordinates(&mut m, config, &start, &advance, &entering.thread);
 
     // t1 → t2: the decision.
-    t2.follow(&mut m, &advance, &t1);
+    t2.take(&mut m, &advance, &t1.place());
     let at_leaf = later(&mut m, "t2_at_leaf", &advance, &(t1.node.msb() | node.get("internal_leaf")));
     let coordinate = m.wire("coordinate", &select(&node.get("dimension"), &[&x, &y, &z]));
     let less = m.instance("less", compare::lt(config.geometry, 1).module);
@@ -134,15 +105,18 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         "coordinate" => coordinate.clone(),
         _ => split.clone(),
     });
-    m.connect(&path, "in_valid", &t2.valid);
+    m.connect(&path, "in_valid", &(&t2.valid & room));
     step.connect(&mut m, &path, "in_");
 
     let resumes = m.wire("resumes", &(&resume.valid & !&descends));
     let newcomer = |name: &str| resume.valid.mux(&resume.field(name), &descend.field(name));
     let enters = &descends | (&resume.valid | &descend.valid);
-    let thread = descends.mux(&t2.thread, &newcomer("thread"));
-    let node = descends.mux(&near, &newcomer("node"));
-    t0.take(&mut m, &advance, &enters, &thread, &node);
+    let next = Place {
+        valid: enters,
+        thread: descends.mux(&t2.thread, &newcomer("thread")),
+        node: descends.mux(&near, &newcomer("node")),
+    };
+    nodes.take(&mut m, &advance, &next);
     m.ready(&resume, &(&advance & !&descends));
     m.ready(&descend, &(&advance & !(&descends | resumes)));
 
