@@ -27,11 +27,16 @@ mod tests {
     use pointcore_spec::Format;
     use pointcore_spec::core_b::{Config, ports};
 
-    fn configs() -> [Config; 3] {
+    fn configs() -> [Config; 6] {
         let small =
             Config { threads: 1, neighbors: 1, tree_depth: 1, leaves_in_flight: 1, bucket: 1, ..Config::default() };
         let wide = Config { threads: 3, lanes: 4, index_bits: 4, geometry: Format::F24.flushed(), ..Config::default() };
-        [Config::default(), small, wide]
+        let bare = Config { point_cache: 0, sieve_depth: 2, ..small.clone() };
+        let external = Config { tree_cache: 16, point_cache: 2, ..wide.clone() };
+        // More lines than records, more slots than leaves.
+        let roomy = Config { tree_cache: 64, point_cache: 256, ..small.clone() };
+        let no_points = Config { point_cache: 0, tree_cache: 4096, ..Config::default() };
+        [Config::default(), no_points, wide, bare, external, roomy]
     }
 
     #[test]
@@ -41,7 +46,14 @@ mod tests {
             check(&threads::module(&config), ports::threads(&config));
             check(&stack::module(&config), ports::stack(&config));
             check(&recursion::module(&config), ports::recursion(&config));
+            check(&sieve::module(&config), ports::sieve(&config));
             check(&queue::module(&config), ports::queue(&config));
+            if config.point_cache > 0 {
+                check(&point_cache::module(&config), ports::point_cache(&config));
+            }
+            if config.tree_cache > 0 {
+                check(&tree_cache::module(&config), ports::tree_cache(&config));
+            }
             for (datapath, ports) in [
                 (traversal::datapath(&config, &options), ports::traversal(&config)),
                 (leaf::datapath(&config, &options), ports::leaf(&config)),

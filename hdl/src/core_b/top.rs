@@ -4,12 +4,12 @@
 use std::collections::BTreeMap;
 
 use pointcore_spec::core_a::Field;
-use pointcore_spec::core_b::ports::EVENTS;
+use pointcore_spec::core_b::ports::{EVENTS, POINT_CACHE_EVENTS, TREE_CACHE_EVENTS};
 use pointcore_spec::core_b::{Config, records};
 
-use super::{leaf, queue, recursion, stack, threads, traversal};
+use super::{leaf, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
 use crate::compiler::{CompileError, Manifest, Options};
-use crate::rtl::{Instance, Module};
+use crate::rtl::{Instance, Module, Stream};
 use crate::units::records::{Pulse, Record, pulse_in, stream_in};
 
 /// The core's module and what the compiler decided about its datapaths.
@@ -38,67 +38,140 @@ fn pulse_into(m: &mut Module, to: &Instance, name: &str, pulse: &Pulse) {
     pulse.record.connect(m, to, &format!("{name}_"));
 }
 
+/// The units of every core.
+struct Units {
+    threads: Instance,
+    traversal: Instance,
+    stack: Instance,
+    recursion: Instance,
+    leaf: Instance,
+    sieve: Instance,
+    queue: Instance,
+}
+
+impl Units {
+    /// Places the units and leads what goes round a search from one to the next; what comes from the host and the memory
+    /// is left to do.
+    fn connected(m: &mut Module, config: &Config, [traversal, leaf]: [Module; 2]) -> Self {
+        let units = Self {
+            threads: m.instance("threads", threads::module(config)),
+            traversal: m.instance("traversal", traversal),
+            stack: m.instance("stack", stack::module(config)),
+            recursion: m.instance("recursion", recursion::module(config)),
+            leaf: m.instance("leaf", leaf),
+            sieve: m.instance("sieve", sieve::module(config)),
+            queue: m.instance("queue", queue::module(config)),
+        };
+        let Self { threads, traversal, stack, recursion, leaf, sieve, queue } = &units;
+        let start = pulse_from(m, threads, "start", &records::start(config));
+        for unit in [traversal, recursion, leaf, sieve, queue] {
+            pulse_into(m, unit, "start", &start);
+        }
+        pipe(m, (threads, "descend"), (traversal, "descend"));
+        pipe(m, (threads, "pop"), (recursion, "in"));
+        pipe(m, (threads, "finish"), (queue, "finish"));
+        pipe(m, (recursion, "resume"), (traversal, "resume"));
+        pipe(m, (leaf, "candidates"), (sieve, "candidates"));
+        pipe(m, (sieve, "kept"), (queue, "candidates"));
+
+        let thread_only = records::thread_only(config);
+        let path = records::path(config);
+        let pushed: Vec<_> = thread_only.iter().chain(&path).cloned().collect();
+        let push = pulse_from(m, traversal, "push", &pushed);
+        pulse_into(m, stack, "push", &push);
+        let pop = pulse_from(m, recursion, "pop", &thread_only);
+        pulse_into(m, stack, "pop", &pop);
+        let top_empty = m.out(stack, "top_empty");
+        m.connect(recursion, "top_empty", &top_empty);
+        Record::new(&path, |field| m.out(stack, &format!("top_{field}"))).connect(m, recursion, "top_");
+
+        let radius = pulse_from(m, queue, "radius", &records::radius(config));
+        for unit in [recursion, sieve] {
+            pulse_into(m, unit, "radius", &radius);
+        }
+        let leaf_done = Pulse { valid: radius.valid, record: radius.record.only(&thread_only) };
+        pulse_into(m, threads, "leaf_done", &leaf_done);
+        for (unit, name) in [(traversal, "reached"), (sieve, "skipped"), (recursion, "empty"), (queue, "released")] {
+            let pulse = pulse_from(m, unit, name, &thread_only);
+            pulse_into(m, threads, name, &pulse);
+        }
+        units
+    }
+
+    /// Leads the tree to the units, from the host or through the cache of a tree in external memory; returns the requests
+    /// for points, and the cache.
+    fn tree(&self, m: &mut Module, config: &Config) -> (Stream, Option<Instance>) {
+        let Self { traversal, leaf, .. } = self;
+        if config.tree_cache == 0 {
+            let tree = pulse_in(m, "tree", &records::tree_write(config));
+            for unit in [traversal, leaf] {
+                pulse_into(m, unit, "tree", &tree);
+            }
+            pipe(m, (traversal, "leaf"), (leaf, "leaf"));
+            return (m.stream_from(leaf, "fetch"), None);
+        }
+        let cache = m.instance("tree_cache", tree_cache::module(config));
+        let lookup = m.stream_from(&cache, "lookup");
+        m.stream_export("lookup", &lookup);
+        let record = stream_in(m, "record", &records::tree_record(config));
+        m.stream_into(&cache, "fill", &record);
+        pipe(m, (traversal, "node"), (&cache, "node"));
+        pipe(m, (traversal, "leaf"), (&cache, "leaf"));
+        pipe(m, (&cache, "record"), (traversal, "record"));
+        (m.stream_from(&cache, "fetch"), Some(cache))
+    }
+
+    /// Leads queries in.
+    fn queries(&self, m: &mut Module, config: &Config) {
+        let query = stream_in(m, "query", &records::query(config));
+        m.stream_into(&self.threads, "query", &query);
+    }
+
+    /// Leads requests for points to the memory and beats back, through the point cache where there is one; returns it.
+    fn points(&self, m: &mut Module, config: &Config, fetch: &Stream) -> Option<Instance> {
+        let beat_fields = records::beat(config);
+        if config.point_cache == 0 {
+            m.stream_export("fetch", fetch);
+            let beat = stream_in(m, "beat", &beat_fields);
+            m.stream_into(&self.leaf, "beat", &beat);
+            return None;
+        }
+        let cache = m.instance("point_cache", point_cache::module(config));
+        m.stream_into(&cache, "fetch", fetch);
+        let miss = m.stream_from(&cache, "miss");
+        m.stream_export("fetch", &miss);
+        let beat = stream_in(m, "beat", &beat_fields);
+        m.stream_into(&cache, "fill", &beat);
+        pipe(m, (&cache, "beat"), (&self.leaf, "beat"));
+        Some(cache)
+    }
+
+    /// Leads results out.
+    fn results(&self, m: &mut Module) {
+        let result = m.stream_from(&self.queue, "result");
+        m.stream_export("result", &result);
+    }
+}
+
 /// Builds the core.
 ///
 /// # Errors
 /// What the compiler rejects.
 pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     let mut m = Module::new("core_b_top", "Neighbor search: queries in, nearest neighbors out.");
-    let [traversal_unit, leaf_unit] = [traversal::datapath(config, options)?, leaf::datapath(config, options)?];
-    let manifests =
-        BTreeMap::from([("traversal".to_owned(), traversal_unit.manifest), ("leaf".to_owned(), leaf_unit.manifest)]);
-    let threads = m.instance("threads", threads::module(config));
-    let traversal = m.instance("traversal", traversal_unit.module);
-    let stack = m.instance("stack", stack::module(config));
-    let recursion = m.instance("recursion", recursion::module(config));
-    let leaf = m.instance("leaf", leaf_unit.module);
-    let queue = m.instance("queue", queue::module(config));
+    let [traversal, leaf] = [traversal::datapath(config, options)?, leaf::datapath(config, options)?];
+    let manifests = BTreeMap::from([("traversal".to_owned(), traversal.manifest), ("leaf".to_owned(), leaf.manifest)]);
+    let units = Units::connected(&mut m, config, [traversal.module, leaf.module]);
+    let (fetch, tree_cache) = units.tree(&mut m, config);
+    units.queries(&mut m, config);
+    let point_cache = units.points(&mut m, config, &fetch);
+    units.results(&mut m);
 
-    let tree = pulse_in(&mut m, "tree", &records::tree_write(config));
-    for unit in [&traversal, &leaf] {
-        pulse_into(&mut m, unit, "tree", &tree);
-    }
-    let query = stream_in(&mut m, "query", &records::query(config));
-    m.stream_into(&threads, "query", &query);
-    let start = pulse_from(&mut m, &threads, "start", &records::start(config));
-    for unit in [&traversal, &recursion, &leaf, &queue] {
-        pulse_into(&mut m, unit, "start", &start);
-    }
-
-    pipe(&mut m, (&threads, "descend"), (&traversal, "descend"));
-    pipe(&mut m, (&threads, "pop"), (&recursion, "in"));
-    pipe(&mut m, (&threads, "finish"), (&queue, "finish"));
-    pipe(&mut m, (&recursion, "resume"), (&traversal, "resume"));
-    pipe(&mut m, (&traversal, "leaf"), (&leaf, "leaf"));
-    pipe(&mut m, (&leaf, "candidates"), (&queue, "candidates"));
-
-    let thread_only = records::thread_only(config);
-    let path = records::path(config);
-    let pushed: Vec<_> = thread_only.iter().chain(&path).cloned().collect();
-    let push = pulse_from(&mut m, &traversal, "push", &pushed);
-    pulse_into(&mut m, &stack, "push", &push);
-    let pop = pulse_from(&mut m, &recursion, "pop", &thread_only);
-    pulse_into(&mut m, &stack, "pop", &pop);
-    let top_empty = m.out(&stack, "top_empty");
-    m.connect(&recursion, "top_empty", &top_empty);
-    Record::new(&path, |field| m.out(&stack, &format!("top_{field}"))).connect(&mut m, &recursion, "top_");
-
-    let radius = pulse_from(&mut m, &queue, "radius", &records::radius(config));
-    pulse_into(&mut m, &recursion, "radius", &radius);
-    let leaf_done = Pulse { valid: radius.valid, record: radius.record.only(&thread_only) };
-    pulse_into(&mut m, &threads, "leaf_done", &leaf_done);
-    for (unit, name) in [(&traversal, "reached"), (&recursion, "empty"), (&queue, "released")] {
-        let pulse = pulse_from(&mut m, unit, name, &thread_only);
-        pulse_into(&mut m, &threads, name, &pulse);
-    }
-
-    let fetch = m.stream_from(&leaf, "fetch");
-    m.stream_export("fetch", &fetch);
-    let beat = stream_in(&mut m, "beat", &records::beat(config));
-    m.stream_into(&leaf, "beat", &beat);
-    let result = m.stream_from(&queue, "result");
-    m.stream_export("result", &result);
-    for (name, unit) in EVENTS.iter().zip([&traversal, &recursion, &queue, &queue, &queue, &threads]) {
+    let Units { threads, traversal, recursion, queue, .. } = &units;
+    let own = EVENTS.into_iter().zip([traversal, recursion, queue, queue, queue, threads]);
+    let point_events = point_cache.iter().flat_map(|cache| POINT_CACHE_EVENTS.map(|event| (event, cache)));
+    let tree_events = tree_cache.iter().flat_map(|cache| TREE_CACHE_EVENTS.map(|event| (event, cache)));
+    for (name, unit) in own.chain(point_events).chain(tree_events) {
         let event = m.out(unit, name);
         m.output(name, &event);
     }

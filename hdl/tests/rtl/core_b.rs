@@ -1,0 +1,21 @@
+//! Core B, with its parts and without them, passes through every tool.
+
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::core_b::top;
+use pointcore_hdl::rtl::elaborate;
+use pointcore_spec::core_b::Config;
+
+use crate::tools::lint;
+
+#[test]
+fn tools_accept_core_b_with_and_without_its_parts() {
+    let base = Config { index_bits: 10, tree_depth: 4, bucket: 8, neighbors: 4, ..Config::default() };
+    for config in [
+        Config { point_cache: 0, ..base.clone() },
+        Config { point_cache: 4, lanes: 2, threads: 1, ..base.clone() },
+        Config { tree_cache: 16, lanes: 8, threads: 3, ..base },
+    ] {
+        let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        lint(&elaborate(&core.module).unwrap_or_else(|error| panic!("{error}")));
+    }
+}
