@@ -152,16 +152,27 @@ impl<M: Model> Ported<M> {
 impl<M: Model> Unit for Ported<M> {
     fn step(&mut self, inputs: &[u64], outputs: &mut [u64]) {
         let shape = self.model.shape();
-        self.model.outputs().visit(shape, &mut Writer(outputs.iter_mut()));
+        write(shape, self.model.outputs(), outputs);
         let (rst, ports) = inputs.split_first().expect("every unit has the input rst");
         if *rst == 0 {
-            let mut inputs = M::In::default();
-            inputs.visit(shape, &mut Reader(ports.iter()));
-            self.model.clock(&inputs);
+            self.model.clock(&read(shape, ports));
         } else {
             self.model.clone_from(&self.reset);
         }
     }
+}
+
+/// The record that words hold, one a field in port order.
+#[must_use]
+pub fn read<S, R: Record<S>>(shape: S, words: &[u64]) -> R {
+    let mut record = R::default();
+    record.visit(shape, &mut Reader(words.iter()));
+    record
+}
+
+/// Writes a record to words, one a field in port order.
+pub fn write<S, R: Record<S>>(shape: S, mut record: R, words: &mut [u64]) {
+    record.visit(shape, &mut Writer(words.iter_mut()));
 }
 
 const FEWER_WORDS: &str = "there is a word for each port of the unit's list";
