@@ -15,6 +15,7 @@ mod shapes;
 pub use error::SceneError;
 pub use file::{Light, Material};
 pub use model::{Model, NormalOrigin, NormalSource};
+pub use shapes::trefoil;
 
 use crate::shading::linear_from_srgb;
 use file::{ImageTable, SceneFile, SplattingTable};

@@ -103,6 +103,13 @@ fn parameter_at(arc_lengths: &[f64], share: f64) -> f64 {
     ((after - 1) as f64 + (share - low) / (high - low)) / (arc_lengths.len() - 1) as f64
 }
 
+/// Points of a trefoil knot in `[-1.7, 1.7]³`, that of scenes/knot.toml.
+#[must_use]
+pub fn trefoil(count: usize) -> Vec<DVec3> {
+    let knot = Tube { outer_radius: 1.0, knot_radius: 0.45, tube_radius: 0.22, windings: [2, 3] };
+    knot.sample(count).iter().map(|sample| sample.point).collect()
+}
+
 /// A square of the xz plane around the origin that faces y, row by row. Of `count` points, the largest square number
 /// is used.
 pub fn plane(count: usize, size: f64) -> Vec<Sample> {

@@ -1,0 +1,35 @@
+//! From a configuration to core B's Verilog.
+
+use crate::core_a::GenerateError;
+use pointcore_golden::core_b::Latencies;
+use pointcore_hdl::compiler::{Manifest, Options};
+use pointcore_hdl::core_b::top;
+use pointcore_hdl::rtl::{Design, elaborate};
+use pointcore_spec::core_b::Config;
+use std::collections::BTreeMap;
+
+/// A generated core.
+pub struct Core {
+    /// Verilog and ports.
+    pub design: Design,
+    /// What the compiler decided, by unit.
+    pub manifests: BTreeMap<String, Manifest>,
+}
+
+impl Core {
+    /// Generates the core.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn generate(config: &Config) -> Result<Self, GenerateError> {
+        let top::Core { module, manifests } = top::core(config, &Options::default())?;
+        Ok(Self { design: elaborate(&module)?, manifests })
+    }
+
+    /// The latencies a golden model needs to keep step.
+    #[must_use]
+    pub fn latencies(&self) -> Latencies {
+        let latency = |unit: &str| self.manifests[unit].latency;
+        Latencies { path: latency("traversal"), distance: latency("leaf") }
+    }
+}

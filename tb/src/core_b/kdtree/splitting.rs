@@ -1,0 +1,39 @@
+//! Where a node's points are divided.
+
+use super::divide::Item;
+use std::ops::RangeInclusive;
+
+/// A way to divide the points of a node along their widest dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Splitting {
+    /// Half of the points on either side.
+    Median,
+    /// The multiple of `bucket` nearest to half on the left: buckets are full, so none of a beat is wasted.
+    Packed,
+    /// The middle of the bounding box; cells are as compact as can be, leaves as full as the points happen to lie.
+    Midpoint,
+}
+
+impl Splitting {
+    /// How many of `items` go left. `allowed` is what leaves no side empty or fuller than its subtree can be.
+    pub(super) fn count_left(
+        self,
+        items: &[Item],
+        (axis, low, high): (usize, f32, f32),
+        bucket: usize,
+        allowed: RangeInclusive<usize>,
+    ) -> usize {
+        let half = items.len() / 2;
+        let count = match self {
+            Self::Median => half,
+            Self::Packed => (half + bucket / 2) / bucket * bucket,
+            // Without extent there is no side to either.
+            Self::Midpoint if low == high => half,
+            Self::Midpoint => {
+                let middle = f32::midpoint(low, high);
+                items.iter().filter(|item| item.point[axis] < middle).count()
+            }
+        };
+        count.clamp(*allowed.start(), *allowed.end())
+    }
+}

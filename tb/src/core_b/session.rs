@@ -1,0 +1,124 @@
+//! Neighbor search as a library: a tree, a core, queries in, neighbors out.
+
+use super::generate::Core;
+use super::host::Work;
+use super::memory::MemorySettings;
+use super::query::Query;
+use super::run::{Outcome, Runner, verilate};
+use super::{Error, Tree};
+use crate::core_a::Progress;
+use crate::lockstep::Stall;
+use crate::verilated::{Library, Trace};
+use pointcore_spec::core_b::Config;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// What answers queries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Engine {
+    /// The bit-exact, cycle-accurate golden model.
+    Golden,
+    /// The generated Verilog under Verilator.
+    Hardware,
+    /// Both, every output compared in every cycle.
+    Lockstep,
+}
+
+/// A core with a tree.
+///
+/// ```
+/// use pointcore::core_b::{Engine, MemorySettings, PointSet, Query, Session, Splitting, Tree};
+/// use pointcore_spec::core_b::Config;
+///
+/// let config = Config { tree_depth: 4, bucket: 8, ..Config::default() };
+/// let corners = (0..8_u8).map(|corner| [corner & 1, corner >> 1 & 1, corner >> 2].map(f32::from));
+/// let points = PointSet::new(config.geometry, &corners.collect::<Vec<_>>())?;
+/// let tree = Tree::build(&config, &points, Splitting::Median)?;
+/// let session = Session::open(config, tree, MemorySettings::default(), Engine::Golden)?;
+///
+/// let query = Query { point: [0.9, 0.3, 0.0], k: 2, radius: None };
+/// let outcome = session.search(&[query])?;
+/// let nearest: Vec<u32> = outcome.neighbors[0].iter().map(|neighbor| neighbor.point).collect();
+/// assert_eq!(nearest, [1, 3]);
+/// assert!(outcome.counters.cycles > 0);
+/// # Ok::<(), pointcore::core_b::Error>(())
+/// ```
+pub struct Session {
+    config: Config,
+    tree: Tree,
+    memory: MemorySettings,
+    core: Core,
+    /// The verilated core, unless the golden model answers alone.
+    library: Option<Arc<Library>>,
+    engine: Engine,
+    stall: Stall,
+    seed: u64,
+    reproduce: String,
+}
+
+impl Session {
+    /// Generates the core of a configuration, and verilates it if it is to run. The tree must have been built for the same
+    /// configuration.
+    ///
+    /// # Errors
+    /// Configuration or memory settings are not valid, or tools are missing or fail.
+    pub fn open(config: Config, tree: Tree, memory: MemorySettings, engine: Engine) -> Result<Self, Error> {
+        config.validate()?;
+        memory.validate()?;
+        tree.check(&config)?;
+        let core = Core::generate(&config)?;
+        let library = if engine == Engine::Golden { None } else { Some(verilate(&core, Trace::Off)?) };
+        let reproduce = String::new();
+        Ok(Self { config, tree, memory, core, library, engine, stall: Stall::Never, seed: 1, reproduce })
+    }
+
+    /// Holds streams back at random, chooses among answers of the memory and the hardware's uninitialized values.
+    #[must_use]
+    pub fn randomized(mut self, stall: Stall, seed: u64) -> Self {
+        (self.stall, self.seed) = (stall, seed);
+        self
+    }
+
+    /// The command to print when hardware and model differ.
+    #[must_use]
+    pub fn reproduced_by(mut self, command: String) -> Self {
+        self.reproduce = command;
+        self
+    }
+
+    /// The core.
+    #[must_use]
+    pub const fn core(&self) -> &Core {
+        &self.core
+    }
+
+    /// The tree.
+    #[must_use]
+    pub const fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// Asks queries one after the other; as many are under way at a time as the core has threads.
+    ///
+    /// # Errors
+    /// A query has no meaning; hardware and model differ; the core is stuck.
+    pub fn search(&self, queries: &[Query]) -> Result<Outcome, Error> {
+        self.search_with(queries, &|_, _| {})
+    }
+
+    /// As [`Session::search`], and tells of the progress.
+    ///
+    /// # Errors
+    /// As [`Session::search`].
+    pub fn search_with(&self, queries: &[Query], progress: Progress) -> Result<Outcome, Error> {
+        let encode = |(index, query): (usize, &Query)| query.encode(&self.config, index);
+        let queries = queries.par_iter().enumerate().map(encode).collect::<Result<Vec<_>, Error>>()?;
+        let work = Work { config: &self.config, tree: &self.tree, queries: &queries, memory: self.memory };
+        let runner = Runner { work, stall: self.stall, seed: self.seed, progress, reproduce: &self.reproduce };
+        match (self.engine, &self.library) {
+            (Engine::Hardware, Some(library)) => runner.hardware(library, None),
+            (Engine::Lockstep, Some(library)) => runner.lockstep(&self.core, library),
+            _ => runner.golden(&self.core),
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Searches through the library: neighbors equal those of a search through all points, bit for bit, on model and hardware.
+
+use pointcore::core_b::{
+    Engine, Error, MemorySettings, Outcome, PointSet, Query, Session, Splitting, Tree, encode, kdtree::depth_for,
+};
+use pointcore::lockstep::{Stall, seed};
+use pointcore_golden::reference::neighbors::nearest;
+use pointcore_spec::Format;
+use pointcore_spec::core_b::Config;
+
+/// Point sets of all kinds, by name.
+fn sets(count: usize) -> Vec<(&'static str, Vec<[f32; 3]>)> {
+    let mut random = fastrand::Rng::with_seed(seed().expect("POINTCORE_SEED is a number"));
+    let mut cloud = |point: &dyn Fn(&mut fastrand::Rng) -> [f32; 3]| (0..count).map(|_| point(&mut random)).collect();
+    let signed = |random: &mut fastrand::Rng| 2.0 * random.f32() - 1.0;
+    let magnitude = |random: &mut fastrand::Rng| signed(random).signum() * 10_f32.powf(30.0 * signed(random));
+    vec![
+        ("uniform", cloud(&|random| [(); 3].map(|()| signed(random)))),
+        (
+            "clustered",
+            cloud(&|random| {
+                let center = f32::from(random.u8(0..5));
+                [(); 3].map(|()| center + 1e-3 * signed(random))
+            }),
+        ),
+        ("coplanar", cloud(&|random| [signed(random), 0.25, signed(random)])),
+        ("collinear", cloud(&|random| [0.5, -0.5, signed(random)])),
+        ("lattice", cloud(&|random| [(); 3].map(|()| f32::from(random.i8(-3..4))))),
+        ("identical", cloud(&|_| [0.1, 0.2, 0.3])),
+        ("magnitudes", cloud(&|random| [(); 3].map(|()| magnitude(random)))),
+    ]
+}
+
+/// Queries at points, near them and elsewhere, for up to `neighbors` of them, some within a radius.
+fn queries(points: &[[f32; 3]], neighbors: u32, count: usize) -> Vec<Query> {
+    let mut random = fastrand::Rng::with_seed(seed().expect("POINTCORE_SEED is a number"));
+    let query = |index: usize| {
+        let point = points[random.usize(..points.len())];
+        let moved = point.map(|x| x + (random.f32() - 0.5) * 0.1 * x.abs().max(1e-20));
+        let radius = random.bool().then(|| 10_f32.powf(random.f32() * 4.0 - 3.0));
+        Query { point: if index.is_multiple_of(2) { point } else { moved }, k: random.u32(1..=neighbors), radius }
+    };
+    (0..count).map(query).collect()
+}
+
+/// Compares every neighbor with a search through all points; returns how many there are.
+fn check(name: &str, config: &Config, points: &PointSet, queries: &[Query], outcome: &Outcome) -> usize {
+    let format = config.geometry;
+    let encoded = points.encoded();
+    let mut count = 0;
+    for (index, (query, found)) in queries.iter().zip(&outcome.neighbors).enumerate() {
+        let at = query.point.map(|number| encode(format, number));
+        let radius2 = query.radius.map_or(format.infinity() as u32, |radius| encode(format, radius * radius));
+        let expected = nearest(format, &encoded, at, query.k as usize, radius2);
+        let expected: Vec<u32> = expected.iter().map(|neighbor| neighbor.distance2).collect();
+        let distances: Vec<u32> = found.iter().map(|neighbor| encode(format, neighbor.distance2)).collect();
+        assert_eq!(distances, expected, "{name}, query {index}: {query:?}");
+        for neighbor in found {
+            let distance2 = nearest(format, &encoded[neighbor.point as usize..][..1], at, 1, u32::MAX)[0].distance2;
+            assert_eq!(distance2, encode(format, neighbor.distance2), "{name}, query {index}: {neighbor:?}");
+        }
+        let mut distinct: Vec<_> = found.iter().map(|neighbor| neighbor.point).collect();
+        distinct.sort_unstable();
+        distinct.dedup();
+        assert_eq!(distinct.len(), found.len(), "{name}, query {index}: a neighbor is found once");
+        count += found.len();
+    }
+    count
+}
+
+fn open(config: &Config, points: &PointSet, splitting: Splitting, memory: MemorySettings, engine: Engine) -> Session {
+    let tree = Tree::build(config, points, splitting).unwrap_or_else(|error| panic!("{error}"));
+    Session::open(config.clone(), tree, memory, engine).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn neighbors_in_sets_of_all_kinds_equal_brute_force() {
+    const POINTS: usize = 700;
+    let memories = [
+        MemorySettings::default(),
+        MemorySettings { latency_cycles: 300, reorder_window: 8, ..MemorySettings::default() },
+        MemorySettings { latency_cycles: 1, bytes_per_cycle: Some(2.5), burst_bytes: 64, reorder_window: 3 },
+    ];
+    let formats = [Format::F32.flushed(), Format::F32, Format::F24, Format::F24.flushed()];
+    let splittings = [Splitting::Median, Splitting::Packed, Splitting::Midpoint];
+    for (index, (name, cloud)) in sets(POINTS).iter().enumerate() {
+        for (lanes, splitting) in [1, 4, 8].into_iter().zip(splittings) {
+            let config = Config {
+                geometry: formats[(index + lanes as usize) % formats.len()],
+                lanes,
+                bucket: 5 + 3 * lanes,
+                tree_depth: depth_for(POINTS, 5 + 3 * lanes) + (index % 2) as u32,
+                leaves_in_flight: 1 + index as u32 % 3,
+                ..Config::default()
+            };
+            let points = PointSet::new(config.geometry, cloud).expect("the points are finite");
+            let queries = queries(cloud, config.neighbors, 60);
+            let memory = memories[(index + lanes as usize) % memories.len()];
+            let session = open(&config, &points, splitting, memory, Engine::Golden).randomized(Stall::Random(0.2), 3);
+            let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
+            let found = check(name, &config, &points, &queries, &outcome);
+            assert!(found > 100, "{found} neighbors in {name}");
+            assert_eq!(outcome.counters.neighbors, found as u64);
+        }
+    }
+}
+
+#[test]
+fn hardware_answers_as_its_model_in_every_cycle() {
+    const POINTS: usize = 200;
+    let config = Config { lanes: 2, bucket: 8, tree_depth: 6, neighbors: 9, threads: 4, ..Config::default() };
+    for (name, cloud) in sets(POINTS) {
+        let points = PointSet::new(config.geometry, &cloud).expect("the points are finite");
+        let queries = queries(&cloud, config.neighbors, 25);
+        let memory = MemorySettings { reorder_window: 4, ..MemorySettings::default() };
+        let search = |engine| {
+            let session = open(&config, &points, Splitting::Packed, memory, engine).randomized(Stall::Random(0.1), 5);
+            session.search(&queries).unwrap_or_else(|error| panic!("{name}: {error}"))
+        };
+        let [golden, hardware, lockstep] = [Engine::Golden, Engine::Hardware, Engine::Lockstep].map(search);
+        check(name, &config, &points, &queries, &golden);
+        for other in [hardware, lockstep] {
+            assert_eq!((&other.neighbors, &other.counters), (&golden.neighbors, &golden.counters), "{name}");
+            assert_eq!(other.simulated_cycles, golden.simulated_cycles);
+        }
+    }
+}
+
+#[test]
+fn numbers_may_repeat_while_queries_are_under_way() {
+    // Four bits tell 16 queries apart; 32 threads would take more.
+    let config = Config { threads: 32, index_bits: 4, bucket: 8, tree_depth: 1, ..Config::default() };
+    let cloud: Vec<_> = (0..16_u8).map(|x| [f32::from(x), 0.0, 0.0]).collect();
+    let points = PointSet::new(config.geometry, &cloud).expect("the points are finite");
+    let queries = queries(&cloud, config.neighbors, 100);
+    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+    let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
+    assert!(check("few numbers", &config, &points, &queries, &outcome) > 100);
+    assert!(session.search(&[]).unwrap_or_else(|error| panic!("{error}")).neighbors.is_empty());
+}
+
+#[test]
+fn what_has_no_answer_is_refused() {
+    let config = Config { tree_depth: 1, ..Config::default() };
+    let points = PointSet::new(config.geometry, &[[0.0; 3]]).expect("the point is finite");
+    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+    let sound = Query { point: [1.0; 3], k: 1, radius: None };
+    let refused = session.search(&[sound, Query { k: 17, ..sound }]);
+    assert!(matches!(refused, Err(Error::Query { index: 1, .. })));
+    let tree = Tree::build(&config, &points, Splitting::Median).expect("one point fits");
+    let other = Config { lanes: 4, ..config };
+    let refused = Session::open(other, tree, MemorySettings::default(), Engine::Golden);
+    assert!(matches!(refused.err(), Some(Error::OtherTree)));
+}
