@@ -47,14 +47,23 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
+/// The file that describes a unit, or would: `<unit>.rs`, or `<unit>/mod.rs` where it has parts of its own.
+fn unit_file(side: &str, core: &str, unit: &str) -> String {
+    let folder = format!("{side}/src/{core}/{unit}");
+    let file = format!("{folder}/mod.rs");
+    if root().join(&file).is_file() { file } else { format!("{folder}.rs") }
+}
+
 /// Names of the units of a core, by the files that describe their hardware.
 fn units(core: &str) -> Vec<String> {
     let folder = root().join("hdl/src").join(core);
-    let names = rust_files(&folder).into_iter().map(|path| {
-        let inside = path.strip_prefix(&folder).expect("it was found in the folder").with_extension("");
-        inside.to_string_lossy().replace('/', "_")
+    let files = rust_files(&folder).into_iter();
+    let places = files.map(|path| path.strip_prefix(&folder).expect("it was found in the folder").with_extension(""));
+    let units = places.filter_map(|place| match place.to_string_lossy().split_once('/') {
+        None => (place != Path::new("mod")).then(|| place.to_string_lossy().into_owned()),
+        Some((unit, file)) => (file == "mod").then(|| unit.to_owned()),
     });
-    names.filter(|name| name != "mod" && !HELPERS.contains(&format!("{core}/{name}").as_str())).collect()
+    units.filter(|unit| !HELPERS.contains(&format!("{core}/{unit}").as_str())).collect()
 }
 
 fn read(path: &Path) -> String {
@@ -69,7 +78,7 @@ fn every_unit_has_hardware_a_model_a_test_and_a_module() {
         assert!(!units.is_empty(), "{core} has no units");
         for unit in units {
             let test = format!("{core}_{unit}");
-            for place in [format!("golden/src/{core}/{unit}.rs"), format!("tb/tests/{test}.rs")] {
+            for place in [unit_file("golden", core, &unit), format!("tb/tests/{test}.rs")] {
                 if !root().join(&place).is_file() {
                     missing.push(place);
                 }
@@ -77,7 +86,7 @@ fn every_unit_has_hardware_a_model_a_test_and_a_module() {
             if !read(&root().join("tb/tests/units.rs")).contains(&format!("mod {test};")) {
                 missing.push(format!("`mod {test};` in tb/tests/units.rs"));
             }
-            let hardware = format!("hdl/src/{core}/{unit}.rs");
+            let hardware = unit_file("hdl", core, &unit);
             if !read(&root().join(&hardware)).contains(&format!("\"{test}\"")) {
                 missing.push(format!("module `{test}` in {hardware}"));
             }
