@@ -2,6 +2,7 @@
 //! each file names the thesis section it implements.
 
 pub mod leaf;
+pub mod neighbor_cache;
 pub mod point_cache;
 pub mod queue;
 pub mod recursion;
@@ -27,16 +28,18 @@ mod tests {
     use pointcore_spec::Format;
     use pointcore_spec::core_b::{Config, ports};
 
-    fn configs() -> [Config; 6] {
+    fn configs() -> [Config; 8] {
         let small =
             Config { threads: 1, neighbors: 1, tree_depth: 1, leaves_in_flight: 1, bucket: 1, ..Config::default() };
         let wide = Config { threads: 3, lanes: 4, index_bits: 4, geometry: Format::F24.flushed(), ..Config::default() };
         let bare = Config { point_cache: 0, sieve_depth: 2, ..small.clone() };
-        let external = Config { tree_cache: 16, point_cache: 2, ..wide.clone() };
+        let external = Config { tree_cache: 16, point_cache: 2, neighbor_cache: 3, ..wide.clone() };
+        let single = Config { neighbor_cache: 1, ..small.clone() };
+        let coherent = Config { neighbor_cache: 8, ..Config::default() };
         // More lines than records, more slots than leaves.
         let roomy = Config { tree_cache: 64, point_cache: 256, ..small.clone() };
         let no_points = Config { point_cache: 0, tree_cache: 4096, ..Config::default() };
-        [Config::default(), no_points, wide, bare, external, roomy]
+        [Config::default(), no_points, wide, bare, external, roomy, single, coherent]
     }
 
     #[test]
@@ -53,6 +56,10 @@ mod tests {
             }
             if config.tree_cache > 0 {
                 check(&tree_cache::module(&config), ports::tree_cache(&config));
+            }
+            if config.neighbor_cache > 0 {
+                let unit = neighbor_cache::unit(&config, &options).unwrap_or_else(|error| panic!("{error}"));
+                check(&unit.module, ports::neighbor_cache(&config));
             }
             for (datapath, ports) in [
                 (traversal::datapath(&config, &options), ports::traversal(&config)),

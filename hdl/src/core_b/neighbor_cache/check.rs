@@ -1,0 +1,177 @@
+//! Coherence check (thesis 6.5.3): compares each query with one entry a cycle, and answers it or has it searched for.
+
+use pointcore_spec::core_a::Field;
+use pointcore_spec::core_b::{Config, records};
+
+use super::cover::{Covers, cover_fields};
+use super::deliver::Answer;
+use super::lru::{Chosen, Entries, VERSION_BITS};
+use super::tickets::Tickets;
+use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
+use crate::rtl::{Expr, Module, Stream, lit};
+use crate::units::datapath::{Inputs, dot, uniform};
+use crate::units::records::{Record, event_out, queue_in, queue_out, width};
+
+/// Queries whose comparisons may be under way.
+const CHECKS: usize = 8;
+
+/// A query's comparison with one entry: which it is, whether it is the query's last, and the entry's state as it was read.
+fn item_fields(config: &Config) -> Vec<Field> {
+    let fields = [("entry", config.entry_bits()), ("last", 1), ("present", 1), ("version", VERSION_BITS)];
+    fields.map(|(name, width)| (name.to_owned(), width)).to_vec()
+}
+
+/// What of a query the comparison needs.
+fn ball_fields(config: &Config) -> Vec<Field> {
+    ["x", "y", "z", "reach"].map(|name| (name.to_owned(), config.geometry.width())).to_vec()
+}
+
+/// Whether a query's ball lies within what an entry's neighborhood covers (thesis eq. 6.5, 6.6 and table 6.1).
+fn comparison(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let program = Program::new("core_b_check", "Whether a neighborhood covers a query.");
+    let mut fields = item_fields(config);
+    fields.extend(ball_fields(config));
+    fields.extend(cover_fields(config).into_iter().map(|(name, width)| (format!("entry_{name}"), width)));
+    let item = Inputs::new(&program, &fields);
+    let float = |name: &str| item.float(config.geometry, name);
+    let offset: [Value; 3] = ["x", "y", "z"].map(|axis| float(axis) - float(&format!("entry_{axis}")));
+    let (cover, reach) = (float("entry_c"), float("reach"));
+    let margin = (&cover - &reach) * uniform(&program, config.geometry, "margin_scale");
+    let covered = reach.lt(&cover) & dot(&offset, &offset).lt(&(&margin * &margin));
+    for (name, _) in item_fields(config) {
+        program.output(&name, &item.bits(&name));
+    }
+    program.output("covered", &covered);
+    compile(&program, options)
+}
+
+/// The queries whose comparisons are under way, in order: a memory read without a register.
+struct Asked {
+    room: Expr,
+    head: Record,
+    held: Expr,
+}
+
+impl Asked {
+    fn new(m: &mut Module, config: &Config, push: &Expr, query: &Record, pop: &Expr) -> Self {
+        let fields = records::query(config);
+        let address_bits = CHECKS.ilog2() as usize;
+        let count = m.reg_reset("asked_count", address_bits + 1, 0);
+        let [write_address, read_address] =
+            ["asked_write_address", "asked_read_address"].map(|name| m.reg_reset(name, address_bits, 0));
+        let queries = m.memory_distributed("asked", CHECKS, width(&fields));
+        m.write(&queries, push, &write_address, &query.only(&fields).pack());
+        let head = m.read_now(&queries, "asked_head", &read_address);
+        m.next_if(&write_address, push, &write_address.add_lit(1));
+        m.next_if(&read_address, pop, &read_address.add_lit(1));
+        m.next(&count, &(&count + push.zext(count.width()) - pop.zext(count.width())));
+        Self { room: !count.eq_lit(CHECKS as u128), head: Record::unpack(&fields, &head), held: count.any() }
+    }
+}
+
+/// What a query may be answered from or searched with.
+pub(super) struct Resources<'a> {
+    pub entries: &'a Entries,
+    pub covers: &'a Covers,
+    pub tickets: &'a Tickets,
+    pub settings: &'a Record,
+    /// An answer can be pushed in this cycle.
+    pub room: &'a Expr,
+}
+
+/// What becomes of queries in a cycle.
+pub(super) struct Check {
+    /// A query is answered.
+    pub hit: Answer,
+    /// A query is to be searched for.
+    pub misses: Expr,
+    /// The query of both.
+    pub query: Record,
+    pub manifest: Manifest,
+}
+
+/// The comparisons that enter the datapath: all of one query's, then the next one's. Returns the datapath's output.
+struct Comparisons {
+    out: Stream,
+    asked: Asked,
+    manifest: Manifest,
+}
+
+impl Comparisons {
+    fn new(
+        m: &mut Module,
+        config: &Config,
+        options: &Options,
+        from: &Resources<'_>,
+        pop: &Expr,
+    ) -> Result<Self, CompileError> {
+        let query = queue_in(m, "query", &records::cached_query(config));
+        let Datapath { module, manifest } = comparison(config, options)?;
+        let datapath = m.instance("check", module);
+        let accepts = m.out(&datapath, "in_ready");
+
+        let entry = m.reg_reset("next_entry", config.entry_bits() as usize, 0);
+        let first = m.wire("first_entry", &entry.is_zero());
+        let last = m.wire("last_entry", &entry.eq_lit(u128::from(config.neighbor_cache) - 1));
+        let issues = m.forward("issues", 1);
+        let asked = Asked::new(m, config, &(&issues & &first), &Record::from(&query), pop);
+
+        let i1_valid = m.reg_reset("i1_valid", 1, 0);
+        let advance = m.wire("i_advance", &(!&i1_valid | accepts));
+        m.drive(&issues, &((&query.valid & &advance) & (!&first | &asked.room)));
+        m.ready(&query, &(&issues & &last));
+        m.next_if(&entry, &issues, &last.mux(&lit(entry.width(), 0), &entry.add_lit(1)));
+        m.next_if(&i1_valid, &advance, &issues);
+        let item = Record::new(&item_fields(config), |name| match name {
+            "entry" => entry.expr(),
+            "last" => last.clone(),
+            "present" => from.entries.is_present(&entry),
+            _ => from.entries.version(&entry),
+        });
+        let item = item.register(m, "i1_", &issues);
+        let ball = Record::from(&query).only(&ball_fields(config)).register(m, "i1_", &issues);
+        let cover = from.covers.read(m, &issues, &entry);
+
+        m.connect(&datapath, "in_valid", &i1_valid);
+        item.connect(m, &datapath, "in_");
+        ball.connect(m, &datapath, "in_");
+        cover.connect(m, &datapath, "in_entry_");
+        m.connect(&datapath, "margin_scale", &from.settings.get("margin_scale"));
+        Ok(Self { out: m.stream_from(&datapath, "out"), asked, manifest })
+    }
+}
+
+impl Check {
+    /// Judges one comparison a cycle.
+    pub fn new(m: &mut Module, config: &Config, options: &Options, from: &Resources<'_>) -> Result<Self, CompileError> {
+        let pops = m.forward("asked_pops", 1);
+        let Comparisons { out, asked, manifest } = Comparisons::new(m, config, options, from, &pops.expr())?;
+        let entry = out.field("entry");
+        let last = out.field("last");
+        let answered = m.reg_reset("answered", 1, 0);
+        let open = m.wire("open", &(&out.valid & !&answered));
+        let unchanged = out.field("version").eq(&from.entries.version(&entry));
+        let reusable = (out.field("present") & from.entries.is_present(&entry)) & unchanged;
+        let hit = m.wire("hit", &(&open & (out.field("covered") & reusable)));
+        let miss = m.wire("miss", &(&open & (&last & !&hit)));
+
+        let search = queue_out(m, "search", &records::query(config));
+        let hits = m.wire("hits", &(&hit & from.room));
+        let misses = m.wire("misses", &((&miss & &search.room) & &from.tickets.any_free));
+        let stays = (&hit & !&hits) | (&miss & !&misses);
+        let leaves = m.wire("leaves", &(&out.valid & !stays));
+        m.ready(&out, &leaves);
+        m.drive(&pops, &(&leaves & &last));
+        m.next(&answered, &((&answered | &hits) & !&pops));
+        m.assert("a_comparison_has_its_query", &(!&out.valid | &asked.held));
+
+        search.push(m, &misses, |name| match name {
+            "number" => from.tickets.free.zext(config.index_bits as usize),
+            field => asked.head.get(field),
+        });
+        event_out(m, "event_cache_hit", &hits);
+        event_out(m, "event_cache_miss", &misses);
+        let hit = Answer { by: Chosen { valid: hits, entry }, number: asked.head.get("number") };
+        Ok(Self { hit, misses, query: asked.head, manifest })
+    }
+}
