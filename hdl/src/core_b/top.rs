@@ -4,10 +4,11 @@
 use std::collections::BTreeMap;
 
 use pointcore_spec::core_a::Field;
-use pointcore_spec::core_b::ports::{EVENTS, POINT_CACHE_EVENTS, TREE_CACHE_EVENTS};
+use pointcore_spec::core_b::ports::{EVENTS, NEIGHBOR_CACHE_EVENTS, POINT_CACHE_EVENTS, TREE_CACHE_EVENTS};
 use pointcore_spec::core_b::{Config, records};
 
-use super::{leaf, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
+use super::neighbor_cache::NeighborCache;
+use super::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
 use crate::compiler::{CompileError, Manifest, Options};
 use crate::rtl::{Instance, Module, Stream};
 use crate::units::records::{Pulse, Record, pulse_in, stream_in};
@@ -121,10 +122,18 @@ impl Units {
         (m.stream_from(&cache, "fetch"), Some(cache))
     }
 
-    /// Leads queries in.
-    fn queries(&self, m: &mut Module, config: &Config) {
-        let query = stream_in(m, "query", &records::query(config));
-        m.stream_into(&self.threads, "query", &query);
+    /// Leads queries in, through the neighbor cache where there is one.
+    fn queries(&self, m: &mut Module, config: &Config, cache: Option<&Instance>) {
+        let Some(cache) = cache else {
+            let query = stream_in(m, "query", &records::query(config));
+            m.stream_into(&self.threads, "query", &query);
+            return;
+        };
+        let setup = pulse_in(m, "setup", &records::cache_setup(config));
+        pulse_into(m, cache, "setup", &setup);
+        let query = stream_in(m, "query", &records::cached_query(config));
+        m.stream_into(cache, "query", &query);
+        pipe(m, (cache, "search"), (&self.threads, "query"));
     }
 
     /// Leads requests for points to the memory and beats back, through the point cache where there is one; returns it.
@@ -146,9 +155,12 @@ impl Units {
         Some(cache)
     }
 
-    /// Leads results out.
-    fn results(&self, m: &mut Module) {
-        let result = m.stream_from(&self.queue, "result");
+    /// Leads results out, through the neighbor cache where there is one.
+    fn results(&self, m: &mut Module, cache: Option<&Instance>) {
+        if let Some(cache) = cache {
+            pipe(m, (&self.queue, "result"), (cache, "found"));
+        }
+        let result = m.stream_from(cache.unwrap_or(&self.queue), "result");
         m.stream_export("result", &result);
     }
 }
@@ -160,18 +172,28 @@ impl Units {
 pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     let mut m = Module::new("core_b_top", "Neighbor search: queries in, nearest neighbors out.");
     let [traversal, leaf] = [traversal::datapath(config, options)?, leaf::datapath(config, options)?];
-    let manifests = BTreeMap::from([("traversal".to_owned(), traversal.manifest), ("leaf".to_owned(), leaf.manifest)]);
+    let mut manifests =
+        BTreeMap::from([("traversal".to_owned(), traversal.manifest), ("leaf".to_owned(), leaf.manifest)]);
+    let neighbor_cache = match config.neighbor_cache {
+        0 => None,
+        _ => {
+            let NeighborCache { module, check, cover } = neighbor_cache::unit(config, options)?;
+            manifests.extend([("check".to_owned(), check), ("cover".to_owned(), cover)]);
+            Some(m.instance("neighbor_cache", module))
+        }
+    };
     let units = Units::connected(&mut m, config, [traversal.module, leaf.module]);
     let (fetch, tree_cache) = units.tree(&mut m, config);
-    units.queries(&mut m, config);
+    units.queries(&mut m, config, neighbor_cache.as_ref());
     let point_cache = units.points(&mut m, config, &fetch);
-    units.results(&mut m);
+    units.results(&mut m, neighbor_cache.as_ref());
 
     let Units { threads, traversal, recursion, queue, .. } = &units;
     let own = EVENTS.into_iter().zip([traversal, recursion, queue, queue, queue, threads]);
     let point_events = point_cache.iter().flat_map(|cache| POINT_CACHE_EVENTS.map(|event| (event, cache)));
     let tree_events = tree_cache.iter().flat_map(|cache| TREE_CACHE_EVENTS.map(|event| (event, cache)));
-    for (name, unit) in own.chain(point_events).chain(tree_events) {
+    let neighbor_events = neighbor_cache.iter().flat_map(|cache| NEIGHBOR_CACHE_EVENTS.map(|event| (event, cache)));
+    for (name, unit) in own.chain(point_events).chain(tree_events).chain(neighbor_events) {
         let event = m.out(unit, name);
         m.output(name, &event);
     }

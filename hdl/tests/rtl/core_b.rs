@@ -13,7 +13,8 @@ fn tools_accept_core_b_with_and_without_its_parts() {
     for config in [
         Config { point_cache: 0, ..base.clone() },
         Config { point_cache: 4, lanes: 2, threads: 1, ..base.clone() },
-        Config { tree_cache: 16, lanes: 8, threads: 3, ..base },
+        Config { neighbor_cache: 1, threads: 2, ..base.clone() },
+        Config { tree_cache: 16, neighbor_cache: 3, lanes: 8, threads: 3, ..base },
     ] {
         let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         lint(&elaborate(&core.module).unwrap_or_else(|error| panic!("{error}")));
