@@ -3,7 +3,7 @@ SHELL := /bin/bash
 SCENE ?= scenes/knot.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests run run-scan plan gen test check bench doc clean
+.PHONY: help setup setup-tests setup-fpga run run-scan plan gen test check bench doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
@@ -14,6 +14,10 @@ setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
 
 setup-tests: setup ## Install what the tests need besides: Icarus Verilog, yosys
 	@./scripts/setup iverilog:iverilog yosys:yosys
+
+setup-fpga: ## Install synthesis, place and route, pinned, into target/tools
+	@./scripts/setup python3:python3 ensurepip.py:python3-venv
+	@./scripts/python-tools
 
 run: setup ## Render SCENE on the generated hardware, in lockstep with its models, into out/
 	cargo run --release --bin pointcore -- run $(SCENE)
