@@ -15,12 +15,12 @@ use pointcore_spec::core_b::Config;
 pub struct In {
     /// Write to the leaf table.
     pub tree: Option<TreeWrite>,
-    /// A thread taking up a query.
-    pub start: Option<Start>,
     /// Leaves reached.
     pub leaf: Option<LeafVisit>,
     /// Whether the memory takes a request.
     pub fetch_ready: bool,
+    /// A thread taking up a query.
+    pub start: Option<Start>,
     /// Points from memory.
     pub beat: Option<Beat>,
     /// Whether the queue takes a beat of distances.
@@ -154,9 +154,9 @@ impl Model for Leaf {
 impl Record<Shape> for In {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         stream(visitor, shape, "tree_", &mut self.tree);
-        stream(visitor, shape, "start_", &mut self.start);
         stream(visitor, shape, "leaf_", &mut self.leaf);
         visitor.field("fetch_ready", &mut self.fetch_ready);
+        stream(visitor, shape, "start_", &mut self.start);
         stream(visitor, shape, "beat_", &mut self.beat);
         visitor.field("candidates_ready", &mut self.candidates_ready);
     }

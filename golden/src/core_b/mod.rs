@@ -7,6 +7,7 @@ pub mod leaf;
 pub mod queue;
 pub mod records;
 pub mod recursion;
+pub mod sieve;
 pub mod stack;
 pub mod threads;
 pub mod top;
@@ -15,6 +16,7 @@ pub mod traversal;
 pub use leaf::Leaf;
 pub use queue::Queue;
 pub use recursion::Recursion;
+pub use sieve::Sieve;
 pub use stack::Stack;
 pub use threads::Threads;
 pub use top::Top;
@@ -38,12 +40,13 @@ mod tests {
     #[test]
     fn every_record_follows_its_port_list() {
         for lanes in [1, 2, 4, 8] {
-            let config = Config { lanes, ..Config::default() };
+            let config = Config { lanes, point_cache: 0, ..Config::default() };
             check_ports(&Threads::new(&config), &ports::threads(&config));
             check_ports(&Traversal::new(&config, 1), &ports::traversal(&config));
             check_ports(&Stack::new(&config), &ports::stack(&config));
             check_ports(&Recursion::new(&config), &ports::recursion(&config));
             check_ports(&Leaf::new(&config, 1), &ports::leaf(&config));
+            check_ports(&Sieve::new(&config), &ports::sieve(&config));
             check_ports(&Queue::new(&config), &ports::queue(&config));
             check_ports(&Top::new(&config, Latencies { path: 1, distance: 1 }), &ports::top(&config));
         }

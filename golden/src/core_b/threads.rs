@@ -26,6 +26,8 @@ pub struct In {
     pub reached: Option<Thread>,
     /// All points of a leaf are in the thread's queue.
     pub leaf_done: Option<Thread>,
+    /// No point of a leaf was near enough for the thread's queue.
+    pub skipped: Option<Thread>,
     /// A thread's stack has nothing left.
     pub empty: Option<Thread>,
     /// A thread's results are safe.
@@ -60,6 +62,22 @@ struct State {
     exhausted: bool,
     wants_pop: bool,
     wants_finish: bool,
+}
+
+impl State {
+    /// Of a thread's leaves one may be reached and two end in one cycle.
+    fn note_leaves(&mut self, reached: bool, ended: u8, leaves_in_flight: u8) {
+        self.outstanding = self.outstanding + u8::from(reached) - ended;
+        if self.waiting && ended > 0 {
+            self.waiting = false;
+            self.wants_pop = true;
+        }
+        if reached && self.outstanding < leaves_in_flight {
+            self.wants_pop = true;
+        } else if reached {
+            self.waiting = true;
+        }
+    }
 }
 
 /// The thread control.
@@ -105,35 +123,17 @@ impl Threads {
 
     /// Pulses change the threads' states all at once.
     fn note_progress(&mut self, inputs: &In) {
-        let was_waiting = inputs.leaf_done.is_some_and(|thread| self.states[thread.index()].waiting);
-        if let Some(thread) = inputs.reached {
-            self.states[thread.index()].outstanding += 1;
-        }
-        if let Some(thread) = inputs.leaf_done {
-            let state = &mut self.states[thread.index()];
-            state.outstanding -= 1;
-            if was_waiting {
-                state.waiting = false;
-                state.wants_pop = true;
+        for (index, state) in self.states.iter_mut().enumerate() {
+            let is_of = |pulse: Option<Thread>| pulse.is_some_and(|thread| thread.index() == index);
+            let leaves_ended = u8::from(is_of(inputs.leaf_done)) + u8::from(is_of(inputs.skipped));
+            state.note_leaves(is_of(inputs.reached), leaves_ended, self.leaves_in_flight);
+            state.exhausted |= is_of(inputs.empty);
+            if is_of(inputs.empty) || leaves_ended > 0 {
+                state.wants_finish |= state.exhausted && state.outstanding == 0;
             }
-        }
-        if let Some(thread) = inputs.reached {
-            let state = &mut self.states[thread.index()];
-            if state.outstanding < self.leaves_in_flight {
-                state.wants_pop = true;
-            } else {
-                state.waiting = true;
+            if is_of(inputs.released) {
+                *state = State::default();
             }
-        }
-        if let Some(thread) = inputs.empty {
-            self.states[thread.index()].exhausted = true;
-        }
-        for thread in [inputs.empty, inputs.leaf_done].into_iter().flatten() {
-            let state = &mut self.states[thread.index()];
-            state.wants_finish |= state.exhausted && state.outstanding == 0;
-        }
-        if let Some(thread) = inputs.released {
-            self.states[thread.index()] = State::default();
         }
     }
 }
@@ -204,6 +204,7 @@ impl Record<Shape> for In {
         visitor.field("finish_ready", &mut self.finish_ready);
         stream(visitor, shape, "reached_", &mut self.reached);
         stream(visitor, shape, "leaf_done_", &mut self.leaf_done);
+        stream(visitor, shape, "skipped_", &mut self.skipped);
         stream(visitor, shape, "empty_", &mut self.empty);
         stream(visitor, shape, "released_", &mut self.released);
     }
@@ -231,6 +232,7 @@ mod tests {
         finish_ready: true,
         reached: None,
         leaf_done: None,
+        skipped: None,
         empty: None,
         released: None,
     };
@@ -288,6 +290,26 @@ mod tests {
         assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (true, false));
         assert_eq!(after(&mut threads, In { reached: FIRST, leaf_done: FIRST, ..READY }), (true, false));
         assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (false, false));
+    }
+
+    #[test]
+    fn a_skipped_leaf_ends_as_one_that_is_done() {
+        let mut threads = unit(1, 1);
+        threads.clock(&In { query: Some(Query::default()), ..READY });
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (false, false));
+        assert_eq!(after(&mut threads, In { skipped: FIRST, ..READY }), (true, false));
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (false, false));
+        assert_eq!(after(&mut threads, In { skipped: FIRST, empty: FIRST, ..READY }), (true, true));
+    }
+
+    #[test]
+    fn two_leaves_of_a_thread_may_end_in_one_cycle() {
+        let mut threads = unit(1, 3);
+        threads.clock(&In { query: Some(Query::default()), ..READY });
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (true, false));
+        assert_eq!(after(&mut threads, In { reached: FIRST, ..READY }), (true, false));
+        assert_eq!(after(&mut threads, In { empty: FIRST, ..READY }), (false, false));
+        assert_eq!(after(&mut threads, In { leaf_done: FIRST, skipped: FIRST, ..READY }), (false, true));
     }
 
     #[test]

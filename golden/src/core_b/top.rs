@@ -4,7 +4,8 @@
 
 use super::records::{Beat, Fetch, Query, QueryResult, Shape, TreeWrite};
 use super::{
-    Latencies, Leaf, Queue, Recursion, Stack, Threads, Traversal, leaf, queue, recursion, stack, threads, traversal,
+    Latencies, Leaf, Queue, Recursion, Sieve, Stack, Threads, Traversal, leaf, queue, recursion, sieve, stack, threads,
+    traversal,
 };
 use crate::unit::{Model, Record, Visitor, stream};
 use pointcore_spec::core_b::Config;
@@ -61,6 +62,7 @@ pub struct Top {
     stack: Stack,
     recursion: Recursion,
     leaf: Leaf,
+    sieve: Sieve,
     queue: Queue,
 }
 
@@ -75,6 +77,7 @@ impl Top {
             stack: Stack::new(config),
             recursion: Recursion::new(config),
             leaf: Leaf::new(config, latencies.distance),
+            sieve: Sieve::new(config),
             queue: Queue::new(config),
         }
     }
@@ -113,6 +116,7 @@ impl Model for Top {
         let stack = self.stack.outputs();
         let recursion = self.recursion.outputs();
         let leaf = self.leaf.outputs();
+        let sieve = self.sieve.outputs();
         let queue = self.queue.outputs();
 
         let start = threads.start;
@@ -123,6 +127,7 @@ impl Model for Top {
             finish_ready: queue.finish_ready,
             reached: traversal.reached,
             leaf_done: queue.radius.map(|radius| radius.thread),
+            skipped: sieve.skipped,
             empty: recursion.empty,
             released: queue.released,
         });
@@ -147,11 +152,17 @@ impl Model for Top {
             leaf: traversal.leaf,
             fetch_ready: inputs.fetch_ready,
             beat: inputs.beat,
-            candidates_ready: queue.candidates_ready,
+            candidates_ready: sieve.candidates_ready,
+        });
+        self.sieve.clock(&sieve::In {
+            start,
+            radius: queue.radius,
+            candidates: leaf.candidates,
+            kept_ready: queue.candidates_ready,
         });
         self.queue.clock(&queue::In {
             start,
-            candidates: leaf.candidates,
+            candidates: sieve.kept,
             finish: threads.finish,
             result_ready: inputs.result_ready,
         });

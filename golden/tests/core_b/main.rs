@@ -90,6 +90,7 @@ fn answers_equal_a_search_through_all_points() {
                 tree_depth: random.u32(6..9),
                 bucket,
                 leaves_in_flight,
+                sieve_depth: [2, 16][index % 2],
                 ..Config::default()
             };
             assert_eq!(config.validate(), Ok(()));
