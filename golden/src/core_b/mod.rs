@@ -3,7 +3,9 @@
 //! A unit is a [`Model`](crate::unit::Model) over the typed records of [`records`]; [`Ported`](crate::unit::Ported) gives it the
 //! ports of the specification.
 
+pub mod events;
 pub mod leaf;
+pub mod point_cache;
 pub mod queue;
 pub mod records;
 pub mod recursion;
@@ -14,6 +16,7 @@ pub mod top;
 pub mod traversal;
 
 pub use leaf::Leaf;
+pub use point_cache::PointCache;
 pub use queue::Queue;
 pub use recursion::Recursion;
 pub use sieve::Sieve;
@@ -39,14 +42,15 @@ mod tests {
 
     #[test]
     fn every_record_follows_its_port_list() {
-        for lanes in [1, 2, 4, 8] {
-            let config = Config { lanes, point_cache: 0, ..Config::default() };
+        for (lanes, point_cache) in [(1, 0), (2, 64), (4, 0), (8, 2)] {
+            let config = Config { lanes, point_cache, ..Config::default() };
             check_ports(&Threads::new(&config), &ports::threads(&config));
             check_ports(&Traversal::new(&config, 1), &ports::traversal(&config));
             check_ports(&Stack::new(&config), &ports::stack(&config));
             check_ports(&Recursion::new(&config), &ports::recursion(&config));
             check_ports(&Leaf::new(&config, 1), &ports::leaf(&config));
             check_ports(&Sieve::new(&config), &ports::sieve(&config));
+            check_ports(&PointCache::new(&Config { point_cache: 2, ..config.clone() }), &ports::point_cache(&config));
             check_ports(&Queue::new(&config), &ports::queue(&config));
             check_ports(&Top::new(&config, Latencies { path: 1, distance: 1 }), &ports::top(&config));
         }

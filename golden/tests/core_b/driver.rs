@@ -3,9 +3,10 @@
 
 use crate::tree::Tree;
 use fastrand::Rng;
+use pointcore_golden::core_b::Latencies;
+use pointcore_golden::core_b::events::Events;
 use pointcore_golden::core_b::records::{Beat, BeatPlace, Fetch, Query};
 use pointcore_golden::core_b::top::{In, Top};
-use pointcore_golden::core_b::{Latencies, top};
 use pointcore_golden::unit::Model;
 use pointcore_spec::core_b::Config;
 
@@ -75,6 +76,8 @@ pub struct Bench<'a> {
     pub visits: u64,
     /// Beats of distances worked on.
     pub beats: u64,
+    /// Leaves found in the point cache.
+    pub point_hits: u64,
 }
 
 impl<'a> Bench<'a> {
@@ -84,7 +87,7 @@ impl<'a> Bench<'a> {
             top.clock(&In { tree: Some(*write), ..In::default() });
         }
         let memory = Memory { tree, lanes: config.lanes as usize, requests: Vec::new(), current: None };
-        Self { top, memory, surroundings, random: Rng::with_seed(seed), cycles: 0, visits: 0, beats: 0 }
+        Self { top, memory, surroundings, random: Rng::with_seed(seed), cycles: 0, visits: 0, beats: 0, point_hits: 0 }
     }
 
     fn goes_on(&mut self) -> bool {
@@ -137,8 +140,9 @@ impl<'a> Bench<'a> {
         answers
     }
 
-    fn count(&mut self, events: &top::Events) {
+    fn count(&mut self, events: &Events) {
         self.visits += u64::from(events.node);
         self.beats += u64::from(events.queue.beat);
+        self.point_hits += u64::from(events.point_cache.hit);
     }
 }

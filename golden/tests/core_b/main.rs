@@ -78,7 +78,7 @@ fn answers_equal_a_search_through_all_points() {
     let mut random = Rng::with_seed(first_seed());
     let formats = [Format::F32.flushed(), Format::F24, Format::F32, Format::F24.flushed()];
     let sizes = [(1, 1, 1), (32, 64, 4), (16, 16, 2), (3, 7, 3), (2, 33, 1), (8, 10, 4)];
-    let (mut found, mut internal_leaves) = (0, 0);
+    let (mut found, mut internal_leaves, mut point_hits) = (0, 0, 0);
     for lanes in [1, 2, 4, 8] {
         for (index, (threads, neighbors, leaves_in_flight)) in sizes.into_iter().enumerate() {
             let bucket = random.u32(4..20);
@@ -91,6 +91,7 @@ fn answers_equal_a_search_through_all_points() {
                 bucket,
                 leaves_in_flight,
                 sieve_depth: [2, 16][index % 2],
+                point_cache: [0, 2, 8, 64][random.usize(..4)],
                 ..Config::default()
             };
             assert_eq!(config.validate(), Ok(()));
@@ -106,15 +107,17 @@ fn answers_equal_a_search_through_all_points() {
                 found += answers.iter().map(|answer| answer.neighbors.len()).sum::<usize>();
             }
             internal_leaves += tree.internal_leaves;
+            assert!(config.point_cache > 0 || bench.point_hits == 0);
+            point_hits += bench.point_hits;
         }
     }
-    println!("{found} neighbors, {internal_leaves} internal leaves");
-    assert!(found > 10_000 && internal_leaves > 100);
+    println!("{found} neighbors, {internal_leaves} internal leaves, {point_hits} leaves from the cache");
+    assert!(found > 10_000 && internal_leaves > 100 && point_hits > 1000);
 }
 
 /// Cycles for the same queries in a memory of long latency.
 fn cycles(threads: u32, leaves_in_flight: u32) -> u64 {
-    let config = Config { threads, leaves_in_flight, tree_depth: 6, neighbors: 8, ..Config::default() };
+    let config = Config { threads, leaves_in_flight, tree_depth: 6, neighbors: 8, point_cache: 0, ..Config::default() };
     let mut random = Rng::with_seed(first_seed());
     let mut points = cloud(800, &mut random);
     let tree = build(&config, &mut points, &mut random);

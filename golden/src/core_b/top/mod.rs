@@ -2,56 +2,18 @@
 //!
 //! In a cycle every unit first shows its outputs, which depend on registers only, then all are clocked.
 
-use super::records::{Beat, Fetch, Query, QueryResult, Shape, TreeWrite};
+mod ports;
+
+pub use ports::{In, Out};
+
+use super::events::Events;
+use super::records::Shape;
 use super::{
-    Latencies, Leaf, Queue, Recursion, Sieve, Stack, Threads, Traversal, leaf, queue, recursion, sieve, stack, threads,
-    traversal,
+    Latencies, Leaf, PointCache, Queue, Recursion, Sieve, Stack, Threads, Traversal, leaf, point_cache, queue,
+    recursion, sieve, stack, threads, traversal,
 };
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_spec::core_b::Config;
-
-/// What the core sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Write to the tree memories, not while a query is under way.
-    pub tree: Option<TreeWrite>,
-    /// Queries.
-    pub query: Option<Query>,
-    /// Whether the memory takes a request.
-    pub fetch_ready: bool,
-    /// Points from memory: the beats of a request in order and together, requests in any order.
-    pub beat: Option<Beat>,
-    /// Whether the consumer takes a result.
-    pub result_ready: bool,
-}
-
-/// What the core shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a query is accepted.
-    pub query_ready: bool,
-    /// Requests to the memory.
-    pub fetch: Option<Fetch>,
-    /// Whether a beat is accepted.
-    pub beat_ready: bool,
-    /// Neighbors, nearest first, a query after the other.
-    pub result: Option<QueryResult>,
-    /// What happened in the last cycle.
-    pub events: Events,
-}
-
-/// What the core did in the last cycle.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Events {
-    /// A node was visited.
-    pub node: bool,
-    /// A path was popped.
-    pub pop: bool,
-    /// Of the queue.
-    pub queue: queue::Events,
-    /// A query waited for a free thread.
-    pub thread_wait: bool,
-}
 
 /// The whole core.
 #[derive(Clone, Debug)]
@@ -62,6 +24,7 @@ pub struct Top {
     stack: Stack,
     recursion: Recursion,
     leaf: Leaf,
+    point_cache: Option<PointCache>,
     sieve: Sieve,
     queue: Queue,
 }
@@ -77,6 +40,7 @@ impl Top {
             stack: Stack::new(config),
             recursion: Recursion::new(config),
             leaf: Leaf::new(config, latencies.distance),
+            point_cache: (config.point_cache > 0).then(|| PointCache::new(config)),
             sieve: Sieve::new(config),
             queue: Queue::new(config),
         }
@@ -95,17 +59,21 @@ impl Model for Top {
     fn outputs(&self) -> Out {
         let threads = self.threads.outputs();
         let leaf = self.leaf.outputs();
+        let point_cache = self.point_cache.as_ref().map(PointCache::outputs);
+        let (fetch, beat_ready) =
+            point_cache.as_ref().map_or((leaf.fetch, leaf.beat_ready), |cache| (cache.miss, cache.fill_ready));
         let queue = self.queue.outputs();
         Out {
             query_ready: threads.query_ready,
-            fetch: leaf.fetch,
-            beat_ready: leaf.beat_ready,
+            fetch,
+            beat_ready,
             result: queue.result,
             events: Events {
                 node: self.traversal.outputs().event_node,
                 pop: self.recursion.outputs().event_pop,
                 queue: queue.events,
                 thread_wait: threads.event_thread_wait,
+                point_cache: point_cache.map(|cache| cache.events).unwrap_or_default(),
             },
         }
     }
@@ -116,6 +84,7 @@ impl Model for Top {
         let stack = self.stack.outputs();
         let recursion = self.recursion.outputs();
         let leaf = self.leaf.outputs();
+        let point_cache = self.point_cache.as_ref().map(PointCache::outputs);
         let sieve = self.sieve.outputs();
         let queue = self.queue.outputs();
 
@@ -146,14 +115,24 @@ impl Model for Top {
             top: stack.top,
             resume_ready: traversal.resume_ready,
         });
+        let (fetch_ready, beat) =
+            point_cache.as_ref().map_or((inputs.fetch_ready, inputs.beat), |cache| (cache.fetch_ready, cache.beat));
         self.leaf.clock(&leaf::In {
             tree: inputs.tree,
             start,
             leaf: traversal.leaf,
-            fetch_ready: inputs.fetch_ready,
-            beat: inputs.beat,
+            fetch_ready,
+            beat,
             candidates_ready: sieve.candidates_ready,
         });
+        if let Some(cache) = &mut self.point_cache {
+            cache.clock(&point_cache::In {
+                fetch: leaf.fetch,
+                beat_ready: leaf.beat_ready,
+                miss_ready: inputs.fetch_ready,
+                fill: inputs.beat,
+            });
+        }
         self.sieve.clock(&sieve::In {
             start,
             radius: queue.radius,
@@ -166,28 +145,5 @@ impl Model for Top {
             finish: threads.finish,
             result_ready: inputs.result_ready,
         });
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "tree_", &mut self.tree);
-        stream(visitor, shape, "query_", &mut self.query);
-        visitor.field("fetch_ready", &mut self.fetch_ready);
-        stream(visitor, shape, "beat_", &mut self.beat);
-        visitor.field("result_ready", &mut self.result_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("query_ready", &mut self.query_ready);
-        stream(visitor, shape, "fetch_", &mut self.fetch);
-        visitor.field("beat_ready", &mut self.beat_ready);
-        stream(visitor, shape, "result_", &mut self.result);
-        visitor.field("event_node", &mut self.events.node);
-        visitor.field("event_pop", &mut self.events.pop);
-        self.events.queue.visit(visitor);
-        visitor.field("event_thread_wait", &mut self.events.thread_wait);
     }
 }
