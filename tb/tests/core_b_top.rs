@@ -93,8 +93,8 @@ fn check(host: &Host) {
 fn searches_agree_with_the_model_and_with_brute_force() {
     for config in configs() {
         let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let latencies =
-            Latencies { path: core.manifests["traversal"].latency, distance: core.manifests["leaf"].latency };
+        let [path, distance] = ["traversal", "leaf"].map(|unit| core.manifests[unit].latency);
+        let latencies = Latencies { path, distance, neighbor_cache: None };
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::random(&config, &mut feeds.random);
             tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone()));

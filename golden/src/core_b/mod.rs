@@ -5,6 +5,7 @@
 
 pub mod events;
 pub mod leaf;
+pub mod neighbor_cache;
 pub mod point_cache;
 pub mod queue;
 pub mod records;
@@ -16,6 +17,7 @@ pub mod top;
 pub mod traversal;
 
 pub use leaf::Leaf;
+pub use neighbor_cache::NeighborCache;
 pub use point_cache::PointCache;
 pub use queue::Queue;
 pub use recursion::Recursion;
@@ -32,6 +34,17 @@ pub struct Latencies {
     pub path: u32,
     /// Of the squared distances to a beat of points.
     pub distance: u32,
+    /// Of the neighbor cache, where there is one.
+    pub neighbor_cache: Option<CacheLatencies>,
+}
+
+/// Stages of the neighbor cache's pipelines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CacheLatencies {
+    /// Of the coherence check.
+    pub check: u32,
+    /// Of the value that queries are compared with.
+    pub cover: u32,
 }
 
 #[cfg(test)]
@@ -52,7 +65,13 @@ mod tests {
             check_ports(&Sieve::new(&config), &ports::sieve(&config));
             check_ports(&PointCache::new(&Config { point_cache: 2, ..config.clone() }), &ports::point_cache(&config));
             check_ports(&Queue::new(&config), &ports::queue(&config));
-            check_ports(&Top::new(&config, Latencies { path: 1, distance: 1 }), &ports::top(&config));
+            check_ports(
+                &Top::new(&config, Latencies { path: 1, distance: 1, neighbor_cache: None }),
+                &ports::top(&config),
+            );
         }
+        let config = Config { neighbor_cache: 8, ..Config::default() };
+        let latencies = CacheLatencies { check: 1, cover: 1 };
+        check_ports(&NeighborCache::new(&config, latencies), &ports::neighbor_cache(&config));
     }
 }

@@ -15,7 +15,7 @@ use std::collections::HashSet;
 use tree::{Tree, build, encode};
 
 /// Pipelines of plausible lengths.
-const LATENCIES: Latencies = Latencies { path: 9, distance: 15 };
+const LATENCIES: Latencies = Latencies { path: 9, distance: 15, neighbor_cache: None };
 
 fn first_seed() -> u64 {
     let seed = std::env::var("POINTCORE_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
@@ -98,7 +98,7 @@ fn answers_equal_a_search_through_all_points() {
             let mut points = cloud(random.usize(10..64 * bucket as usize).min(400), &mut random);
             let tree = build(&config, &mut points, &mut random);
             let queries = queries(&config, &points, 60, &mut random);
-            let latencies = Latencies { path: random.u32(1..20), distance: random.u32(1..30) };
+            let latencies = Latencies { path: random.u32(1..20), distance: random.u32(1..30), neighbor_cache: None };
             let surroundings = Surroundings { latency: [1, 30, 500][index % 3], pauses: random.u8(0..6) };
             let mut bench = Bench::new(&config, latencies, &tree, surroundings, random.u64(..));
             for _ in 0..2 {

@@ -1,7 +1,7 @@
 //! From a configuration to core B's Verilog.
 
 use crate::core_a::GenerateError;
-use pointcore_golden::core_b::Latencies;
+use pointcore_golden::core_b::{CacheLatencies, Latencies};
 use pointcore_hdl::compiler::{Manifest, Options};
 use pointcore_hdl::core_b::top;
 use pointcore_hdl::rtl::{Design, elaborate};
@@ -30,6 +30,10 @@ impl Core {
     #[must_use]
     pub fn latencies(&self) -> Latencies {
         let latency = |unit: &str| self.manifests[unit].latency;
-        Latencies { path: latency("traversal"), distance: latency("leaf") }
+        let neighbor_cache = self
+            .manifests
+            .contains_key("check")
+            .then(|| CacheLatencies { check: latency("check"), cover: latency("cover") });
+        Latencies { path: latency("traversal"), distance: latency("leaf"), neighbor_cache }
     }
 }

@@ -2,9 +2,11 @@
 //!
 //! Encoded numbers are `u32`: every format the search computes in fits.
 
+mod cache;
 mod points;
 mod tree;
 
+pub use cache::{CacheSetup, CachedQuery, CachedResult};
 pub use points::{Beat, BeatPlace, Candidates, Fetch, LANES_MAX, Radius};
 pub use tree::{Descent, LeafVisit, Path, Push, TreeWrite};
 

@@ -1,0 +1,139 @@
+//! Coherence check: compares a query with one entry after the other (thesis 6.6.3).
+
+use super::coverage::Reference;
+use super::entries::Entries;
+use crate::core_b::records::{CacheSetup, CachedQuery};
+use crate::datapath::Datapath;
+use crate::stream::Skid;
+use pointcore_spec::Format;
+use std::collections::VecDeque;
+
+/// Queries that are being checked.
+const CHECKS: usize = 8;
+
+/// An entry to be judged, and its state when it was read.
+#[derive(Clone, Copy, Debug)]
+struct Item {
+    entry: usize,
+    last: bool,
+    present: bool,
+    version: u8,
+}
+
+/// A query with the entry that was read for it.
+#[derive(Clone, Copy, Debug)]
+struct Issued {
+    item: Item,
+    query: CachedQuery,
+    reference: Reference,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Judged {
+    item: Item,
+    covered: bool,
+}
+
+/// What comes of an item.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Verdict {
+    /// The entry answers the query.
+    Hit { entry: usize, query: CachedQuery },
+    /// No entry does.
+    Miss { query: CachedQuery },
+    /// Nothing yet, or the query was answered before.
+    Pass,
+}
+
+/// The coherence check.
+#[derive(Clone, Debug)]
+pub(super) struct Check {
+    geometry: Format,
+    queries: Skid<CachedQuery>,
+    /// The entry that the next item is about.
+    next: usize,
+    /// What is asked by the items under way.
+    asked: VecDeque<CachedQuery>,
+    issued: Option<Issued>,
+    datapath: Datapath<Judged>,
+    /// An item of the oldest query was a hit.
+    answered: bool,
+}
+
+impl Check {
+    pub(super) fn new(geometry: Format, latency: u32) -> Self {
+        Self {
+            geometry,
+            queries: Skid::default(),
+            next: 0,
+            asked: VecDeque::with_capacity(CHECKS),
+            issued: None,
+            datapath: Datapath::new(latency, 1),
+            answered: false,
+        }
+    }
+
+    pub(super) fn in_ready(&self) -> bool {
+        self.queries.in_ready()
+    }
+
+    /// What comes of the item at the datapath's output, if there is one.
+    pub(super) fn verdict(&self, entries: &Entries) -> Option<Verdict> {
+        let Judged { item: Item { entry, last, present, version }, covered } = *self.datapath.out()?;
+        let query = *self.asked.front().expect("a query stays until its last item leaves");
+        let now = entries.get(entry);
+        Some(if self.answered {
+            Verdict::Pass
+        } else if covered && present && now.present && now.version == version {
+            Verdict::Hit { entry, query }
+        } else if last {
+            Verdict::Miss { query }
+        } else {
+            Verdict::Pass
+        })
+    }
+
+    /// One clock edge; `leaves` is the verdict on the item that leaves in this cycle.
+    pub(super) fn clock(
+        &mut self,
+        input: Option<CachedQuery>,
+        leaves: Option<Verdict>,
+        entries: &Entries,
+        setup: &CacheSetup,
+    ) {
+        let has_room = self.next != 0 || self.asked.len() < CHECKS;
+        let enters = self.datapath.in_ready();
+        let advances = self.issued.is_none() || enters;
+        let judged = self.issued.filter(|_| enters).map(|Issued { item, query, reference }| Judged {
+            item,
+            covered: reference.covers(self.geometry, &query, setup),
+        });
+        let left = self.datapath.step(judged, leaves.is_some());
+        if let Some(Judged { item, .. }) = left {
+            self.answered |= matches!(leaves, Some(Verdict::Hit { .. }));
+            if item.last {
+                self.asked.pop_front();
+                self.answered = false;
+            }
+        }
+
+        let mut takes_query = false;
+        if advances {
+            self.issued = self.queries.out().copied().filter(|_| has_room).map(|query| self.issue(query, entries));
+            takes_query = self.issued.is_some_and(|issued| issued.item.last);
+        }
+        self.queries.step(input, takes_query);
+    }
+
+    fn issue(&mut self, query: CachedQuery, entries: &Entries) -> Issued {
+        let entry = self.next;
+        let last = entry + 1 == entries.len();
+        if entry == 0 {
+            self.asked.push_back(query);
+        }
+        self.next = if last { 0 } else { entry + 1 };
+        let state = entries.get(entry);
+        let item = Item { entry, last, present: state.present, version: state.version };
+        Issued { item, query, reference: state.reference }
+    }
+}
