@@ -65,13 +65,19 @@ mod tests {
             check_ports(&Sieve::new(&config), &ports::sieve(&config));
             check_ports(&PointCache::new(&Config { point_cache: 2, ..config.clone() }), &ports::point_cache(&config));
             check_ports(&Queue::new(&config), &ports::queue(&config));
-            check_ports(
-                &Top::new(&config, Latencies { path: 1, distance: 1, neighbor_cache: None }),
-                &ports::top(&config),
-            );
         }
         let config = Config { neighbor_cache: 8, ..Config::default() };
         let latencies = CacheLatencies { check: 1, cover: 1 };
         check_ports(&NeighborCache::new(&config, latencies), &ports::neighbor_cache(&config));
+    }
+
+    #[test]
+    fn the_core_has_the_ports_of_its_parts() {
+        for (point_cache, neighbor_cache) in [(0, 0), (64, 0), (0, 8), (2, 1)] {
+            let config = Config { point_cache, neighbor_cache, ..Config::default() };
+            let cache = (neighbor_cache > 0).then_some(CacheLatencies { check: 1, cover: 1 });
+            let latencies = Latencies { path: 1, distance: 1, neighbor_cache: cache };
+            check_ports(&Top::new(&config, latencies), &ports::top(&config));
+        }
     }
 }

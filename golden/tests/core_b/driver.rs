@@ -5,7 +5,7 @@ use crate::tree::Tree;
 use fastrand::Rng;
 use pointcore_golden::core_b::Latencies;
 use pointcore_golden::core_b::events::Events;
-use pointcore_golden::core_b::records::{Beat, BeatPlace, Fetch, Query};
+use pointcore_golden::core_b::records::{Beat, BeatPlace, CachedQuery, CachedResult, Fetch, Query};
 use pointcore_golden::core_b::top::{In, Top};
 use pointcore_golden::unit::Model;
 use pointcore_spec::core_b::Config;
@@ -105,7 +105,8 @@ impl<'a> Bench<'a> {
             let out = self.top.outputs();
             let inputs = In {
                 tree: None,
-                query: queries_left.as_slice().first().copied().filter(|_| self.goes_on()),
+                setup: None,
+                query: queries_left.as_slice().first().copied().map(CachedQuery::from).filter(|_| self.goes_on()),
                 fetch_ready: self.goes_on(),
                 beat: self.memory.beat().filter(|_| self.goes_on()),
                 result_ready: self.goes_on(),
@@ -125,7 +126,7 @@ impl<'a> Bench<'a> {
                 self.memory.advance();
                 patience = PATIENCE;
             }
-            if let Some(result) = out.result.filter(|_| inputs.result_ready) {
+            if let Some(CachedResult { result, .. }) = out.result.filter(|_| inputs.result_ready) {
                 neighbors.extend(result.found.then_some((result.index, result.distance2)));
                 if result.last {
                     answers.push(Answer { number: result.number, neighbors: std::mem::take(&mut neighbors) });

@@ -6,7 +6,7 @@ use super::points::decode;
 use super::query::Neighbor;
 use crate::core_a::Progress;
 use crate::lockstep::{Flow, Stalls, Stimulus};
-use pointcore_golden::core_b::records::{Beat, BeatPlace, Fetch, Query, Shape, TreeWrite};
+use pointcore_golden::core_b::records::{Beat, BeatPlace, CachedQuery, CachedResult, Fetch, Query, Shape, TreeWrite};
 use pointcore_golden::core_b::top::{In, Out};
 use pointcore_golden::unit::{self, Record, Visitor, Word};
 use pointcore_spec::core_b::{Config, ports};
@@ -195,7 +195,7 @@ impl<'a> Host<'a> {
     }
 
     fn collect(&mut self, outputs: &Out) {
-        let Some(result) = outputs.result else { return };
+        let Some(CachedResult { result, .. }) = outputs.result else { return };
         let place = self.under_way.iter().position(|(number, _)| *number == result.number);
         let place = place.expect("results bear the number of a query under way");
         let query = self.under_way[place].1;
@@ -214,7 +214,7 @@ impl<'a> Host<'a> {
     /// Offers what there is, unless the stalls hold it back; an offer once made stands.
     fn offer(&mut self, cycle: u64, outputs: &Out) {
         if self.inputs.query.is_none() || outputs.query_ready {
-            self.inputs.query = self.next_query();
+            self.inputs.query = self.next_query().map(CachedQuery::from);
         }
         self.memory.advance(cycle);
         if self.inputs.beat.is_none() || outputs.beat_ready {

@@ -1,4 +1,4 @@
-//! The records that a core with a neighbor cache exchanges with the host.
+//! The records that a core exchanges with the host; some of their fields are there only with a neighbor cache.
 
 use super::{Query, QueryResult, Shape};
 use crate::unit::{Record, Visitor};
@@ -27,14 +27,22 @@ impl Record<Shape> for CacheSetup {
 pub struct CachedQuery {
     /// What is searched for when no neighborhood covers it.
     pub query: Query,
-    /// Radius around it within which a neighborhood must be complete to cover it.
+    /// With a neighbor cache, the radius around it within which a neighborhood must be complete to cover it.
     pub reach: u32,
+}
+
+impl From<Query> for CachedQuery {
+    fn from(query: Query) -> Self {
+        Self { query, reach: 0 }
+    }
 }
 
 impl Record<Shape> for CachedQuery {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         self.query.visit(shape, visitor);
-        visitor.field("reach", &mut self.reach);
+        if shape.neighbor_cache {
+            visitor.field("reach", &mut self.reach);
+        }
     }
 }
 
@@ -43,13 +51,15 @@ impl Record<Shape> for CachedQuery {
 pub struct CachedResult {
     /// The neighbor.
     pub result: QueryResult,
-    /// Its squared distance is that to the query whose neighborhood is reused.
+    /// With a neighbor cache, its squared distance is that to the query whose neighborhood is reused.
     pub cached: bool,
 }
 
 impl Record<Shape> for CachedResult {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         self.result.visit(shape, visitor);
-        visitor.field("cached", &mut self.cached);
+        if shape.neighbor_cache {
+            visitor.field("cached", &mut self.cached);
+        }
     }
 }

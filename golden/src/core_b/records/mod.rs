@@ -22,13 +22,20 @@ pub struct Shape {
     pub point_cache: bool,
     /// The tree is in external memory, behind a tree cache.
     pub tree_cache: bool,
+    /// The core has a neighbor cache.
+    pub neighbor_cache: bool,
 }
 
 impl Shape {
     /// The layout of a configuration.
     #[must_use]
     pub const fn new(config: &Config) -> Self {
-        Self { lanes: config.lanes as usize, point_cache: config.point_cache > 0, tree_cache: config.tree_cache > 0 }
+        Self {
+            lanes: config.lanes as usize,
+            point_cache: config.point_cache > 0,
+            tree_cache: config.tree_cache > 0,
+            neighbor_cache: config.neighbor_cache > 0,
+        }
     }
 }
 

@@ -7,10 +7,10 @@ mod ports;
 pub use ports::{In, Out};
 
 use super::events::Events;
-use super::records::Shape;
+use super::records::{CachedResult, Shape};
 use super::{
-    Latencies, Leaf, PointCache, Queue, Recursion, Sieve, Stack, Threads, Traversal, leaf, point_cache, queue,
-    recursion, sieve, stack, threads, traversal,
+    Latencies, Leaf, NeighborCache, PointCache, Queue, Recursion, Sieve, Stack, Threads, Traversal, leaf,
+    neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal,
 };
 use crate::unit::Model;
 use pointcore_spec::core_b::Config;
@@ -27,12 +27,17 @@ pub struct Top {
     point_cache: Option<PointCache>,
     sieve: Sieve,
     queue: Queue,
+    neighbor_cache: Option<NeighborCache>,
 }
 
 impl Top {
     /// The core after reset, with pipelines of the given lengths.
+    ///
+    /// # Panics
+    /// When it has a neighbor cache and no latencies of it, or the other way round.
     #[must_use]
     pub fn new(config: &Config, latencies: Latencies) -> Self {
+        assert_eq!(config.neighbor_cache > 0, latencies.neighbor_cache.is_some(), "a neighbor cache has latencies");
         Self {
             shape: Shape::new(config),
             threads: Threads::new(config),
@@ -43,6 +48,7 @@ impl Top {
             point_cache: (config.point_cache > 0).then(|| PointCache::new(config)),
             sieve: Sieve::new(config),
             queue: Queue::new(config),
+            neighbor_cache: latencies.neighbor_cache.map(|latencies| NeighborCache::new(config, latencies)),
         }
     }
 }
@@ -63,17 +69,23 @@ impl Model for Top {
         let (fetch, beat_ready) =
             point_cache.as_ref().map_or((leaf.fetch, leaf.beat_ready), |cache| (cache.miss, cache.fill_ready));
         let queue = self.queue.outputs();
+        let neighbor_cache = self.neighbor_cache.as_ref().map(NeighborCache::outputs);
+        let (query_ready, result) = match &neighbor_cache {
+            Some(cache) => (cache.query_ready, cache.result),
+            None => (threads.query_ready, queue.result.map(|result| CachedResult { result, cached: false })),
+        };
         Out {
-            query_ready: threads.query_ready,
+            query_ready,
             fetch,
             beat_ready,
-            result: queue.result,
+            result,
             events: Events {
                 node: self.traversal.outputs().event_node,
                 pop: self.recursion.outputs().event_pop,
                 queue: queue.events,
                 thread_wait: threads.event_thread_wait,
                 point_cache: point_cache.map(|cache| cache.events).unwrap_or_default(),
+                neighbor_cache: neighbor_cache.map(|cache| cache.events).unwrap_or_default(),
             },
         }
     }
@@ -87,10 +99,15 @@ impl Model for Top {
         let point_cache = self.point_cache.as_ref().map(PointCache::outputs);
         let sieve = self.sieve.outputs();
         let queue = self.queue.outputs();
+        let neighbor_cache = self.neighbor_cache.as_ref().map(NeighborCache::outputs);
 
+        let (query, result_ready) = match &neighbor_cache {
+            Some(cache) => (cache.search, cache.found_ready),
+            None => (inputs.query.map(|cached| cached.query), inputs.result_ready),
+        };
         let start = threads.start;
         self.threads.clock(&threads::In {
-            query: inputs.query,
+            query,
             descend_ready: traversal.descend_ready,
             pop_ready: recursion.in_ready,
             finish_ready: queue.finish_ready,
@@ -139,11 +156,15 @@ impl Model for Top {
             candidates: leaf.candidates,
             kept_ready: queue.candidates_ready,
         });
-        self.queue.clock(&queue::In {
-            start,
-            candidates: sieve.kept,
-            finish: threads.finish,
-            result_ready: inputs.result_ready,
-        });
+        self.queue.clock(&queue::In { start, candidates: sieve.kept, finish: threads.finish, result_ready });
+        if let Some(cache) = &mut self.neighbor_cache {
+            cache.clock(&neighbor_cache::In {
+                setup: inputs.setup,
+                query: inputs.query,
+                search_ready: threads.query_ready,
+                found: queue.result,
+                result_ready: inputs.result_ready,
+            });
+        }
     }
 }

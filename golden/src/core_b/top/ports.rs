@@ -1,7 +1,7 @@
 //! The core's ports.
 
 use crate::core_b::events::Events;
-use crate::core_b::records::{Beat, Fetch, Query, QueryResult, Shape, TreeWrite};
+use crate::core_b::records::{Beat, CacheSetup, CachedQuery, CachedResult, Fetch, Shape, TreeWrite};
 use crate::unit::{Record, Visitor, stream};
 
 /// What the core sees.
@@ -9,8 +9,10 @@ use crate::unit::{Record, Visitor, stream};
 pub struct In {
     /// Write to the tree memories, not while a query is under way.
     pub tree: Option<TreeWrite>,
+    /// With a neighbor cache, how it judges its neighborhoods, not while a query is under way.
+    pub setup: Option<CacheSetup>,
     /// Queries.
-    pub query: Option<Query>,
+    pub query: Option<CachedQuery>,
     /// Whether the memory takes a request.
     pub fetch_ready: bool,
     /// Points from memory: the beats of a request in order and together, requests in any order.
@@ -29,7 +31,7 @@ pub struct Out {
     /// Whether a beat is accepted.
     pub beat_ready: bool,
     /// Neighbors, nearest first, a query after the other.
-    pub result: Option<QueryResult>,
+    pub result: Option<CachedResult>,
     /// What happened in the last cycle.
     pub events: Events,
 }
@@ -37,6 +39,9 @@ pub struct Out {
 impl Record<Shape> for In {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         stream(visitor, shape, "tree_", &mut self.tree);
+        if shape.neighbor_cache {
+            stream(visitor, shape, "setup_", &mut self.setup);
+        }
         stream(visitor, shape, "query_", &mut self.query);
         visitor.field("fetch_ready", &mut self.fetch_ready);
         stream(visitor, shape, "beat_", &mut self.beat);
