@@ -20,6 +20,9 @@ const DEFAULT_LIMIT: u64 = 1_000_000;
 /// Cycles in the waveform of a failure, unless another number is set.
 const DEFAULT_RECORDED: u64 = 200;
 
+/// What names of outputs that tell of events begin with.
+const EVENT_PREFIX: &str = "event_";
+
 /// Hardware and golden model side by side.
 pub struct Lockstep<G> {
     library: Arc<Library>,
@@ -48,14 +51,26 @@ pub struct Report {
     pub cycles: u64,
     /// Items transferred by each stream.
     pub transfers: Vec<(String, u64)>,
+    /// Cycles in which each output `event_…` was set.
+    pub events: Vec<(String, u64)>,
 }
 
 impl Report {
     /// Items transferred by the stream `name`; 0 for a stream that does not exist.
     #[must_use]
     pub fn transfers(&self, name: &str) -> u64 {
-        self.transfers.iter().find(|(stream, _)| stream == name).map_or(0, |(_, count)| *count)
+        count(&self.transfers, name)
     }
+
+    /// Cycles in which the output `name` was set; 0 for one that is no event.
+    #[must_use]
+    pub fn events(&self, name: &str) -> u64 {
+        count(&self.events, name)
+    }
+}
+
+fn count(counts: &[(String, u64)], name: &str) -> u64 {
+    counts.iter().find(|(counted, _)| counted == name).map_or(0, |(_, count)| *count)
 }
 
 impl<G: Golden> Lockstep<G> {
@@ -132,7 +147,7 @@ impl<G: Golden> Lockstep<G> {
             }
             cycle += 1;
         }
-        let report = self.report(cycle, &state.protocol)?;
+        let report = self.report(cycle, &state)?;
         Ok(Run { stimulus, report })
     }
 
@@ -147,6 +162,7 @@ impl<G: Golden> Lockstep<G> {
         if !self.comparison.agree(&state.outputs, &state.expected) {
             return Ok(Err(Cause::Mismatch(self.comparison.differences(self.library.outputs()))));
         }
+        state.count_events();
         Ok(state.protocol.check(&state.inputs, &state.outputs).map_err(Cause::Protocol))
     }
 
@@ -168,7 +184,8 @@ impl<G: Golden> Lockstep<G> {
 
     /// Results must have come out where results can come out, else something must have gone in; a unit without streams
     /// has one transaction a cycle.
-    fn report(&self, cycles: u64, protocol: &Protocol) -> Result<Report, LockstepError> {
+    fn report(&self, cycles: u64, state: &State) -> Result<Report, LockstepError> {
+        let protocol = &state.protocol;
         let produces = self.streams.iter().any(|stream| stream.direction == Direction::Output);
         let wanted = if produces { Direction::Output } else { Direction::Input };
         let counted: Vec<_> = protocol.transfers().filter(|(stream, _)| stream.direction == wanted).collect();
@@ -178,7 +195,9 @@ impl<G: Golden> Lockstep<G> {
             return Err(LockstepError::NoTransaction { cycles, streams: names.join(", "), seed: self.seed });
         }
         let transfers = protocol.transfers().map(|(stream, count)| (stream.name.clone(), count)).collect();
-        Ok(Report { cycles, transfers })
+        let outputs = self.library.outputs();
+        let events = state.events.iter().map(|&(output, count)| (outputs[output].name.clone(), count)).collect();
+        Ok(Report { cycles, transfers, events })
     }
 }
 
@@ -188,6 +207,8 @@ struct State {
     outputs: Vec<u64>,
     expected: Vec<u64>,
     protocol: Protocol,
+    /// Position and count of each event.
+    events: Vec<(usize, u64)>,
 }
 
 impl State {
@@ -195,7 +216,15 @@ impl State {
         let reset = library.inputs().iter().position(|port| port.name == RESET);
         let outputs = vec![0; library.outputs().len()];
         let protocol = Protocol::new(streams, reset);
-        Self { inputs: library.reset_inputs(), expected: outputs.clone(), outputs, protocol }
+        let is_event = |&output: &usize| library.outputs()[output].name.starts_with(EVENT_PREFIX);
+        let events = (0..outputs.len()).filter(is_event).map(|output| (output, 0)).collect();
+        Self { inputs: library.reset_inputs(), expected: outputs.clone(), outputs, protocol, events }
+    }
+
+    fn count_events(&mut self) {
+        for (output, count) in &mut self.events {
+            *count += self.outputs[*output];
+        }
     }
 }
 
