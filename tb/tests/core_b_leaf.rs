@@ -21,6 +21,14 @@ struct Visits {
 }
 
 impl Visits {
+    fn begin(&mut self, feeds: &mut Feeds) {
+        (0..self.config.threads.into()).for_each(|thread| self.restart(feeds, thread));
+    }
+
+    fn answer(&self, feeds: &mut Feeds, thread: u64, address: u64, beats: u64) {
+        self.tree.beats(thread, address, beats).for_each(|beat| feeds.feed("beat", beat));
+    }
+
     fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.visits_left > 0 {
             self.visits_left -= 1;
@@ -36,21 +44,22 @@ impl Rule for Visits {
             "tree" => {
                 self.writes_left -= 1;
                 if self.writes_left == 0 {
-                    (0..self.config.threads.into()).for_each(|thread| self.restart(feeds, thread));
+                    self.begin(feeds);
                 }
             }
             "start" => {
-                let leaves: Vec<_> = self.tree.writes.iter().filter(|write| write[0] == 1).collect();
-                let number = leaves[feeds.random.usize(..leaves.len())][1];
-                feeds.feed("leaf", vec![fields[0], number]);
+                let leaves = self.tree.leaves();
+                let number = leaves[feeds.random.usize(..leaves.len())];
+                if self.config.tree_cache == 0 {
+                    feeds.feed("leaf", vec![fields[0], number]);
+                } else {
+                    let leaf = self.tree.record((1 << self.config.tree_depth) + number);
+                    self.answer(feeds, fields[0], leaf[3], leaf[4]);
+                }
             }
             "fetch" => {
                 let &[thread, address, beats] = fields else { panic!("a request has three fields") };
-                for beat in address..address + beats {
-                    let mut item = vec![thread, beat, u64::from(beat + 1 == address + beats)];
-                    item.extend(self.tree.beat(beat));
-                    feeds.feed("beat", item);
-                }
+                self.answer(feeds, thread, address, beats);
             }
             "candidates" if fields[2] == 1 => self.restart(feeds, fields[0]),
             _ => {}
@@ -64,12 +73,17 @@ fn leaves_agree_with_the_model() {
         let unit = leaf::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::random(&config, &mut feeds.random);
-            tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone()));
-            Visits { config: config.clone(), writes_left: tree.writes.len(), tree, visits_left: LEAVES }
+            let writes_left = tree.writes.len();
+            let mut visits = Visits { config: config.clone(), writes_left, tree, visits_left: LEAVES };
+            match config.tree_cache {
+                0 => visits.tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone())),
+                _ => visits.begin(feeds),
+            }
+            visits
         };
         let model = Leaf::new(&config, unit.manifest.latency);
         lockstep(&unit.module, &model, &ports::leaf(&config), begin, all, |_, report| {
-            assert_eq!(report.transfers("fetch"), LEAVES);
+            assert_eq!(report.transfers("fetch"), if config.tree_cache == 0 { LEAVES } else { 0 });
             assert!(report.transfers("candidates") >= LEAVES, "every leaf has a beat");
             assert_eq!(report.transfers("candidates"), report.transfers("beat"));
         });

@@ -5,7 +5,7 @@ use pointcore_hdl::core_b::queue;
 use pointcore_spec::core_b::{Config, ports};
 
 use crate::core_b::environment::{Feeds, Rule};
-use crate::core_b::{all, configs, coordinate, lockstep, start, word};
+use crate::core_b::{all, configs, coordinate, lockstep, number, start, word};
 
 const QUERIES: u64 = 60;
 
@@ -36,7 +36,7 @@ impl Searches {
             self.queries_left -= 1;
             let start = start(&self.config, thread, self.queries_left, &mut feeds.random);
             let leaves_left = feeds.random.u32(1..5);
-            let radius2 = f32::from_bits(start[3] as u32);
+            let radius2 = number(&self.config, start[3]);
             self.threads[thread as usize] =
                 Search { number: start[1] as usize, k: start[2] as usize, radius2, leaves_left, distances: vec![] };
             feeds.feed("start", start);
@@ -52,7 +52,7 @@ impl Searches {
             for _ in 0..self.config.lanes {
                 let distance2 = if feeds.random.u8(..8) == 0 { f32::NAN } else { coordinate(&mut feeds.random).abs() };
                 search.distances.push(distance2);
-                item.push(word(distance2));
+                item.push(word(&self.config, distance2));
             }
             feeds.feed("candidates", item);
         }
@@ -74,7 +74,7 @@ impl Rule for Searches {
                 feeds.feed("finish", vec![fields[0]]);
             }
             "released" => self.restart(feeds, fields[0]),
-            "result" if fields[2] == 1 => self.found[fields[0] as usize].push(f32::from_bits(fields[4] as u32)),
+            "result" if fields[2] == 1 => self.found[fields[0] as usize].push(number(&self.config, fields[4])),
             _ => {}
         }
     }

@@ -44,14 +44,14 @@ impl Rule for Surroundings {
                     let node = feeds.random.u64(2..1 << self.config.node_bits());
                     let distance2 = [0.0, 0.5, 4.0, f32::NAN][feeds.random.usize(..4)];
                     feeds.hold("top_node", node);
-                    feeds.hold("top_distance2", word(distance2));
+                    feeds.hold("top_distance2", word(&self.config, distance2));
                 }
             }
             "resume" => {
                 feeds.feed("in", vec![thread]);
                 self.radii[index] += 1;
                 let radius2 = [f32::INFINITY, 1.0, 0.1][feeds.random.usize(..3)];
-                feeds.feed("radius", vec![thread, word(radius2)]);
+                feeds.feed("radius", vec![thread, word(&self.config, radius2)]);
             }
             "radius" => {
                 self.radii[index] -= 1;

@@ -2,7 +2,7 @@
 
 use pointcore_golden::core_b::Stack;
 use pointcore_hdl::core_b::stack;
-use pointcore_spec::core_b::ports;
+use pointcore_spec::core_b::{Config, ports};
 
 use crate::core_b::environment::{Feeds, Rule};
 use crate::core_b::{configs, lockstep, word};
@@ -13,7 +13,7 @@ const BATCHES: u32 = 20;
 /// threads come together.
 #[derive(Clone)]
 struct Batches {
-    depth: usize,
+    config: Config,
     left: u32,
     sizes: Vec<usize>,
     pushes_left: Vec<usize>,
@@ -21,16 +21,21 @@ struct Batches {
 }
 
 impl Batches {
+    fn depth(&self) -> usize {
+        self.config.tree_depth as usize
+    }
+
     fn push(&mut self, feeds: &mut Feeds, thread: usize) {
         if self.left == 0 {
             return;
         }
         self.left -= 1;
-        let count = feeds.random.usize(0..=self.depth - self.sizes[thread]);
+        let count = feeds.random.usize(0..=self.depth() - self.sizes[thread]);
         self.pushes_left[thread] = count;
         self.sizes[thread] += count;
         for _ in 0..count {
-            let item = vec![thread as u64, feeds.random.u64(1..1 << self.depth), word(feeds.random.f32())];
+            let item =
+                vec![thread as u64, feeds.random.u64(1..1 << self.depth()), word(&self.config, feeds.random.f32())];
             feeds.feed("push", item);
         }
         if count == 0 {
@@ -39,7 +44,7 @@ impl Batches {
     }
 
     fn pop(&mut self, feeds: &mut Feeds, thread: usize) {
-        let count = feeds.random.usize(1..=self.depth + 1);
+        let count = feeds.random.usize(1..=self.depth() + 1);
         self.pops_left[thread] = count;
         self.sizes[thread] = self.sizes[thread].saturating_sub(count);
         (0..count).for_each(|_| feeds.feed("pop", vec![thread as u64]));
@@ -82,7 +87,7 @@ fn stacks_agree_with_the_model() {
             let zeros = vec![0; threads];
             let (pushes_left, pops_left) = (zeros.clone(), zeros.clone());
             let left = BATCHES * config.threads;
-            let mut batches = Batches { depth: config.tree_depth as usize, left, sizes: zeros, pushes_left, pops_left };
+            let mut batches = Batches { config: config.clone(), left, sizes: zeros, pushes_left, pops_left };
             (0..threads).for_each(|thread| batches.push(feeds, thread));
             batches
         };

@@ -7,8 +7,9 @@ use pointcore_hdl::core_b::top;
 use pointcore_spec::core_b::ports;
 
 use crate::core_b::environment::{Feeds, Rule};
+use crate::core_b::memory::Memory;
 use crate::core_b::tree::Tree;
-use crate::core_b::{all, configs, lockstep, query};
+use crate::core_b::{all, configs, lockstep, number, query};
 
 const QUERIES: u64 = 40;
 
@@ -19,29 +20,27 @@ struct Host {
     queries: Vec<Vec<u64>>,
     /// Tree writes that have not been taken.
     writes_left: usize,
-    /// Requests under way in the memory: thread, address, beats.
-    requests: Vec<Vec<u64>>,
-    answering: bool,
+    /// Requests for points, and for records of a tree in external memory.
+    points: Memory,
+    records: Memory,
     /// Neighbors by query: found, index, distance.
     results: Vec<Vec<(bool, u64, f32)>>,
     closed: Vec<bool>,
 }
 
 impl Host {
-    /// Answers one request after the other, any of them first.
-    fn answer(&mut self, feeds: &mut Feeds) {
-        if self.answering || self.requests.is_empty() {
-            return;
-        }
-        self.answering = true;
-        let request = self.requests.swap_remove(feeds.random.usize(..self.requests.len()));
-        let [thread, address, beats] = request[..] else { panic!("a request has three fields") };
-        for beat in address..address + beats {
-            let mut item = vec![thread, beat, u64::from(beat + 1 == address + beats)];
-            item.extend(self.tree.beat(beat));
-            feeds.feed("beat", item);
-        }
+    fn ask(&self, feeds: &mut Feeds) {
+        self.queries.iter().for_each(|query| feeds.feed("query", query.clone()));
     }
+}
+
+fn send_points(tree: &Tree, feeds: &mut Feeds, request: &[u64]) {
+    let &[thread, address, beats] = request else { panic!("a request has three fields") };
+    tree.beats(thread, address, beats).for_each(|beat| feeds.feed("beat", beat));
+}
+
+fn send_record(tree: &Tree, feeds: &mut Feeds, request: &[u64]) {
+    feeds.feed("record", [request, tree.record(request[1])].concat());
 }
 
 impl Rule for Host {
@@ -50,23 +49,21 @@ impl Rule for Host {
             "tree" => {
                 self.writes_left -= 1;
                 if self.writes_left == 0 {
-                    self.queries.iter().for_each(|query| feeds.feed("query", query.clone()));
+                    self.ask(feeds);
                 }
             }
-            "fetch" => {
-                self.requests.push(fields.to_vec());
-                self.answer(feeds);
+            "fetch" => self.points.request(feeds, fields, |feeds, request| send_points(&self.tree, feeds, request)),
+            "beat" if fields[2] == 1 => {
+                self.points.answered(feeds, |feeds, request| send_points(&self.tree, feeds, request));
             }
-            "beat" if fields[2] != 0 => {
-                self.answering = false;
-                self.answer(feeds);
-            }
+            "lookup" => self.records.request(feeds, fields, |feeds, request| send_record(&self.tree, feeds, request)),
+            "record" => self.records.answered(feeds, |feeds, request| send_record(&self.tree, feeds, request)),
             "result" => {
-                let &[number, last, found, index, distance2] = fields else { panic!("a result has five fields") };
-                let number = number as usize;
-                assert!(!self.closed[number], "a result after the last of query {number}");
-                self.closed[number] = last != 0;
-                self.results[number].push((found != 0, index, f32::from_bits(distance2 as u32)));
+                let &[query, last, found, index, distance2] = fields else { panic!("a result has five fields") };
+                let query = query as usize;
+                assert!(!self.closed[query], "a result after the last of query {query}");
+                self.closed[query] = last != 0;
+                self.results[query].push((found != 0, index, number(&self.tree.config, distance2)));
             }
             _ => {}
         }
@@ -76,8 +73,7 @@ impl Rule for Host {
 fn check(host: &Host) {
     for (number, query) in host.queries.iter().enumerate() {
         assert!(host.closed[number], "query {number} has no last result");
-        let point = [3, 4, 5].map(|field| f32::from_bits(query[field] as u32));
-        let expected = host.tree.nearest(point, query[1] as usize, f32::from_bits(query[2] as u32));
+        let (point, expected) = (host.tree.point(query), host.tree.nearest(query));
         let found: Vec<_> = host.results[number].iter().filter(|(found, ..)| *found).collect();
         assert_eq!(found.iter().map(|(.., distance2)| *distance2).collect::<Vec<_>>(), expected, "query {number}");
         assert_eq!(host.results[number].len(), expected.len().max(1), "query {number}");
@@ -97,22 +93,33 @@ fn searches_agree_with_the_model_and_with_brute_force() {
         let latencies = Latencies { path, distance, neighbor_cache: None };
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::random(&config, &mut feeds.random);
-            tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone()));
             let queries = (0..QUERIES).map(|number| query(&config, number, &mut feeds.random)).collect();
-            let count = QUERIES as usize;
-            Host {
+            let host = Host {
                 writes_left: tree.writes.len(),
                 tree,
                 queries,
-                requests: vec![],
-                answering: false,
-                results: vec![vec![]; count],
-                closed: vec![false; count],
+                points: Memory::default(),
+                records: Memory::default(),
+                results: vec![vec![]; QUERIES as usize],
+                closed: vec![false; QUERIES as usize],
+            };
+            match config.tree_cache {
+                0 => host.tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone())),
+                _ => host.ask(feeds),
             }
+            host
         };
         lockstep(&core.module, &Top::new(&config, latencies), &ports::top(&config), begin, all, |host, report| {
             check(host);
-            assert!(report.transfers("fetch") >= QUERIES, "every query visits a leaf");
+            let [hits, misses] = ["event_point_hit", "event_point_miss"].map(|event| report.events(event));
+            match config.point_cache {
+                0 => assert!(report.transfers("fetch") >= QUERIES, "every query visits a leaf"),
+                _ => assert!(hits + misses >= QUERIES && hits > 0 && misses > 0, "{hits} hits, {misses} misses"),
+            }
+            if config.tree_cache > 0 {
+                let [hits, misses] = ["event_tree_hit", "event_tree_miss"].map(|event| report.events(event));
+                assert!(hits > misses && misses > 0, "{hits} hits, {misses} misses");
+            }
         });
     }
 }

@@ -6,21 +6,29 @@ use pointcore_hdl::core_b::traversal;
 use pointcore_spec::core_b::{Config, ports};
 
 use crate::core_b::environment::{Feeds, Rule};
+use crate::core_b::memory::Memory;
 use crate::core_b::tree::Tree;
 use crate::core_b::{all, configs, lockstep, start};
 
 const DESCENTS: u64 = 100;
 
-/// Each thread comes back with a path that it pushed, or with another query when it has none.
+/// Each thread comes back with a path that it pushed, or with another query when it has none. Nodes that the unit does not
+/// hold come back with their records.
 #[derive(Clone)]
 struct Threads {
     config: Config,
+    tree: Tree,
+    memory: Memory,
     writes_left: usize,
     starts_left: u64,
     paths: Vec<Vec<u64>>,
 }
 
 impl Threads {
+    fn begin(&mut self, feeds: &mut Feeds) {
+        (0..self.config.threads.into()).for_each(|thread| self.restart(feeds, thread));
+    }
+
     fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
         if self.starts_left > 0 {
             self.starts_left -= 1;
@@ -30,15 +38,26 @@ impl Threads {
     }
 }
 
+/// Sends the record of a node; nobody looks at that of one on the deepest level.
+fn answer(tree: &Tree, feeds: &mut Feeds, node: &[u64]) {
+    let record = match node[1] >> tree.config.tree_depth {
+        0 => &tree.record(node[1])[..3],
+        _ => &[0; 3],
+    };
+    feeds.feed("record", [node, record].concat());
+}
+
 impl Rule for Threads {
     fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
         match stream {
             "tree" => {
                 self.writes_left -= 1;
                 if self.writes_left == 0 {
-                    (0..self.config.threads.into()).for_each(|thread| self.restart(feeds, thread));
+                    self.begin(feeds);
                 }
             }
+            "node" => self.memory.request(feeds, fields, |feeds, request| answer(&self.tree, feeds, request)),
+            "record" => self.memory.answered(feeds, |feeds, request| answer(&self.tree, feeds, request)),
             "start" => feeds.feed("descend", vec![fields[0], 1]),
             "push" => self.paths[fields[0] as usize].push(fields[1]),
             "reached" => match self.paths[fields[0] as usize].pop() {
@@ -56,13 +75,19 @@ fn descents_agree_with_the_model_and_visit_every_leaf() {
         let unit = traversal::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::random(&config, &mut feeds.random);
-            tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone()));
-            Threads {
+            let mut threads = Threads {
                 config: config.clone(),
                 writes_left: tree.writes.len(),
+                tree,
+                memory: Memory::default(),
                 starts_left: DESCENTS,
                 paths: vec![vec![]; config.threads as usize],
+            };
+            match config.tree_cache {
+                0 => threads.tree.writes.iter().for_each(|write| feeds.feed("tree", write.clone())),
+                _ => threads.begin(feeds),
             }
+            threads
         };
         let model = Traversal::new(&config, unit.manifest.latency);
         lockstep(&unit.module, &model, &ports::traversal(&config), begin, all, |threads, report| {
