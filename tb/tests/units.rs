@@ -19,6 +19,7 @@ mod core_b_leaf;
 mod core_b_queue;
 mod core_b_recursion;
 mod core_b_session;
+mod core_b_sieve;
 mod core_b_stack;
 mod core_b_threads;
 mod core_b_top;
