@@ -3,7 +3,7 @@
 use super::queue;
 use super::records::Shape;
 use crate::unit::{Record, Visitor};
-use pointcore_spec::core_b::ports::{NEIGHBOR_CACHE_EVENTS, POINT_CACHE_EVENTS};
+use pointcore_spec::core_b::ports::{NEIGHBOR_CACHE_EVENTS, POINT_CACHE_EVENTS, TREE_CACHE_EVENTS};
 
 /// What a cache did in the last cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,6 +34,8 @@ pub struct Events {
     pub thread_wait: bool,
     /// Of the point cache, if there is one.
     pub point_cache: Served,
+    /// Of the tree cache, if there is one.
+    pub tree_cache: Served,
     /// Of the neighbor cache, if there is one.
     pub neighbor_cache: Served,
 }
@@ -46,6 +48,9 @@ impl Record<Shape> for Events {
         visitor.field("event_thread_wait", &mut self.thread_wait);
         if shape.point_cache {
             self.point_cache.visit(visitor, POINT_CACHE_EVENTS);
+        }
+        if shape.tree_cache {
+            self.tree_cache.visit(visitor, TREE_CACHE_EVENTS);
         }
         if shape.neighbor_cache {
             self.neighbor_cache.visit(visitor, NEIGHBOR_CACHE_EVENTS);

@@ -2,6 +2,8 @@
 //!
 //! `((x − q_x)² + (y − q_y)²) + (z − q_z)²`, each operation rounded once; NaN for a lane without a point.
 
+mod table;
+
 use super::records::{Beat, Candidates, Fetch, LeafVisit, Point, Shape, Start, TreeWrite};
 use crate::datapath::Datapath;
 use crate::number::Number;
@@ -9,11 +11,12 @@ use crate::stream::Skid;
 use crate::unit::{Model, Record, Visitor, stream};
 use pointcore_spec::Format;
 use pointcore_spec::core_b::Config;
+use table::Table;
 
 /// What the unit sees.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct In {
-    /// Write to the leaf table.
+    /// Write to the leaf table; this and the next two without a tree cache.
     pub tree: Option<TreeWrite>,
     /// Leaves reached.
     pub leaf: Option<LeafVisit>,
@@ -40,23 +43,14 @@ pub struct Out {
     pub candidates: Option<Candidates>,
 }
 
-#[derive(Clone, Copy, Debug, Default)]
-struct Bucket {
-    begin: u32,
-    beats: u8,
-}
-
 /// The leaf processing.
 #[derive(Clone, Debug)]
 pub struct Leaf {
     shape: Shape,
     geometry: Format,
-    buckets: Vec<Bucket>,
+    /// Not with a tree cache, which knows the leaves.
+    table: Option<Table>,
     points: Vec<Point>,
-    leaf: Skid<LeafVisit>,
-    /// The table's entry of a leaf that was taken.
-    looked_up: Option<Fetch>,
-    fetch: Skid<Fetch>,
     beat: Skid<Beat>,
     /// A beat with its query's point.
     paired: Option<(Beat, Point)>,
@@ -70,20 +64,12 @@ impl Leaf {
         Self {
             shape: Shape::new(config),
             geometry: config.geometry,
-            buckets: vec![Bucket::default(); 1 << config.tree_depth],
+            table: (config.tree_cache == 0).then(|| Table::new(config)),
             points: vec![Point::default(); config.threads as usize],
-            leaf: Skid::default(),
-            looked_up: None,
-            fetch: Skid::default(),
             beat: Skid::default(),
             paired: None,
             distance: Datapath::new(latency, 1),
         }
-    }
-
-    fn look_up(&self, visit: LeafVisit) -> Fetch {
-        let Bucket { begin, beats } = self.buckets[visit.leaf as usize];
-        Fetch { thread: visit.thread, address: begin, beats }
     }
 
     fn measure(&self, beat: &Beat, query: Point) -> Candidates {
@@ -116,21 +102,17 @@ impl Model for Leaf {
 
     fn outputs(&self) -> Out {
         Out {
-            leaf_ready: self.leaf.in_ready(),
-            fetch: self.fetch.out().copied(),
+            leaf_ready: self.table.as_ref().is_some_and(Table::leaf_ready),
+            fetch: self.table.as_ref().and_then(Table::fetch),
             beat_ready: self.beat.in_ready(),
             candidates: self.distance.out().copied(),
         }
     }
 
     fn clock(&mut self, inputs: &In) {
-        let fetched = self.looked_up.filter(|_| self.fetch.in_ready());
-        let takes_leaf = self.looked_up.is_none() || fetched.is_some();
-        if takes_leaf {
-            self.looked_up = self.leaf.out().map(|visit| self.look_up(*visit));
+        if let Some(table) = &mut self.table {
+            table.step(inputs);
         }
-        self.fetch.step(fetched, inputs.fetch_ready);
-        self.leaf.step(inputs.leaf, takes_leaf);
 
         let measured = self.paired.as_ref().filter(|_| self.distance.in_ready());
         let takes_beat = self.paired.is_none() || measured.is_some();
@@ -144,18 +126,16 @@ impl Model for Leaf {
         if let Some(start) = inputs.start {
             self.points[start.thread.index()] = start.query.point;
         }
-        if let Some(write) = inputs.tree.filter(|write| write.is_leaf) {
-            let TreeWrite { address, begin, beats, .. } = write;
-            self.buckets[address as usize] = Bucket { begin, beats };
-        }
     }
 }
 
 impl Record<Shape> for In {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "tree_", &mut self.tree);
-        stream(visitor, shape, "leaf_", &mut self.leaf);
-        visitor.field("fetch_ready", &mut self.fetch_ready);
+        if !shape.tree_cache {
+            stream(visitor, shape, "tree_", &mut self.tree);
+            stream(visitor, shape, "leaf_", &mut self.leaf);
+            visitor.field("fetch_ready", &mut self.fetch_ready);
+        }
         stream(visitor, shape, "start_", &mut self.start);
         stream(visitor, shape, "beat_", &mut self.beat);
         visitor.field("candidates_ready", &mut self.candidates_ready);
@@ -164,8 +144,10 @@ impl Record<Shape> for In {
 
 impl Record<Shape> for Out {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("leaf_ready", &mut self.leaf_ready);
-        stream(visitor, shape, "fetch_", &mut self.fetch);
+        if !shape.tree_cache {
+            visitor.field("leaf_ready", &mut self.leaf_ready);
+            stream(visitor, shape, "fetch_", &mut self.fetch);
+        }
         visitor.field("beat_ready", &mut self.beat_ready);
         stream(visitor, shape, "candidates_", &mut self.candidates);
     }
@@ -174,7 +156,7 @@ impl Record<Shape> for Out {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::core_b::records::{BeatPlace, Query, Thread};
+    use crate::core_b::records::{BeatPlace, Bucket, Query, Thread};
     use crate::testing::for_each_seed;
 
     /// The host's f32 rounds each operation as the hardware does.
@@ -220,8 +202,8 @@ mod tests {
     fn a_leaf_is_fetched_by_its_entry_of_the_table() {
         let mut leaf = Leaf::new(&Config { tree_depth: 2, ..Config::default() }, 1);
         for address in 0..4 {
-            let beats = address as u8 + 1;
-            let write = TreeWrite { is_leaf: true, address, begin: 100 + address, beats, ..TreeWrite::default() };
+            let bucket = Bucket { begin: 100 + address, beats: address as u8 + 1 };
+            let write = TreeWrite { is_leaf: true, address, bucket, ..TreeWrite::default() };
             leaf.clock(&In { tree: Some(write), ..In::default() });
         }
         let (mut next, mut fetched) = (0, Vec::new());

@@ -15,6 +15,7 @@ pub mod stack;
 pub mod threads;
 pub mod top;
 pub mod traversal;
+pub mod tree_cache;
 
 pub use leaf::Leaf;
 pub use neighbor_cache::NeighborCache;
@@ -26,6 +27,7 @@ pub use stack::Stack;
 pub use threads::Threads;
 pub use top::Top;
 pub use traversal::Traversal;
+pub use tree_cache::TreeCache;
 
 /// Stages of the compiled pipelines, from the manifests that the generator writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,16 +57,22 @@ mod tests {
 
     #[test]
     fn every_record_follows_its_port_list() {
-        for (lanes, point_cache) in [(1, 0), (2, 64), (4, 0), (8, 2)] {
-            let config = Config { lanes, point_cache, ..Config::default() };
+        let parts = [(1, 0, 0), (2, 64, 0), (4, 0, 16), (8, 2, 256)];
+        for (lanes, point_cache, tree_cache) in parts {
+            let config = Config { lanes, point_cache, tree_cache, ..Config::default() };
             check_ports(&Threads::new(&config), &ports::threads(&config));
             check_ports(&Traversal::new(&config, 1), &ports::traversal(&config));
             check_ports(&Stack::new(&config), &ports::stack(&config));
             check_ports(&Recursion::new(&config), &ports::recursion(&config));
             check_ports(&Leaf::new(&config, 1), &ports::leaf(&config));
             check_ports(&Sieve::new(&config), &ports::sieve(&config));
-            check_ports(&PointCache::new(&Config { point_cache: 2, ..config.clone() }), &ports::point_cache(&config));
             check_ports(&Queue::new(&config), &ports::queue(&config));
+            if point_cache > 0 {
+                check_ports(&PointCache::new(&config), &ports::point_cache(&config));
+            }
+            if tree_cache > 0 {
+                check_ports(&TreeCache::new(&config), &ports::tree_cache(&config));
+            }
         }
         let config = Config { neighbor_cache: 8, ..Config::default() };
         let latencies = CacheLatencies { check: 1, cover: 1 };
@@ -73,8 +81,9 @@ mod tests {
 
     #[test]
     fn the_core_has_the_ports_of_its_parts() {
-        for (point_cache, neighbor_cache) in [(0, 0), (64, 0), (0, 8), (2, 1)] {
-            let config = Config { point_cache, neighbor_cache, ..Config::default() };
+        let parts = [(0, 0, 0), (64, 0, 0), (0, 16, 0), (0, 0, 8), (2, 256, 1)];
+        for (point_cache, tree_cache, neighbor_cache) in parts {
+            let config = Config { point_cache, tree_cache, neighbor_cache, ..Config::default() };
             let cache = (neighbor_cache > 0).then_some(CacheLatencies { check: 1, cover: 1 });
             let latencies = Latencies { path: 1, distance: 1, neighbor_cache: cache };
             check_ports(&Top::new(&config, latencies), &ports::top(&config));

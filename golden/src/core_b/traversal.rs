@@ -4,19 +4,26 @@
 //! Threads share a ring of three stages that moves on whenever the path datapath does. A query on a plane goes to the right.
 //! A path's squared distance is that of the query to its plane, `(c − split)²`, each operation rounded.
 
-use super::records::{Descent, LeafVisit, Path, Point, Push, Shape, Start, Thread, TreeWrite};
+mod nodes;
+
+use super::records::{Descent, LeafVisit, Node, NodeRecord, Path, Point, Push, Shape, Start, Thread, TreeWrite};
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::stream::Skid;
 use crate::unit::{Model, Record, Visitor, stream};
+use nodes::Nodes;
 use pointcore_spec::Format;
 use pointcore_spec::core_b::Config;
 
 /// What the unit sees.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct In {
-    /// Write to the node memory.
+    /// Write to the node memory, without a tree cache.
     pub tree: Option<TreeWrite>,
+    /// Whether the tree cache takes a node.
+    pub node_ready: bool,
+    /// Nodes from the tree cache.
+    pub record: Option<NodeRecord>,
     /// A thread taking up a query.
     pub start: Option<Start>,
     /// Descents from the root.
@@ -30,6 +37,10 @@ pub struct In {
 /// What the unit shows.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Out {
+    /// Nodes that the tree cache is to look up.
+    pub node: Option<Descent>,
+    /// Whether a node from the tree cache is accepted.
+    pub record_ready: bool,
     /// Whether a descent from the root is accepted.
     pub descend_ready: bool,
     /// Whether a descent from a path is accepted.
@@ -42,13 +53,6 @@ pub struct Out {
     pub reached: Option<Thread>,
     /// A node was visited in the last cycle.
     pub event_node: bool,
-}
-
-#[derive(Clone, Copy, Debug, Default)]
-struct Node {
-    split: u32,
-    dimension: u8,
-    internal_leaf: bool,
 }
 
 /// A node and what is needed to decide on it.
@@ -78,12 +82,11 @@ pub struct Traversal {
     shape: Shape,
     geometry: Format,
     depth: u32,
-    nodes: Vec<Node>,
+    nodes: Nodes,
     points: Vec<Point>,
     descend: Skid<Descent>,
     resume: Skid<Descent>,
-    /// The ring's stages t0, t1, t2.
-    looked_up: Option<Descent>,
+    /// The ring's stages t1 and t2; t0 is where the nodes come from.
     read: Option<Visit>,
     decided: Option<Decision>,
     path: Datapath<Step>,
@@ -100,11 +103,10 @@ impl Traversal {
             shape: Shape::new(config),
             geometry: config.geometry,
             depth: config.tree_depth,
-            nodes: vec![Node::default(); 1 << config.tree_depth],
+            nodes: Nodes::new(config),
             points: vec![Point::default(); config.threads as usize],
             descend: Skid::default(),
             resume: Skid::default(),
-            looked_up: None,
             read: None,
             decided: None,
             path: Datapath::new(latency, 1),
@@ -114,22 +116,12 @@ impl Traversal {
         }
     }
 
-    /// Address in the node memory; a leaf of the deepest level reads what does not matter.
-    fn address(&self, node: u32) -> usize {
-        node as usize & (self.nodes.len() - 1)
-    }
-
-    fn read(&self, descent: Descent) -> Visit {
-        let node = self.nodes[self.address(descent.node)];
-        Visit { descent, node, point: self.points[descent.thread.index()] }
-    }
-
     fn decide(&self, visit: Visit) -> Decision {
         let Visit { descent: Descent { thread, node: address }, node, point } = visit;
         let deepest = address >> self.depth != 0;
         if deepest || node.internal_leaf {
             let level = address.ilog2(); // Nodes count from 1.
-            return Decision::Leaf(LeafVisit { thread, leaf: self.address(address << (self.depth - level)) as u32 });
+            return Decision::Leaf(LeafVisit { thread, leaf: (address << (self.depth - level)) - (1 << self.depth) });
         }
         let coordinate = point[usize::from(node.dimension.min(2))];
         let (left, right) = (2 * address, 2 * address + 1);
@@ -165,6 +157,8 @@ impl Model for Traversal {
 
     fn outputs(&self) -> Out {
         Out {
+            node: self.nodes.wanted(),
+            record_ready: self.nodes.takes_record(),
             descend_ready: self.descend.in_ready(),
             resume_ready: self.resume.in_ready(),
             push: match self.path.out() {
@@ -178,7 +172,7 @@ impl Model for Traversal {
     }
 
     fn clock(&mut self, inputs: &In) {
-        let advances = self.path.in_ready();
+        let advances = self.path.in_ready() && self.nodes.has_room();
         let (leaf, steps) = match self.path.out() {
             Some(Step::Leaf(leaf)) if self.leaf.in_ready() => (Some(*leaf), true),
             Some(Step::Leaf(_)) => (None, false),
@@ -198,25 +192,30 @@ impl Model for Traversal {
         let takes_descend = takes_resume && self.resume.out().is_none();
         if advances {
             self.decided = self.read.map(|visit| self.decide(visit));
-            self.read = self.looked_up.map(|descent| self.read(descent));
-            self.looked_up = child.or(self.resume.out().copied()).or(self.descend.out().copied());
+            self.read = self.nodes.out().map(|NodeRecord { descent, node }| {
+                let point = self.points[descent.thread.index()];
+                Visit { descent, node, point }
+            });
         }
+        let next = child.or(self.resume.out().copied()).or(self.descend.out().copied());
+        self.nodes.step(next, advances, inputs);
         self.resume.step(inputs.resume, takes_resume);
         self.descend.step(inputs.descend, takes_descend);
 
         if let Some(start) = inputs.start {
             self.points[start.thread.index()] = start.query.point;
         }
-        if let Some(write) = inputs.tree.filter(|write| !write.is_leaf) {
-            let TreeWrite { address, split, dimension, internal_leaf, .. } = write;
-            self.nodes[address as usize] = Node { split, dimension, internal_leaf };
-        }
     }
 }
 
 impl Record<Shape> for In {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "tree_", &mut self.tree);
+        if shape.tree_cache {
+            visitor.field("node_ready", &mut self.node_ready);
+            stream(visitor, shape, "record_", &mut self.record);
+        } else {
+            stream(visitor, shape, "tree_", &mut self.tree);
+        }
         stream(visitor, shape, "start_", &mut self.start);
         stream(visitor, shape, "descend_", &mut self.descend);
         stream(visitor, shape, "resume_", &mut self.resume);
@@ -226,6 +225,10 @@ impl Record<Shape> for In {
 
 impl Record<Shape> for Out {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        if shape.tree_cache {
+            stream(visitor, shape, "node_", &mut self.node);
+            visitor.field("record_ready", &mut self.record_ready);
+        }
         visitor.field("descend_ready", &mut self.descend_ready);
         visitor.field("resume_ready", &mut self.resume_ready);
         stream(visitor, shape, "push_", &mut self.push);
@@ -236,84 +239,4 @@ impl Record<Shape> for Out {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::core_b::records::Query;
-
-    const THREAD: Thread = Thread { thread: 2 };
-
-    /// Three levels: the root splits x at 1, its left child y at 2; its right child is an internal leaf.
-    fn unit(point: [f32; 3]) -> Traversal {
-        let mut traversal = Traversal::new(&Config { tree_depth: 3, ..Config::default() }, 2);
-        let nodes =
-            [(1, 0, 1.0_f32, false), (2, 1, 2.0, false), (3, 0, 0.0, true), (4, 2, 3.0, false), (5, 2, 4.0, false)];
-        for (address, dimension, split, internal_leaf) in nodes {
-            let split = split.to_bits();
-            let write = TreeWrite { address, dimension, split, internal_leaf, ..TreeWrite::default() };
-            traversal.clock(&In { tree: Some(write), ..In::default() });
-        }
-        let query = Query { point: point.map(f32::to_bits), ..Query::default() };
-        traversal.clock(&In { start: Some(Start { thread: THREAD, query }), ..In::default() });
-        traversal
-    }
-
-    /// Descends from a node: what is pushed, in order, and the leaf.
-    fn descend(traversal: &mut Traversal, node: u32) -> (Vec<(u32, f32)>, u32) {
-        traversal.clock(&In { descend: Some(Descent { thread: THREAD, node }), ..In::default() });
-        let mut pushed = Vec::new();
-        for _ in 0..40 {
-            let out = traversal.outputs();
-            pushed.extend(out.push.map(|push| (push.path.node, f32::from_bits(push.path.distance2))));
-            traversal.clock(&In { leaf_ready: true, ..In::default() });
-            if let Some(visit) = out.leaf {
-                assert_eq!(visit.thread, THREAD);
-                assert_eq!(out.reached, Some(THREAD), "shown with the leaf, which found the queue empty");
-                return (pushed, visit.leaf);
-            }
-        }
-        panic!("the descent ends within the cycles of three levels");
-    }
-
-    #[test]
-    fn the_far_sides_are_pushed_from_the_root_down() {
-        assert_eq!(descend(&mut unit([0.5, 5.0, 1.0]), 1), (vec![(3, 0.25), (4, 9.0), (11, 9.0)], 2));
-        assert_eq!(descend(&mut unit([0.5, 1.5, 3.5]), 2), (vec![(5, 0.25), (8, 0.25)], 1), "from a path");
-    }
-
-    #[test]
-    fn a_query_on_a_plane_goes_right_and_an_internal_leaf_ends_the_descent() {
-        assert_eq!(descend(&mut unit([1.0, 0.0, 0.0]), 1), (vec![(2, 0.0)], 4));
-    }
-
-    #[test]
-    fn a_descent_shares_the_ring_with_others() {
-        let mut traversal = unit([0.5, 1.5, 3.5]);
-        let (mut sent, mut reached, mut visits) = (0, 0, 0);
-        for _ in 0..200 {
-            let out = traversal.outputs();
-            let input = (sent < 20).then_some(Descent { thread: THREAD, node: 1 });
-            sent += u32::from(input.is_some() && out.descend_ready);
-            reached += u32::from(out.reached.is_some());
-            visits += u32::from(out.event_node);
-            traversal.clock(&In { descend: input, leaf_ready: true, ..In::default() });
-            if reached == 20 {
-                break;
-            }
-        }
-        assert_eq!((reached, visits), (20, 80), "four nodes on the way to each leaf");
-    }
-
-    #[test]
-    fn leaves_that_are_not_taken_stop_the_ring_and_lose_nothing() {
-        let mut traversal = unit([2.0, 0.0, 0.0]);
-        let step = |traversal: &mut Traversal, leaf_ready| {
-            let out = traversal.outputs();
-            traversal.clock(&In { descend: Some(Descent { thread: THREAD, node: 1 }), leaf_ready, ..In::default() });
-            (u32::from(out.descend_ready), u32::from(out.leaf.is_some() && leaf_ready))
-        };
-        let sent: u32 = (0..100).map(|_| step(&mut traversal, false).0).sum();
-        assert!((2..12).contains(&sent), "{sent} descents are held in the unit");
-        let (more, left) = (0..100).map(|_| step(&mut traversal, true)).fold((0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
-        assert!(left > 40 && sent + more - left < 12, "{sent} + {more} entered, {left} left");
-    }
-}
+mod tests;

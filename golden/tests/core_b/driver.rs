@@ -5,7 +5,9 @@ use crate::tree::Tree;
 use fastrand::Rng;
 use pointcore_golden::core_b::Latencies;
 use pointcore_golden::core_b::events::Events;
-use pointcore_golden::core_b::records::{Beat, BeatPlace, CachedQuery, CachedResult, Fetch, Query};
+use pointcore_golden::core_b::records::{
+    Beat, BeatPlace, CachedQuery, CachedResult, Fetch, Lookup, Query, TreeRecord, TreeWrite,
+};
 use pointcore_golden::core_b::top::{In, Top};
 use pointcore_golden::unit::Model;
 use pointcore_spec::core_b::Config;
@@ -16,7 +18,7 @@ const PATIENCE: u32 = 10_000;
 /// What surrounds the core.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings {
-    /// Cycles from a fetch to its first beat, from one to this many.
+    /// Cycles from a request to the memory to its answer, from one to this many.
     pub latency: u64,
     /// In how many of eight cycles a stream pauses.
     pub pauses: u8,
@@ -30,37 +32,61 @@ pub struct Answer {
     pub neighbors: Vec<(u32, u32)>,
 }
 
-/// The point memory's requests.
-struct Memory<'a> {
-    tree: &'a Tree,
-    lanes: usize,
-    /// Requests and the cycles from which on they may be answered.
-    requests: Vec<(Fetch, u64)>,
-    /// The request that is answered, and its beats sent.
-    current: Option<(Fetch, u8)>,
+/// Requests that a memory answers late and in any order.
+struct Requests<T> {
+    /// With the cycles from which on they may be answered.
+    waiting: Vec<(T, u64)>,
+    /// The request that is answered.
+    current: Option<T>,
 }
 
-impl Memory<'_> {
+impl<T: Copy> Requests<T> {
+    const fn new() -> Self {
+        Self { waiting: Vec::new(), current: None }
+    }
+
     /// Chooses what to answer next among all requests that are old enough.
     fn choose(&mut self, cycle: u64, random: &mut Rng) {
         if self.current.is_none() {
-            let ready: Vec<_> = (0..self.requests.len()).filter(|index| self.requests[*index].1 <= cycle).collect();
-            self.current = random.choice(ready).map(|index| (self.requests.swap_remove(index).0, 0));
+            let ready: Vec<_> = (0..self.waiting.len()).filter(|index| self.waiting[*index].1 <= cycle).collect();
+            self.current = random.choice(ready).map(|index| self.waiting.swap_remove(index).0);
         }
     }
+}
 
+/// The external memory: points and, behind a tree cache, the tree.
+struct Memory<'a> {
+    tree: &'a Tree,
+    lanes: usize,
+    fetches: Requests<Fetch>,
+    /// Beats sent of the leaf that is answered.
+    beats_sent: u8,
+    lookups: Requests<Lookup>,
+}
+
+impl Memory<'_> {
     fn beat(&self) -> Option<Beat> {
-        let (fetch, sent) = self.current?;
-        let address = fetch.address + u32::from(sent);
-        let place = BeatPlace { thread: fetch.thread, address, last: sent + 1 == fetch.beats };
+        let fetch = self.fetches.current?;
+        let address = fetch.address + u32::from(self.beats_sent);
+        let place = BeatPlace { thread: fetch.thread, address, last: self.beats_sent + 1 == fetch.beats };
         let mut beat = Beat { place, ..Beat::default() };
         let first = address as usize * self.lanes;
         beat.points[..self.lanes].copy_from_slice(&self.tree.points[first..first + self.lanes]);
         Some(beat)
     }
 
+    fn record(&self) -> Option<TreeRecord> {
+        let lookup = self.lookups.current?;
+        let TreeWrite { node, bucket, .. } = self.tree.records[&lookup.address];
+        Some(TreeRecord { lookup, node, bucket })
+    }
+
     fn advance(&mut self) {
-        self.current = self.current.map(|(fetch, sent)| (fetch, sent + 1)).filter(|(fetch, sent)| *sent < fetch.beats);
+        self.beats_sent += 1;
+        if self.fetches.current.is_some_and(|fetch| fetch.beats == self.beats_sent) {
+            self.fetches.current = None;
+            self.beats_sent = 0;
+        }
     }
 }
 
@@ -78,20 +104,45 @@ pub struct Bench<'a> {
     pub beats: u64,
     /// Leaves found in the point cache.
     pub point_hits: u64,
+    /// Records found in the tree cache.
+    pub tree_hits: u64,
 }
 
 impl<'a> Bench<'a> {
     pub fn new(config: &Config, latencies: Latencies, tree: &'a Tree, surroundings: Surroundings, seed: u64) -> Self {
         let mut top = Top::new(config, latencies);
-        for write in &tree.writes {
-            top.clock(&In { tree: Some(*write), ..In::default() });
+        if config.tree_cache == 0 {
+            for write in tree.records.values() {
+                top.clock(&In { tree: Some(*write), ..In::default() });
+            }
         }
-        let memory = Memory { tree, lanes: config.lanes as usize, requests: Vec::new(), current: None };
-        Self { top, memory, surroundings, random: Rng::with_seed(seed), cycles: 0, visits: 0, beats: 0, point_hits: 0 }
+        let memory = Memory {
+            tree,
+            lanes: config.lanes as usize,
+            fetches: Requests::new(),
+            beats_sent: 0,
+            lookups: Requests::new(),
+        };
+        Self {
+            top,
+            memory,
+            surroundings,
+            random: Rng::with_seed(seed),
+            cycles: 0,
+            visits: 0,
+            beats: 0,
+            point_hits: 0,
+            tree_hits: 0,
+        }
     }
 
     fn goes_on(&mut self) -> bool {
         self.random.u8(0..8) >= self.surroundings.pauses
+    }
+
+    /// When the memory may answer a request of this cycle.
+    fn due(&mut self) -> u64 {
+        self.cycles + self.random.u64(1..=self.surroundings.latency)
     }
 
     /// Answers to all queries, in the order in which they come.
@@ -101,10 +152,13 @@ impl<'a> Bench<'a> {
         let mut neighbors = Vec::new();
         let mut patience = PATIENCE;
         while answers.len() < queries.len() {
-            self.memory.choose(self.cycles, &mut self.random);
+            self.memory.fetches.choose(self.cycles, &mut self.random);
+            self.memory.lookups.choose(self.cycles, &mut self.random);
             let out = self.top.outputs();
             let inputs = In {
                 tree: None,
+                lookup_ready: self.goes_on(),
+                record: self.memory.record().filter(|_| self.goes_on()),
                 setup: None,
                 query: queries_left.as_slice().first().copied().map(CachedQuery::from).filter(|_| self.goes_on()),
                 fetch_ready: self.goes_on(),
@@ -118,8 +172,17 @@ impl<'a> Bench<'a> {
             }
             if let Some(fetch) = out.fetch.filter(|_| inputs.fetch_ready) {
                 assert!(fetch.beats > 0, "a leaf has a beat at least");
-                let latency = self.random.u64(1..=self.surroundings.latency);
-                self.memory.requests.push((fetch, self.cycles + latency));
+                let due = self.due();
+                self.memory.fetches.waiting.push((fetch, due));
+                patience = PATIENCE;
+            }
+            if let Some(lookup) = out.lookup.filter(|_| inputs.lookup_ready) {
+                let due = self.due();
+                self.memory.lookups.waiting.push((lookup, due));
+                patience = PATIENCE;
+            }
+            if inputs.record.is_some() && out.record_ready {
+                self.memory.lookups.current = None;
                 patience = PATIENCE;
             }
             if inputs.beat.is_some() && out.beat_ready {
@@ -145,5 +208,6 @@ impl<'a> Bench<'a> {
         self.visits += u64::from(events.node);
         self.beats += u64::from(events.queue.beat);
         self.point_hits += u64::from(events.point_cache.hit);
+        self.tree_hits += u64::from(events.tree_cache.hit);
     }
 }

@@ -8,7 +8,7 @@ mod tree;
 
 pub use cache::{CacheSetup, CachedQuery, CachedResult};
 pub use points::{Beat, BeatPlace, Candidates, Fetch, LANES_MAX, Radius};
-pub use tree::{Descent, LeafVisit, Path, Push, TreeWrite};
+pub use tree::{Bucket, Descent, LeafVisit, Lookup, Node, NodeRecord, Path, Push, TreeRecord, TreeWrite};
 
 use crate::unit::{Record, Visitor};
 use pointcore_spec::core_b::Config;

@@ -3,6 +3,41 @@
 use super::{Shape, Thread};
 use crate::unit::{Record, Visitor};
 
+/// What a node holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Node {
+    /// Where its plane cuts its dimension.
+    pub split: u32,
+    /// Its dimension.
+    pub dimension: u8,
+    /// It is a leaf.
+    pub internal_leaf: bool,
+}
+
+impl Record<Shape> for Node {
+    fn visit(&mut self, _shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("split", &mut self.split);
+        visitor.field("dimension", &mut self.dimension);
+        visitor.field("internal_leaf", &mut self.internal_leaf);
+    }
+}
+
+/// Where the points of a leaf lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bucket {
+    /// The first beat.
+    pub begin: u32,
+    /// The number of beats, at least one.
+    pub beats: u8,
+}
+
+impl Record<Shape> for Bucket {
+    fn visit(&mut self, _shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("begin", &mut self.begin);
+        visitor.field("beats", &mut self.beats);
+    }
+}
+
 /// A write to the tree memories by the host.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TreeWrite {
@@ -10,27 +45,69 @@ pub struct TreeWrite {
     pub is_leaf: bool,
     /// The leaf's number or the node.
     pub address: u32,
-    /// Where the node's plane cuts its dimension.
-    pub split: u32,
-    /// The node's dimension.
-    pub dimension: u8,
-    /// The node is a leaf.
-    pub internal_leaf: bool,
-    /// The leaf's first beat.
-    pub begin: u32,
-    /// The leaf's number of beats.
-    pub beats: u8,
+    /// What a node holds.
+    pub node: Node,
+    /// What a leaf holds.
+    pub bucket: Bucket,
 }
 
 impl Record<Shape> for TreeWrite {
-    fn visit(&mut self, _shape: Shape, visitor: &mut impl Visitor) {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         visitor.field("is_leaf", &mut self.is_leaf);
         visitor.field("address", &mut self.address);
-        visitor.field("split", &mut self.split);
-        visitor.field("dimension", &mut self.dimension);
-        visitor.field("internal_leaf", &mut self.internal_leaf);
-        visitor.field("begin", &mut self.begin);
-        visitor.field("beats", &mut self.beats);
+        self.node.visit(shape, visitor);
+        self.bucket.visit(shape, visitor);
+    }
+}
+
+/// A request for a record of a tree in external memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Lookup {
+    /// Thread under which it is answered.
+    pub thread: Thread,
+    /// The node, or `2^tree_depth + l` for leaf `l` of the deepest level.
+    pub address: u32,
+}
+
+impl Record<Shape> for Lookup {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        self.thread.visit(shape, visitor);
+        visitor.field("address", &mut self.address);
+    }
+}
+
+/// A record of a tree in external memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TreeRecord {
+    /// The request that it answers.
+    pub lookup: Lookup,
+    /// What a node holds.
+    pub node: Node,
+    /// What a leaf holds.
+    pub bucket: Bucket,
+}
+
+impl Record<Shape> for TreeRecord {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        self.lookup.visit(shape, visitor);
+        self.node.visit(shape, visitor);
+        self.bucket.visit(shape, visitor);
+    }
+}
+
+/// A node where a thread's descent has come to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NodeRecord {
+    /// Whose it is and its address.
+    pub descent: Descent,
+    /// What it holds.
+    pub node: Node,
+}
+
+impl Record<Shape> for NodeRecord {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        self.descent.visit(shape, visitor);
+        self.node.visit(shape, visitor);
     }
 }
 

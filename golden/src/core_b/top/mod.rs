@@ -9,8 +9,8 @@ pub use ports::{In, Out};
 use super::events::Events;
 use super::records::{CachedResult, Shape};
 use super::{
-    Latencies, Leaf, NeighborCache, PointCache, Queue, Recursion, Sieve, Stack, Threads, Traversal, leaf,
-    neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal,
+    Latencies, Leaf, NeighborCache, PointCache, Queue, Recursion, Sieve, Stack, Threads, Traversal, TreeCache, leaf,
+    neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache,
 };
 use crate::unit::Model;
 use pointcore_spec::core_b::Config;
@@ -21,6 +21,7 @@ pub struct Top {
     shape: Shape,
     threads: Threads,
     traversal: Traversal,
+    tree_cache: Option<TreeCache>,
     stack: Stack,
     recursion: Recursion,
     leaf: Leaf,
@@ -42,6 +43,7 @@ impl Top {
             shape: Shape::new(config),
             threads: Threads::new(config),
             traversal: Traversal::new(config, latencies.path),
+            tree_cache: (config.tree_cache > 0).then(|| TreeCache::new(config)),
             stack: Stack::new(config),
             recursion: Recursion::new(config),
             leaf: Leaf::new(config, latencies.distance),
@@ -51,6 +53,11 @@ impl Top {
             neighbor_cache: latencies.neighbor_cache.map(|latencies| NeighborCache::new(config, latencies)),
         }
     }
+}
+
+/// What a part shows; nothing, if it is not there.
+fn outputs<M: Model<Out: Default>>(part: &Option<M>) -> M::Out {
+    part.as_ref().map(Model::outputs).unwrap_or_default()
 }
 
 impl Model for Top {
@@ -64,28 +71,35 @@ impl Model for Top {
 
     fn outputs(&self) -> Out {
         let threads = self.threads.outputs();
+        let traversal = self.traversal.outputs();
+        let tree_cache = outputs(&self.tree_cache);
         let leaf = self.leaf.outputs();
-        let point_cache = self.point_cache.as_ref().map(PointCache::outputs);
-        let (fetch, beat_ready) =
-            point_cache.as_ref().map_or((leaf.fetch, leaf.beat_ready), |cache| (cache.miss, cache.fill_ready));
+        let point_cache = outputs(&self.point_cache);
         let queue = self.queue.outputs();
-        let neighbor_cache = self.neighbor_cache.as_ref().map(NeighborCache::outputs);
-        let (query_ready, result) = match &neighbor_cache {
-            Some(cache) => (cache.query_ready, cache.result),
+        let neighbor_cache = outputs(&self.neighbor_cache);
+        let (fetch, beat_ready) = match self.point_cache {
+            Some(_) => (point_cache.miss, point_cache.fill_ready),
+            None => (leaf.fetch.or(tree_cache.fetch), leaf.beat_ready),
+        };
+        let (query_ready, result) = match self.neighbor_cache {
+            Some(_) => (neighbor_cache.query_ready, neighbor_cache.result),
             None => (threads.query_ready, queue.result.map(|result| CachedResult { result, cached: false })),
         };
         Out {
+            lookup: tree_cache.lookup,
+            record_ready: tree_cache.fill_ready,
             query_ready,
             fetch,
             beat_ready,
             result,
             events: Events {
-                node: self.traversal.outputs().event_node,
+                node: traversal.event_node,
                 pop: self.recursion.outputs().event_pop,
                 queue: queue.events,
                 thread_wait: threads.event_thread_wait,
-                point_cache: point_cache.map(|cache| cache.events).unwrap_or_default(),
-                neighbor_cache: neighbor_cache.map(|cache| cache.events).unwrap_or_default(),
+                point_cache: point_cache.events,
+                tree_cache: tree_cache.events,
+                neighbor_cache: neighbor_cache.events,
             },
         }
     }
@@ -93,16 +107,17 @@ impl Model for Top {
     fn clock(&mut self, inputs: &In) {
         let threads = self.threads.outputs();
         let traversal = self.traversal.outputs();
+        let tree_cache = outputs(&self.tree_cache);
         let stack = self.stack.outputs();
         let recursion = self.recursion.outputs();
         let leaf = self.leaf.outputs();
-        let point_cache = self.point_cache.as_ref().map(PointCache::outputs);
+        let point_cache = outputs(&self.point_cache);
         let sieve = self.sieve.outputs();
         let queue = self.queue.outputs();
-        let neighbor_cache = self.neighbor_cache.as_ref().map(NeighborCache::outputs);
+        let neighbor_cache = outputs(&self.neighbor_cache);
 
-        let (query, result_ready) = match &neighbor_cache {
-            Some(cache) => (cache.search, cache.found_ready),
+        let (query, result_ready) = match self.neighbor_cache {
+            Some(_) => (neighbor_cache.search, neighbor_cache.found_ready),
             None => (inputs.query.map(|cached| cached.query), inputs.result_ready),
         };
         let start = threads.start;
@@ -119,10 +134,12 @@ impl Model for Top {
         });
         self.traversal.clock(&traversal::In {
             tree: inputs.tree,
+            node_ready: tree_cache.node_ready,
+            record: tree_cache.record,
             start,
             descend: threads.descend,
             resume: recursion.resume,
-            leaf_ready: leaf.leaf_ready,
+            leaf_ready: leaf.leaf_ready || tree_cache.leaf_ready,
         });
         self.stack.clock(&stack::In { push: traversal.push, pop: recursion.pop });
         self.recursion.clock(&recursion::In {
@@ -132,8 +149,20 @@ impl Model for Top {
             top: stack.top,
             resume_ready: traversal.resume_ready,
         });
-        let (fetch_ready, beat) =
-            point_cache.as_ref().map_or((inputs.fetch_ready, inputs.beat), |cache| (cache.fetch_ready, cache.beat));
+        let (fetch_ready, beat) = match self.point_cache {
+            Some(_) => (point_cache.fetch_ready, point_cache.beat),
+            None => (inputs.fetch_ready, inputs.beat),
+        };
+        if let Some(cache) = &mut self.tree_cache {
+            cache.clock(&tree_cache::In {
+                node: traversal.node,
+                leaf: traversal.leaf,
+                record_ready: traversal.record_ready,
+                fetch_ready,
+                lookup_ready: inputs.lookup_ready,
+                fill: inputs.record,
+            });
+        }
         self.leaf.clock(&leaf::In {
             tree: inputs.tree,
             start,
@@ -144,7 +173,7 @@ impl Model for Top {
         });
         if let Some(cache) = &mut self.point_cache {
             cache.clock(&point_cache::In {
-                fetch: leaf.fetch,
+                fetch: leaf.fetch.or(tree_cache.fetch),
                 beat_ready: leaf.beat_ready,
                 miss_ready: inputs.fetch_ready,
                 fill: inputs.beat,

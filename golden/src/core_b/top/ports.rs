@@ -1,14 +1,20 @@
 //! The core's ports.
 
 use crate::core_b::events::Events;
-use crate::core_b::records::{Beat, CacheSetup, CachedQuery, CachedResult, Fetch, Shape, TreeWrite};
+use crate::core_b::records::{
+    Beat, CacheSetup, CachedQuery, CachedResult, Fetch, Lookup, Shape, TreeRecord, TreeWrite,
+};
 use crate::unit::{Record, Visitor, stream};
 
 /// What the core sees.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct In {
-    /// Write to the tree memories, not while a query is under way.
+    /// Write to the tree memories, not while a query is under way; without a tree cache.
     pub tree: Option<TreeWrite>,
+    /// Whether the memory takes a request for a record of the tree.
+    pub lookup_ready: bool,
+    /// Records of the tree from memory, in any order.
+    pub record: Option<TreeRecord>,
     /// With a neighbor cache, how it judges its neighborhoods, not while a query is under way.
     pub setup: Option<CacheSetup>,
     /// Queries.
@@ -24,6 +30,10 @@ pub struct In {
 /// What the core shows.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Out {
+    /// Requests for records of the tree, with a tree cache.
+    pub lookup: Option<Lookup>,
+    /// Whether a record of the tree is accepted.
+    pub record_ready: bool,
     /// Whether a query is accepted.
     pub query_ready: bool,
     /// Requests to the memory.
@@ -38,7 +48,12 @@ pub struct Out {
 
 impl Record<Shape> for In {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "tree_", &mut self.tree);
+        if shape.tree_cache {
+            visitor.field("lookup_ready", &mut self.lookup_ready);
+            stream(visitor, shape, "record_", &mut self.record);
+        } else {
+            stream(visitor, shape, "tree_", &mut self.tree);
+        }
         if shape.neighbor_cache {
             stream(visitor, shape, "setup_", &mut self.setup);
         }
@@ -51,6 +66,10 @@ impl Record<Shape> for In {
 
 impl Record<Shape> for Out {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        if shape.tree_cache {
+            stream(visitor, shape, "lookup_", &mut self.lookup);
+            visitor.field("record_ready", &mut self.record_ready);
+        }
         visitor.field("query_ready", &mut self.query_ready);
         stream(visitor, shape, "fetch_", &mut self.fetch);
         visitor.field("beat_ready", &mut self.beat_ready);

@@ -12,7 +12,7 @@ pub use splitting::Splitting;
 use super::points::encode;
 use super::{Error, PointSet};
 use divide::{Item, Part};
-use pointcore_golden::core_b::records::{Point, TreeWrite};
+use pointcore_golden::core_b::records::{self, Point, TreeWrite};
 use pointcore_spec::Format;
 use pointcore_spec::core_b::Config;
 use std::fmt;
@@ -136,21 +136,18 @@ impl Tree {
     /// The writes that load the tree into the core.
     pub fn writes(&self) -> impl Iterator<Item = TreeWrite> + '_ {
         let nodes = (0..).zip(&self.nodes).filter_map(|(address, node)| {
-            let write = TreeWrite { address, ..TreeWrite::default() };
-            node.map(|node| match node {
-                Node::Split { dimension, split } => TreeWrite { dimension, split: encode(self.format, split), ..write },
-                Node::Leaf => TreeWrite { internal_leaf: true, ..write },
-            })
+            let node = match (*node)? {
+                Node::Split { dimension, split } => {
+                    records::Node { dimension, split: encode(self.format, split), internal_leaf: false }
+                }
+                Node::Leaf => records::Node { internal_leaf: true, ..records::Node::default() },
+            };
+            Some(TreeWrite { address, node, ..TreeWrite::default() })
         });
         let leaves = (0..).zip(&self.leaves).filter_map(|(address, bucket)| {
-            let write = |Bucket { begin, beats, .. }| TreeWrite {
-                is_leaf: true,
-                begin,
-                beats: beats as u8,
-                address,
-                ..TreeWrite::default()
-            };
-            bucket.map(write)
+            let Bucket { begin, beats, .. } = (*bucket)?;
+            let bucket = records::Bucket { begin, beats: beats as u8 };
+            Some(TreeWrite { is_leaf: true, address, bucket, ..TreeWrite::default() })
         });
         nodes.chain(leaves)
     }

@@ -1,0 +1,78 @@
+use super::*;
+use crate::core_b::records::Query;
+
+const THREAD: Thread = Thread { thread: 2 };
+
+/// Three levels: the root splits x at 1, its left child y at 2; its right child is an internal leaf.
+fn unit(point: [f32; 3]) -> Traversal {
+    let mut traversal = Traversal::new(&Config { tree_depth: 3, ..Config::default() }, 2);
+    let nodes = [(1, 0, 1.0_f32, false), (2, 1, 2.0, false), (3, 0, 0.0, true), (4, 2, 3.0, false), (5, 2, 4.0, false)];
+    for (address, dimension, split, internal_leaf) in nodes {
+        let node = Node { dimension, split: split.to_bits(), internal_leaf };
+        let write = TreeWrite { address, node, ..TreeWrite::default() };
+        traversal.clock(&In { tree: Some(write), ..In::default() });
+    }
+    let query = Query { point: point.map(f32::to_bits), ..Query::default() };
+    traversal.clock(&In { start: Some(Start { thread: THREAD, query }), ..In::default() });
+    traversal
+}
+
+/// Descends from a node: what is pushed, in order, and the leaf.
+fn descend(traversal: &mut Traversal, node: u32) -> (Vec<(u32, f32)>, u32) {
+    traversal.clock(&In { descend: Some(Descent { thread: THREAD, node }), ..In::default() });
+    let mut pushed = Vec::new();
+    for _ in 0..40 {
+        let out = traversal.outputs();
+        pushed.extend(out.push.map(|push| (push.path.node, f32::from_bits(push.path.distance2))));
+        traversal.clock(&In { leaf_ready: true, ..In::default() });
+        if let Some(visit) = out.leaf {
+            assert_eq!(visit.thread, THREAD);
+            assert_eq!(out.reached, Some(THREAD), "shown with the leaf, which found the queue empty");
+            return (pushed, visit.leaf);
+        }
+    }
+    panic!("the descent ends within the cycles of three levels");
+}
+
+#[test]
+fn the_far_sides_are_pushed_from_the_root_down() {
+    assert_eq!(descend(&mut unit([0.5, 5.0, 1.0]), 1), (vec![(3, 0.25), (4, 9.0), (11, 9.0)], 2));
+    assert_eq!(descend(&mut unit([0.5, 1.5, 3.5]), 2), (vec![(5, 0.25), (8, 0.25)], 1), "from a path");
+}
+
+#[test]
+fn a_query_on_a_plane_goes_right_and_an_internal_leaf_ends_the_descent() {
+    assert_eq!(descend(&mut unit([1.0, 0.0, 0.0]), 1), (vec![(2, 0.0)], 4));
+}
+
+#[test]
+fn a_descent_shares_the_ring_with_others() {
+    let mut traversal = unit([0.5, 1.5, 3.5]);
+    let (mut sent, mut reached, mut visits) = (0, 0, 0);
+    for _ in 0..200 {
+        let out = traversal.outputs();
+        let input = (sent < 20).then_some(Descent { thread: THREAD, node: 1 });
+        sent += u32::from(input.is_some() && out.descend_ready);
+        reached += u32::from(out.reached.is_some());
+        visits += u32::from(out.event_node);
+        traversal.clock(&In { descend: input, leaf_ready: true, ..In::default() });
+        if reached == 20 {
+            break;
+        }
+    }
+    assert_eq!((reached, visits), (20, 80), "four nodes on the way to each leaf");
+}
+
+#[test]
+fn leaves_that_are_not_taken_stop_the_ring_and_lose_nothing() {
+    let mut traversal = unit([2.0, 0.0, 0.0]);
+    let step = |traversal: &mut Traversal, leaf_ready| {
+        let out = traversal.outputs();
+        traversal.clock(&In { descend: Some(Descent { thread: THREAD, node: 1 }), leaf_ready, ..In::default() });
+        (u32::from(out.descend_ready), u32::from(out.leaf.is_some() && leaf_ready))
+    };
+    let sent: u32 = (0..100).map(|_| step(&mut traversal, false).0).sum();
+    assert!((2..12).contains(&sent), "{sent} descents are held in the unit");
+    let (more, left) = (0..100).map(|_| step(&mut traversal, true)).fold((0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
+    assert!(left > 40 && sent + more - left < 12, "{sent} + {more} entered, {left} left");
+}
