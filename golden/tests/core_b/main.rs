@@ -17,6 +17,9 @@ use tree::{Tree, build, encode};
 /// Pipelines of plausible lengths.
 const LATENCIES: Latencies = Latencies { path: 9, distance: 15, neighbor_cache: None };
 
+/// Random configurations that are tried.
+const CONFIGURATIONS: u32 = 100;
+
 fn first_seed() -> u64 {
     let seed = std::env::var("POINTCORE_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
     println!("reproduce with POINTCORE_SEED={seed} cargo test -p pointcore-golden --test core_b");
@@ -73,46 +76,94 @@ fn check(config: &Config, tree: &Tree, queries: &[Query], answers: &[Answer]) {
     }
 }
 
+/// What runs have counted.
+#[derive(Debug, Default)]
+struct Counts {
+    neighbors: usize,
+    internal_leaves: usize,
+    point_hits: u64,
+    tree_hits: u64,
+}
+
+impl Counts {
+    /// Asks a random tree the same queries twice, in random surroundings, and checks the answers.
+    fn run(&mut self, config: &Config, latency: u64, random: &mut Rng) {
+        assert_eq!(config.validate(), Ok(()));
+        let capacity = (config.bucket as usize) << config.tree_depth;
+        let mut points = cloud(random.usize(1..=capacity.min(400)), random);
+        let tree = build(config, &mut points, random);
+        let queries = queries(config, &points, 30, random);
+        let latencies = Latencies { path: random.u32(1..20), distance: random.u32(1..30), neighbor_cache: None };
+        let surroundings = Surroundings { latency, pauses: random.u8(0..6) };
+        let mut bench = Bench::new(config, latencies, &tree, surroundings, random.u64(..));
+        for _ in 0..2 {
+            let answers = bench.search(&queries);
+            check(config, &tree, &queries, &answers);
+            self.neighbors += answers.iter().map(|answer| answer.neighbors.len()).sum::<usize>();
+        }
+        assert!(config.point_cache > 0 || bench.point_hits == 0);
+        assert!(config.tree_cache > 0 || bench.tree_hits == 0);
+        self.internal_leaves += tree.internal_leaves;
+        self.point_hits += bench.point_hits;
+        self.tree_hits += bench.tree_hits;
+    }
+}
+
 #[test]
-fn answers_equal_a_search_through_all_points() {
+fn answers_equal_a_search_through_all_points_with_and_without_every_part() {
     let mut random = Rng::with_seed(first_seed());
     let formats = [Format::F32.flushed(), Format::F24, Format::F32, Format::F24.flushed()];
-    let sizes = [(1, 1, 1), (32, 64, 4), (16, 16, 2), (3, 7, 3), (2, 33, 1), (8, 10, 4)];
-    let (mut found, mut internal_leaves, mut point_hits) = (0, 0, 0);
-    for lanes in [1, 2, 4, 8] {
-        for (index, (threads, neighbors, leaves_in_flight)) in sizes.into_iter().enumerate() {
-            let bucket = random.u32(4..20);
-            let config = Config {
-                geometry: formats[index % formats.len()],
-                threads,
-                neighbors,
-                lanes,
-                tree_depth: random.u32(6..9),
-                bucket,
-                leaves_in_flight,
-                sieve_depth: [2, 16][index % 2],
-                point_cache: [0, 2, 8, 64][random.usize(..4)],
-                ..Config::default()
-            };
-            assert_eq!(config.validate(), Ok(()));
-            let mut points = cloud(random.usize(10..64 * bucket as usize).min(400), &mut random);
-            let tree = build(&config, &mut points, &mut random);
-            let queries = queries(&config, &points, 60, &mut random);
-            let latencies = Latencies { path: random.u32(1..20), distance: random.u32(1..30), neighbor_cache: None };
-            let surroundings = Surroundings { latency: [1, 30, 500][index % 3], pauses: random.u8(0..6) };
-            let mut bench = Bench::new(&config, latencies, &tree, surroundings, random.u64(..));
-            for _ in 0..2 {
-                let answers = bench.search(&queries);
-                check(&config, &tree, &queries, &answers);
-                found += answers.iter().map(|answer| answer.neighbors.len()).sum::<usize>();
-            }
-            internal_leaves += tree.internal_leaves;
-            assert!(config.point_cache > 0 || bench.point_hits == 0);
-            point_hits += bench.point_hits;
-        }
+    let sizes = [(1, 1, 1), (32, 64, 4), (16, 16, 2), (3, 7, 3), (2, 33, 1), (8, 10, 4)].into_iter().cycle();
+    let parts =
+        [0, 2, 8, 64].into_iter().flat_map(|point_cache| [0, 16, 256].map(|tree_cache| (point_cache, tree_cache)));
+    let parts =
+        parts.flat_map(|(point_cache, tree_cache)| [2, 16].map(|sieve_depth| (point_cache, tree_cache, sieve_depth)));
+    let parts = parts.flat_map(|parts| [1, 2, 4, 8].map(|lanes| (parts, lanes)));
+    let mut counts = Counts::default();
+    for (index, (parts, (threads, neighbors, leaves_in_flight))) in parts.zip(sizes).enumerate() {
+        let ((point_cache, tree_cache, sieve_depth), lanes) = parts;
+        let config = Config {
+            geometry: formats[random.usize(..formats.len())],
+            threads,
+            neighbors,
+            lanes,
+            tree_depth: random.u32(6..9),
+            bucket: random.u32(4..20),
+            leaves_in_flight,
+            sieve_depth,
+            point_cache,
+            tree_cache,
+            ..Config::default()
+        };
+        counts.run(&config, [1, 30, 500][index / 4 % 3], &mut random);
     }
-    println!("{found} neighbors, {internal_leaves} internal leaves, {point_hits} leaves from the cache");
-    assert!(found > 10_000 && internal_leaves > 100 && point_hits > 1000);
+    println!("{counts:?}");
+    assert!(counts.neighbors > 10_000 && counts.internal_leaves > 100);
+    assert!(counts.point_hits > 1000 && counts.tree_hits > 10_000);
+}
+
+#[test]
+fn searches_end_in_any_configuration() {
+    let mut random = Rng::with_seed(first_seed());
+    let mut counts = Counts::default();
+    for _ in 0..CONFIGURATIONS {
+        let config = Config {
+            geometry: [Format::F32.flushed(), Format::F24, Format::F32, Format::F24.flushed()][random.usize(..4)],
+            threads: random.u32(1..=32),
+            neighbors: random.u32(1..=64),
+            lanes: 1 << random.u32(0..=3),
+            tree_depth: random.u32(1..=10),
+            bucket: random.u32(1..=40),
+            leaves_in_flight: random.u32(1..=4),
+            sieve_depth: random.u32(2..=64),
+            point_cache: if random.bool() { 1 << random.u32(1..=8) } else { 0 },
+            tree_cache: if random.bool() { 1 << random.u32(4..=10) } else { 0 },
+            ..Config::default()
+        };
+        counts.run(&config, random.u64(1..=500), &mut random);
+    }
+    println!("{counts:?}");
+    assert!(counts.neighbors > 10_000 && counts.point_hits > 1000 && counts.tree_hits > 10_000);
 }
 
 /// Cycles for the same queries in a memory of long latency.
