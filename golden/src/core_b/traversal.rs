@@ -1,8 +1,8 @@
 //! Node traversal: descends to the leaf on the query's side and remembers the other side of every plane it passes (thesis
 //! 6.6.2).
 //!
-//! Threads share a ring of three stages that moves on whenever the path datapath does. A query on a plane goes to the right.
-//! A path's squared distance is that of the query to its plane, `(c − split)²`, each operation rounded.
+//! Threads share a ring of two stages. A query on a plane goes to the right. A leaf is sent off as soon as it is found; that it is
+//! reached follows the thread's paths through their datapath, so that the thread pops none before they are pushed. A path's squared distance is that of the query to its plane, `(c − split)²`, each operation rounded.
 
 mod nodes;
 
@@ -49,7 +49,7 @@ pub struct Out {
     pub push: Option<Push>,
     /// Leaves reached.
     pub leaf: Option<LeafVisit>,
-    /// The thread of the leaf that was pushed in the last cycle.
+    /// A thread whose paths down to a leaf have all been pushed.
     pub reached: Option<Thread>,
     /// A node was visited in the last cycle.
     pub event_node: bool,
@@ -72,7 +72,7 @@ enum Decision {
 /// What leaves the path datapath.
 #[derive(Clone, Copy, Debug)]
 enum Step {
-    Leaf(LeafVisit),
+    Reached(Thread),
     Push(Push),
 }
 
@@ -86,12 +86,11 @@ pub struct Traversal {
     points: Vec<Point>,
     descend: Skid<Descent>,
     resume: Skid<Descent>,
-    /// The ring's stages t1 and t2; t0 is where the nodes come from.
+    /// The ring's stages t1 and t2.
     read: Option<Visit>,
     decided: Option<Decision>,
     path: Datapath<Step>,
     leaf: Skid<LeafVisit>,
-    reached: Option<Thread>,
     event_node: bool,
 }
 
@@ -111,7 +110,6 @@ impl Traversal {
             decided: None,
             path: Datapath::new(latency, 1),
             leaf: Skid::default(),
-            reached: None,
             event_node: false,
         }
     }
@@ -132,7 +130,7 @@ impl Traversal {
 
     fn step(&self, decision: Decision) -> Step {
         match decision {
-            Decision::Leaf(leaf) => Step::Leaf(leaf),
+            Decision::Leaf(leaf) => Step::Reached(leaf.thread),
             Decision::Inner { near, far, coordinate, split } => {
                 let distance = self.number(coordinate) - self.number(split);
                 let path = Path { node: far, distance2: (distance * distance).bits() };
@@ -166,22 +164,24 @@ impl Model for Traversal {
                 _ => None,
             },
             leaf: self.leaf.out().copied(),
-            reached: self.reached,
+            reached: match self.path.out() {
+                Some(Step::Reached(thread)) => Some(*thread),
+                _ => None,
+            },
             event_node: self.event_node,
         }
     }
 
     fn clock(&mut self, inputs: &In) {
-        let advances = self.path.in_ready() && self.nodes.has_room();
-        let (leaf, steps) = match self.path.out() {
-            Some(Step::Leaf(leaf)) if self.leaf.in_ready() => (Some(*leaf), true),
-            Some(Step::Leaf(_)) => (None, false),
-            _ => (None, true),
+        let found = match self.decided {
+            Some(Decision::Leaf(leaf)) => Some(leaf),
+            _ => None,
         };
+        let leaf_has_room = found.is_none() || self.leaf.in_ready();
+        let advances = self.path.in_ready() && self.nodes.has_room() && leaf_has_room;
         let decided = self.decided.filter(|_| advances);
-        self.path.step(decided.map(|decision| self.step(decision)), steps);
-        self.leaf.step(leaf, inputs.leaf_ready);
-        self.reached = leaf.map(|leaf| leaf.thread);
+        self.path.step(decided.map(|decision| self.step(decision)), true);
+        self.leaf.step(found.filter(|_| advances), inputs.leaf_ready);
         self.event_node = decided.is_some();
 
         let child = match decided {
@@ -190,14 +190,14 @@ impl Model for Traversal {
         };
         let takes_resume = advances && child.is_none();
         let takes_descend = takes_resume && self.resume.out().is_none();
+        let next = child.or(self.resume.out().copied()).or(self.descend.out().copied());
         if advances {
             self.decided = self.read.map(|visit| self.decide(visit));
-            self.read = self.nodes.out().map(|NodeRecord { descent, node }| {
+            self.read = self.nodes.read(next).map(|NodeRecord { descent, node }| {
                 let point = self.points[descent.thread.index()];
                 Visit { descent, node, point }
             });
         }
-        let next = child.or(self.resume.out().copied()).or(self.descend.out().copied());
         self.nodes.step(next, advances, inputs);
         self.resume.step(inputs.resume, takes_resume);
         self.descend.step(inputs.descend, takes_descend);

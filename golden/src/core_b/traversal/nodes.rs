@@ -8,8 +8,8 @@ use pointcore_spec::core_b::Config;
 /// The ring between a node's address and what the node holds.
 #[derive(Clone, Debug)]
 pub enum Nodes {
-    /// The stage t0 and the node memory.
-    OnChip { memory: Vec<Node>, looked_up: Option<Descent> },
+    /// The node memory.
+    OnChip(Vec<Node>),
     /// To the tree cache and back.
     Cached { node: Skid<Descent>, record: Skid<NodeRecord> },
 }
@@ -19,22 +19,22 @@ impl Nodes {
         if config.tree_cache > 0 {
             Self::Cached { node: Skid::default(), record: Skid::default() }
         } else {
-            Self::OnChip { memory: vec![Node::default(); 1 << config.tree_depth], looked_up: None }
+            Self::OnChip(vec![Node::default(); 1 << config.tree_depth])
         }
     }
 
     /// Whether a node can be asked for.
     pub fn has_room(&self) -> bool {
         match self {
-            Self::OnChip { .. } => true,
+            Self::OnChip(_) => true,
             Self::Cached { node, .. } => node.in_ready(),
         }
     }
 
-    /// The node that the ring takes when it moves on.
-    pub fn out(&self) -> Option<NodeRecord> {
+    /// The node that enters the ring when it moves on and asks for `next`.
+    pub fn read(&self, next: Option<Descent>) -> Option<NodeRecord> {
         match self {
-            Self::OnChip { memory, looked_up } => looked_up.map(|descent| {
+            Self::OnChip(memory) => next.map(|descent| {
                 // A node of the deepest level reads what does not matter.
                 let address = descent.node as usize & (memory.len() - 1);
                 NodeRecord { descent, node: memory[address] }
@@ -46,7 +46,7 @@ impl Nodes {
     /// What the tree cache is asked for.
     pub fn wanted(&self) -> Option<Descent> {
         match self {
-            Self::OnChip { .. } => None,
+            Self::OnChip(_) => None,
             Self::Cached { node, .. } => node.out().copied(),
         }
     }
@@ -54,7 +54,7 @@ impl Nodes {
     /// Whether a node from the tree cache is accepted.
     pub fn takes_record(&self) -> bool {
         match self {
-            Self::OnChip { .. } => false,
+            Self::OnChip(_) => false,
             Self::Cached { record, .. } => record.in_ready(),
         }
     }
@@ -62,10 +62,7 @@ impl Nodes {
     /// The clock edge; `next` is what the ring asks for if it moves on.
     pub fn step(&mut self, next: Option<Descent>, advances: bool, inputs: &In) {
         match self {
-            Self::OnChip { memory, looked_up } => {
-                if advances {
-                    *looked_up = next;
-                }
+            Self::OnChip(memory) => {
                 if let Some(write) = inputs.tree.filter(|write| !write.is_leaf) {
                     memory[write.address as usize] = write.node;
                 }
