@@ -4,7 +4,7 @@
 use pointcore_golden::core_b::{Latencies, Top};
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::core_b::top;
-use pointcore_spec::core_b::ports;
+use pointcore_spec::core_b::{Config, ports};
 
 use crate::core_b::environment::{Feeds, Rule};
 use crate::core_b::memory::Memory;
@@ -85,9 +85,15 @@ fn check(host: &Host) {
     }
 }
 
+/// Cores with points in a cache and without.
+fn cores() -> [Config; 4] {
+    let [bare, cached, many, wide] = configs();
+    [bare, Config { point_cache: 4, ..cached }, many, Config { point_cache: 2, ..wide }]
+}
+
 #[test]
 fn searches_agree_with_the_model_and_with_brute_force() {
-    for config in configs() {
+    for config in cores() {
         let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let [path, distance] = ["traversal", "leaf"].map(|unit| core.manifests[unit].latency);
         let latencies = Latencies { path, distance, neighbor_cache: None };
