@@ -34,7 +34,7 @@ pub use tree_cache::TreeCache;
 pub struct Latencies {
     /// Of the squared distance to a splitting plane.
     pub path: u32,
-    /// Of the squared distances to a beat of points.
+    /// Of the squared distances to a beat of points, no less than of a path: it has a path's operations and more.
     pub distance: u32,
     /// Of the neighbor cache, where there is one.
     pub neighbor_cache: Option<CacheLatencies>,

@@ -2,7 +2,8 @@
 //! 6.6.2).
 //!
 //! Threads share a ring of two stages. A query on a plane goes to the right. A leaf is sent off as soon as it is found; that it is
-//! reached follows the thread's paths through their datapath, so that the thread pops none before they are pushed. A path's squared distance is that of the query to its plane, `(c − split)²`, each operation rounded.
+//! reached follows the thread's paths through their datapath, so that the thread pops none before they are pushed. A path's
+//! squared distance is that of the query to its plane, `(c − split)²`, each operation rounded.
 
 mod nodes;
 

@@ -93,7 +93,9 @@ impl Counts {
         let mut points = cloud(random.usize(1..=capacity.min(400)), random);
         let tree = build(config, &mut points, random);
         let queries = queries(config, &points, 30, random);
-        let latencies = Latencies { path: random.u32(1..20), distance: random.u32(1..30), neighbor_cache: None };
+        // The distance to a point takes the operations of that to a plane, and more.
+        let path = random.u32(1..20);
+        let latencies = Latencies { path, distance: path + random.u32(0..20), neighbor_cache: None };
         let surroundings = Surroundings { latency, pauses: random.u8(0..6) };
         let mut bench = Bench::new(config, latencies, &tree, surroundings, random.u64(..));
         for _ in 0..2 {

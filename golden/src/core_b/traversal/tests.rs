@@ -78,3 +78,38 @@ fn leaves_that_are_not_taken_stop_the_ring_and_lose_nothing() {
     let (more, left) = (0..100).map(|_| step(&mut traversal, true)).fold((0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
     assert!(left > 40 && sent + more - left < 12, "{sent} + {more} entered, {left} left");
 }
+
+#[test]
+fn a_descent_takes_two_cycles_a_level_and_its_leaf_does_not_wait_for_the_paths() {
+    let mut traversal = unit([0.5, 1.5, 3.5]);
+    traversal.clock(&In { descend: Some(Descent { thread: THREAD, node: 1 }), ..In::default() });
+    let (mut leaf, mut reached) = (None, None);
+    for cycle in 1..40 {
+        let out = traversal.outputs();
+        leaf = leaf.or(out.leaf.map(|_| cycle));
+        reached = reached.or(out.reached.map(|_| cycle));
+        traversal.clock(&In { leaf_ready: true, ..In::default() });
+    }
+    // In t1 from cycle 2 on; four nodes, then the queue; the path datapath has two stages besides its queue.
+    assert_eq!((leaf, reached), (Some(10), Some(12)));
+}
+
+#[test]
+fn nodes_of_a_tree_in_external_memory_are_asked_for_one_by_one() {
+    let config = Config { tree_depth: 3, tree_cache: 16, ..Config::default() };
+    let mut traversal = Traversal::new(&config, 2);
+    let query = Query { point: [0.5, 0.0, 0.0].map(f32::to_bits), ..Query::default() };
+    traversal.clock(&In { start: Some(Start { thread: THREAD, query }), ..In::default() });
+    let (mut asked, mut leaf, mut record) = (Vec::new(), None, None);
+    for cycle in 0..100 {
+        let out = traversal.outputs();
+        // The memory answers in the cycle after the request, every node splitting x at 1.
+        asked.extend(out.node.map(|descent| descent.node));
+        leaf = leaf.or(out.leaf);
+        let descend = (cycle == 0).then_some(Descent { thread: THREAD, node: 1 });
+        traversal.clock(&In { descend, record, node_ready: true, leaf_ready: true, ..In::default() });
+        let node = Node { split: 1.0_f32.to_bits(), ..Node::default() };
+        record = out.node.map(|descent| NodeRecord { descent, node });
+    }
+    assert_eq!((asked, leaf.map(|visit| visit.leaf)), (vec![1, 2, 4, 8], Some(0)));
+}
