@@ -1,21 +1,27 @@
 //! Core B on the host's side: point sets, kd-trees, the memory around the core, searches on hardware and model.
 
+mod check;
 mod error;
 mod generate;
 mod host;
 pub mod kdtree;
 mod memory;
+mod order;
 mod points;
 mod query;
+mod report;
 mod run;
 mod session;
 
+pub use check::{Difference, check};
 pub use error::Error;
 pub use generate::Core;
 pub use host::{Counters, Work};
 pub use kdtree::{Splitting, Tree};
 pub use memory::{Extent, Memory, MemorySettings};
+pub use order::{Order, interleave};
 pub use points::{PointSet, Source, decode, encode};
 pub use query::{Neighbor, Query};
+pub use report::{Bound, Measured, Report};
 pub use run::{Outcome, Runner, verilate};
 pub use session::{Engine, Session};

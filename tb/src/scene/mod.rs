@@ -8,7 +8,7 @@ mod error;
 mod file;
 mod model;
 pub mod neighbors;
-mod normals;
+pub mod normals;
 mod object;
 mod shapes;
 

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Neighbors that a tangent plane is fitted to: enough to average noise, few enough to follow curvature.
-const FITTED_NEIGHBORS: usize = 16;
+pub const FITTED_NEIGHBORS: usize = 16;
 
 /// The sum of the normals of the triangles around each point, weighted by their areas.
 #[must_use]
@@ -57,17 +57,21 @@ pub fn estimate(points: &[DVec3]) -> Result<Vec<DVec3>, String> {
         ));
     }
     let neighbors = neighbors::nearest(points, FITTED_NEIGHBORS);
-    let fit = |(point, neighbors): (&DVec3, &Vec<Neighbor>)| {
-        let near: Vec<_> = neighbors.iter().map(|neighbor| points[neighbor.index as usize]).chain([*point]).collect();
-        let mean = near.iter().sum::<DVec3>() / near.len() as f64;
-        let spread = |v: &DVec3| {
-            DMat3::from_cols((v - mean) * (v - mean).x, (v - mean) * (v - mean).y, (v - mean) * (v - mean).z)
-        };
-        least_eigenvector(near.iter().map(spread).fold(DMat3::ZERO, |sum, term| sum + term))
-    };
-    let mut normals: Vec<_> = points.par_iter().zip(&neighbors).map(fit).collect();
+    let mut normals: Vec<_> =
+        (0..points.len()).into_par_iter().map(|index| fit(points, index, &neighbors[index])).collect();
     orient(points, &neighbors, &mut normals);
     Ok(normals)
+}
+
+/// The unit normal of the plane that a point and its neighbors spread around least, pointing to either side.
+#[must_use]
+pub fn fit(points: &[DVec3], index: usize, neighbors: &[Neighbor]) -> DVec3 {
+    let near: Vec<_> =
+        neighbors.iter().map(|neighbor| points[neighbor.index as usize]).chain([points[index]]).collect();
+    let mean = near.iter().sum::<DVec3>() / near.len() as f64;
+    let spread =
+        |v: &DVec3| DMat3::from_cols((v - mean) * (v - mean).x, (v - mean) * (v - mean).y, (v - mean) * (v - mean).z);
+    least_eigenvector(near.iter().map(spread).fold(DMat3::ZERO, |sum, term| sum + term))
 }
 
 /// The unit eigenvector of the least eigenvalue of a symmetric matrix, by cyclic Jacobi rotations.

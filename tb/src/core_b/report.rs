@@ -1,0 +1,218 @@
+//! What a search cost: figures with their definitions, as JSON and as a page to read.
+
+use super::kdtree::Statistics;
+use super::memory::MemorySettings;
+use super::run::Outcome;
+use pointcore_spec::core_b::Config;
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// A resource and the cycles it would take for a query if it never waited.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Bound {
+    /// What is used.
+    pub name: &'static str,
+    /// Cycles in use, for each query.
+    pub cycles_per_query: f64,
+}
+
+/// The run behind a report.
+pub struct Measured<'a> {
+    /// Where the points come from.
+    pub points: &'a str,
+    /// What ran.
+    pub engine: &'a str,
+    /// Where queries lie and how they are ordered.
+    pub order: &'a str,
+    /// The hardware's configuration.
+    pub config: &'a Config,
+    /// The tree.
+    pub tree: Statistics,
+    /// How the tree was divided.
+    pub splitting: &'a str,
+    /// The memory.
+    pub memory: MemorySettings,
+    /// Bytes of a beat of points.
+    pub beat_bytes: u32,
+    /// Neighbors wanted.
+    pub k: u32,
+    /// Radius within which they count.
+    pub radius: Option<f32>,
+    /// What the run brought.
+    pub outcome: &'a Outcome,
+    /// Outputs that differed, where they were compared.
+    pub mismatches: Option<u64>,
+    /// Queries whose neighbors were compared with a search through all points.
+    pub checked: Option<usize>,
+    /// The clock for which times are stated.
+    pub clock_mhz: f64,
+}
+
+/// The figures of a search.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// Where the points come from.
+    pub points: String,
+    /// What ran: `rtl` (in lockstep or not) or `golden`.
+    pub engine: String,
+    /// Where queries lie and how they are ordered.
+    pub order: String,
+    /// How the tree was divided.
+    pub splitting: String,
+    /// The tree.
+    pub tree: Statistics,
+    /// The hardware's configuration.
+    pub config: Config,
+    /// Neighbors wanted.
+    pub k: u32,
+    /// Radius within which they count.
+    pub radius: Option<f32>,
+    /// Queries asked.
+    pub queries: usize,
+    /// Neighbors found.
+    pub neighbors: u64,
+    /// Outputs on which hardware and model differed; absent where they were not compared.
+    pub mismatches: Option<u64>,
+    /// Queries whose neighbors equal those of a search through all points; absent where they were not checked.
+    pub checked: Option<usize>,
+    /// Cycles from the first query to the last result.
+    pub cycles: u64,
+    /// Cycles for each query.
+    pub cycles_per_query: f64,
+    /// The clock for which queries per second are stated.
+    pub clock_mhz: f64,
+    /// Queries answered in a second at that clock.
+    pub queries_per_second: f64,
+    /// The memory's latency.
+    pub latency_cycles: u64,
+    /// The memory's bandwidth.
+    pub bytes_per_cycle: f64,
+    /// Requests to the memory for each query.
+    pub requests_per_query: f64,
+    /// Bytes moved for each query, whole bursts.
+    pub bytes_per_query: f64,
+    /// Every resource of the search.
+    pub bounds: Vec<Bound>,
+    /// The one that limits the search.
+    pub bound: Bound,
+    /// The bound's share of the cycles.
+    pub share_of_bound: f64,
+    /// Share of the cycles in which a query waited for a free thread.
+    pub thread_wait: f64,
+    /// Share of the cycles in which a beat stayed with the queues for another insertion.
+    pub insert_wait: f64,
+    /// Share of the cycles in which the core did not take a beat that the memory offered.
+    pub beat_wait: f64,
+    /// Cycles simulated in a second.
+    pub simulated_cycles_per_second: f64,
+}
+
+impl Report {
+    /// Derives the figures.
+    #[must_use]
+    pub fn new(run: &Measured) -> Self {
+        let counters = &run.outcome.counters;
+        let (queries, cycles) = (run.outcome.neighbors.len(), counters.cycles);
+        let each = |count: f64| count / queries.max(1) as f64;
+        let share = |count: u64| count as f64 / cycles.max(1) as f64;
+        let bytes_per_cycle = run.memory.bytes_per_cycle.unwrap_or(run.beat_bytes.into());
+        let insertions = counters.event("event_insert");
+        let bounds: Vec<Bound> = [
+            ("nodes visited", counters.event("event_node") as f64),
+            ("paths popped", counters.event("event_pop") as f64),
+            ("beats of points from memory", counters.beats as f64),
+            ("insertions", insertions as f64),
+            (
+                "beats in the priority queues",
+                (counters.event("event_beat") + counters.event("event_insert_wait")) as f64,
+            ),
+            ("results", counters.neighbors as f64),
+            ("memory bus", counters.bytes as f64 / bytes_per_cycle),
+        ]
+        .map(|(name, count)| Bound { name, cycles_per_query: each(count) })
+        .into();
+        let by_cycles = |a: &&Bound, b: &&Bound| a.cycles_per_query.total_cmp(&b.cycles_per_query);
+        let bound = bounds.iter().max_by(by_cycles).expect("a search uses resources").clone();
+        Self {
+            points: run.points.to_owned(),
+            engine: run.engine.to_owned(),
+            order: run.order.to_owned(),
+            splitting: run.splitting.to_owned(),
+            tree: run.tree,
+            config: run.config.clone(),
+            k: run.k,
+            radius: run.radius,
+            queries,
+            neighbors: counters.neighbors,
+            mismatches: run.mismatches,
+            checked: run.checked,
+            cycles,
+            cycles_per_query: each(cycles as f64),
+            clock_mhz: run.clock_mhz,
+            queries_per_second: run.clock_mhz * 1e6 / each(cycles as f64).max(f64::MIN_POSITIVE),
+            latency_cycles: run.memory.latency_cycles,
+            bytes_per_cycle,
+            requests_per_query: each(counters.requests as f64),
+            bytes_per_query: each(counters.bytes as f64),
+            share_of_bound: bound.cycles_per_query / each(cycles as f64).max(f64::MIN_POSITIVE),
+            bounds,
+            bound,
+            thread_wait: share(counters.event("event_thread_wait")),
+            insert_wait: share(counters.event("event_insert_wait")),
+            beat_wait: share(counters.beat_wait),
+            simulated_cycles_per_second: run.outcome.simulated_cycles as f64 / run.outcome.elapsed.as_secs_f64(),
+        }
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let compared = match self.mismatches {
+            Some(count) => format!("{count} mismatches, every output compared in every cycle"),
+            None => "not compared".to_owned(),
+        };
+        let checked = match self.checked {
+            Some(count) => format!("{count} of {} queries, every distance equal bit for bit", self.queries),
+            None => "not compared (`--check` does)".to_owned(),
+        };
+        let within = self.radius.map_or(String::new(), |radius| format!(" within {radius}"));
+        let Config { threads, lanes, leaves_in_flight, bucket, geometry, .. } = &self.config;
+        let rows = [
+            ("engine", self.engine.clone()),
+            ("lockstep", compared),
+            ("search through all points", checked),
+            ("points", self.points.clone()),
+            ("tree", format!("{}, {}", self.splitting, self.tree)),
+            (
+                "core",
+                format!(
+                    "{threads} threads, {lanes} lanes, buckets of {bucket}, {leaves_in_flight} leaves in flight, {geometry}"
+                ),
+            ),
+            ("memory", format!("{} cycles latency, {} bytes a cycle", self.latency_cycles, self.bytes_per_cycle)),
+            ("queries", format!("{}, {}, for {} neighbors{within}", self.queries, self.order, self.k)),
+            ("neighbors found", self.neighbors.to_string()),
+            ("cycles", self.cycles.to_string()),
+            ("cycles per query", format!("{:.2}", self.cycles_per_query)),
+            ("queries per second", format!("{:.0} at {} MHz", self.queries_per_second, self.clock_mhz)),
+            ("requests per query", format!("{:.2}", self.requests_per_query)),
+            ("bytes per query", format!("{:.1}", self.bytes_per_query)),
+            ("bound", format!("{}: {} of the cycles", self.bound.name, percent(self.share_of_bound))),
+            ("queries wait for a thread", percent(self.thread_wait)),
+            ("queues stay for another insertion", percent(self.insert_wait)),
+            ("memory waits for the core", percent(self.beat_wait)),
+            ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
+        ];
+        let mut text = "# Nearest neighbors\n\n| figure | value |\n|---|---|\n".to_owned();
+        for (name, value) in rows {
+            _ = writeln!(text, "| {name} | {value} |");
+        }
+        text += "\nEvery resource takes one item a cycle; the one with the most items bounds the search.\n\n";
+        text += "| resource | cycles per query |\n|---|---|\n";
+        for Bound { name, cycles_per_query } in &self.bounds {
+            _ = writeln!(text, "| {name} | {cycles_per_query:.2} |");
+        }
+        text
+    }
+}
