@@ -3,13 +3,15 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
-use commands::{Failure, bench, generate, inspect, plan, run};
+use commands::{Failure, bench, generate, inspect, knn, plan, run};
+use pointcore::core_b::Error as SearchError;
 use std::process::ExitCode;
 
 /// Generates, simulates and measures hardware for point-based graphics.
 ///
 /// Start with `pointcore run scenes/knot.toml`: it derives the hardware the scene calls for, writes its Verilog, runs it under
-/// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/.
+/// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/. `pointcore knn --points surface:100000` does the
+/// same for nearest neighbors.
 ///
 /// Exit codes: 0 success, 1 the hardware and its model disagree, 2 wrong input or a folder that cannot be written, 3 a tool is missing or failed.
 #[derive(Parser)]
@@ -30,6 +32,8 @@ enum Command {
     Gen(generate::Arguments),
     /// Render a scene on the generated hardware and report on it.
     Run(run::Arguments),
+    /// Search the nearest neighbors of points on the generated hardware and report on it.
+    Knn(Box<knn::Arguments>),
     /// Describe a model file: points, normals, spacing.
     Inspect(inspect::Arguments),
     /// Measure the project's figures and merge them into out/bench.json.
@@ -43,6 +47,7 @@ fn main() -> ExitCode {
         Command::Plan(arguments) => plan::run(&arguments, output),
         Command::Gen(arguments) => generate::run(&arguments, output),
         Command::Run(arguments) => run::run(&arguments, output),
+        Command::Knn(arguments) => knn::run(&arguments, output),
         Command::Inspect(arguments) => inspect::run(&arguments, output),
         Command::Bench(arguments) => bench::run(&arguments, output),
     };
@@ -58,11 +63,15 @@ fn main() -> ExitCode {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
-            Self::Mismatch(_) => 1,
+            Self::Mismatch(_)
+            | Self::Neighbors(_)
+            | Self::Search(SearchError::Lockstep(_) | SearchError::Stuck { .. }) => 1,
+            Self::Search(SearchError::Generate(_) | SearchError::Verilated(_)) => 3,
             Self::Scene(_)
             | Self::Plan { .. }
             | Self::Configuration { .. }
             | Self::Usage(_)
+            | Self::Search(_)
             | Self::Write { .. }
             | Self::Picture(_) => 2,
             Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) => 3,

@@ -1,12 +1,16 @@
 //! The subcommands of `pointcore` and what they share.
 
 pub mod bench;
+pub mod configuration;
 pub mod generate;
 pub mod inspect;
+pub mod knn;
 pub mod plan;
+pub mod progress;
 pub mod run;
 
 use pointcore::core_a::GenerateError;
+use pointcore::core_b::{Difference, Error as SearchError};
 use pointcore::float_check::FloatCheckError;
 use pointcore::lockstep::LockstepError;
 use pointcore::picture::PictureError;
@@ -69,6 +73,12 @@ pub enum Failure {
     /// Hardware and model differ, or the run did not end.
     #[error(transparent)]
     Mismatch(#[from] LockstepError),
+    /// A neighbor search.
+    #[error(transparent)]
+    Search(#[from] SearchError),
+    /// Neighbors that are not the nearest.
+    #[error("{0}")]
+    Neighbors(Difference),
     /// Operators that could not be compared.
     #[error(transparent)]
     Operators(#[from] FloatCheckError),

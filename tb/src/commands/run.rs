@@ -1,7 +1,7 @@
 //! `pointcore run SCENE`.
 
+use super::progress::{with_progress, with_spinner};
 use super::{Failure, Output, generate, load, scene_name, write};
-use indicatif::{ProgressBar, ProgressStyle};
 use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble, verilate};
 use pointcore::lockstep::Stall;
 use pointcore::shading::shade;
@@ -9,12 +9,9 @@ use pointcore::verilated::Trace;
 use pointcore_golden::reference::{self, Mapping};
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 /// How much difference.png magnifies.
 const MAGNIFICATION: f64 = 16.0;
-/// Steps of the progress bar.
-const PROGRESS_STEPS: u64 = 1000;
 
 /// What renders the scene.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -55,35 +52,6 @@ pub struct Arguments {
     settings: Vec<String>,
 }
 
-/// A bar on a terminal, nothing elsewhere.
-fn progress_bar(message: &'static str) -> ProgressBar {
-    let template = "{msg} [{bar:30}] {percent}% {prefix} {eta} left";
-    let style = ProgressStyle::with_template(template).expect("the template is well-formed");
-    ProgressBar::new(PROGRESS_STEPS).with_style(style).with_message(message)
-}
-
-/// Runs a frame with a progress bar.
-fn with_progress(
-    message: &'static str,
-    run: impl FnOnce(&(dyn Fn(u64, f64) + Sync)) -> Result<Outcome, Failure>,
-) -> Result<Outcome, Failure> {
-    let bar = progress_bar(message);
-    let outcome = run(&|cycle, share| {
-        let rate = cycle as f64 / bar.elapsed().as_secs_f64().max(1e-3) / 1e3;
-        bar.set_prefix(format!("{cycle} cycles, {rate:.0} kHz,"));
-        bar.set_position((share * PROGRESS_STEPS as f64) as u64);
-    });
-    bar.finish_and_clear();
-    outcome
-}
-
-/// Long steps that cannot count their work show that they live.
-fn spinner(message: &'static str) -> ProgressBar {
-    let bar = ProgressBar::new_spinner().with_message(message);
-    bar.enable_steady_tick(Duration::from_millis(100));
-    bar
-}
-
 impl Arguments {
     fn check(&self) -> Result<(), Failure> {
         if !(0.0..1.0).contains(&self.stalls) {
@@ -103,23 +71,19 @@ impl Arguments {
         folder: &Path,
     ) -> Result<(Outcome, &'static str, Option<u64>), Failure> {
         if self.model == Model::Golden {
-            return Ok((
-                with_progress("golden", |progress| Ok(Runner { progress, ..*runner }.golden(core)?))?,
-                "golden",
-                None,
-            ));
+            let outcome = with_progress("golden", |progress| Runner { progress, ..*runner }.golden(core))?;
+            return Ok((outcome, "golden", None));
         }
-        let building = spinner("verilating and compiling (cached for the next time)");
-        let library = verilate(core, if self.trace { Trace::On } else { Trace::Off })?;
-        building.finish_and_clear();
+        let trace = if self.trace { Trace::On } else { Trace::Off };
+        let library = with_spinner("verilating and compiling (cached for the next time)", || verilate(core, trace))?;
         if self.trace || self.no_lockstep {
             let waveform = self.trace.then(|| folder.join("frame.fst"));
             let run = |progress: &(dyn Fn(u64, f64) + Sync)| {
-                Ok(Runner { progress, ..*runner }.hardware(&library, waveform.as_deref())?)
+                Runner { progress, ..*runner }.hardware(&library, waveform.as_deref())
             };
             return Ok((with_progress("hardware", run)?, "rtl", None));
         }
-        let run = |progress: &(dyn Fn(u64, f64) + Sync)| Ok(Runner { progress, ..*runner }.lockstep(core, &library)?);
+        let run = |progress: &(dyn Fn(u64, f64) + Sync)| Runner { progress, ..*runner }.lockstep(core, &library);
         // A difference would have ended the run.
         Ok((with_progress("lockstep", run)?, "rtl in lockstep with golden", Some(0)))
     }
@@ -143,7 +107,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     }
 
     let core = Core::generate(&plan.config)?;
-    generate::write_files(&core, &plan.config, &folder.join("verilog"))?;
+    generate::write_core_a(&core, &plan.config, &folder.join("verilog"))?;
     let frame = EncodedFrame::new(&scene, &plan);
     let stall = if arguments.stalls > 0.0 { Stall::Random(arguments.stalls) } else { Stall::Never };
     let runner = Runner {

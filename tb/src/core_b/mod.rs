@@ -1,6 +1,7 @@
 //! Core B on the host's side: point sets, kd-trees, the memory around the core, searches on hardware and model.
 
 mod check;
+mod derive;
 mod error;
 mod generate;
 mod host;
@@ -14,6 +15,7 @@ mod run;
 mod session;
 
 pub use check::{Difference, check};
+pub use derive::config_for;
 pub use error::Error;
 pub use generate::Core;
 pub use host::{Counters, Work};

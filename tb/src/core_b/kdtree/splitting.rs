@@ -15,6 +15,16 @@ pub enum Splitting {
 }
 
 impl Splitting {
+    /// As the command line spells it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Median => "median",
+            Self::Packed => "packed",
+            Self::Midpoint => "midpoint",
+        }
+    }
+
     /// How many of `items` go left. `allowed` is what leaves no side empty or fuller than its subtree can be.
     pub(super) fn count_left(
         self,

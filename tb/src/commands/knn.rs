@@ -1,0 +1,269 @@
+//! `pointcore knn --points FILE`.
+
+use super::configuration;
+use super::progress::{with_progress, with_spinner};
+use super::{Failure, Output, generate, write};
+use pointcore::core_b::{
+    Engine, Measured, MemorySettings, Order, Outcome, PointSet, Query, Report, Session, Source, Splitting, Tree, check,
+    config_for, interleave,
+};
+use pointcore::lockstep::Stall;
+use pointcore_spec::core_b::Config;
+use serde_json::json;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Requests among which an out-of-order memory chooses.
+const REORDER_WINDOW: usize = 8;
+
+/// What answers the queries.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Model {
+    /// The generated Verilog under Verilator, in lockstep with the golden model.
+    Rtl,
+    /// The bit-exact, cycle-accurate golden model alone.
+    Golden,
+}
+
+/// How neighbors are written.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Neighbors {
+    /// neighbors.csv: query, rank, point, distance2.
+    Csv,
+    /// neighbors.json: for each query a list of points and squared distances.
+    Json,
+}
+
+/// How many queries are asked.
+#[derive(Clone, Copy)]
+struct Limit(Option<usize>);
+
+impl std::str::FromStr for Limit {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let count = text.parse().ok().filter(|count| *count > 0);
+        match (text, count) {
+            ("all", _) => Ok(Self(None)),
+            (_, Some(count)) => Ok(Self(Some(count))),
+            _ => Err("expected a number of queries from 1 up, or `all`".to_owned()),
+        }
+    }
+}
+
+/// Arguments of `knn`.
+///
+/// Hardware and model search together, every output compared in every cycle, which takes its time: only the first 2000 queries are
+/// asked unless --limit says otherwise. Without --config the hardware is derived: the tree as deep as the points need, the queues
+/// as long as k.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The points: a PLY or OBJ file, or `surface:COUNT` for a procedural surface.
+    #[arg(long, value_name = "FILE|surface:COUNT")]
+    points: Source,
+    /// Neighbors of each query, 1 to 64.
+    #[arg(long, value_name = "COUNT", default_value_t = 10)]
+    k: u32,
+    /// Only neighbors nearer than this count.
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    radius: Option<f32>,
+    /// Query points, the vertices of a PLY or OBJ file in their order.
+    #[arg(long, value_name = "FILE", conflicts_with = "order")]
+    queries: Option<PathBuf>,
+    /// Ask for the points themselves: `random`, `file` or `morton` order, or `grid:BxB` queries around each.
+    #[arg(long, default_value_t = Order::Random)]
+    order: Order,
+    /// Ask N parts of the queries in turn, so that near ones are not under way together.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    interleave: usize,
+    /// How many queries to ask, or `all`.
+    #[arg(long, value_name = "COUNT", default_value = "2000")]
+    limit: Limit,
+    /// How the tree divides points.
+    #[arg(long, value_enum, default_value = "packed")]
+    tree: Splitting,
+    /// The hardware's configuration, such as configs/knn.toml.
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
+    /// What answers the queries.
+    #[arg(long, value_enum, default_value = "rtl")]
+    model: Model,
+    /// Do not compare the Verilog with the golden model: faster, but trusts it.
+    #[arg(long)]
+    no_lockstep: bool,
+    /// Cycles from a request to the memory to its answer, 1 to 500.
+    #[arg(long, value_name = "CYCLES", default_value_t = MemorySettings::default().latency_cycles)]
+    latency: u64,
+    /// Bytes that the memory moves in a cycle, may be fractional; by default a beat of points.
+    #[arg(long, value_name = "BYTES")]
+    bandwidth: Option<f64>,
+    /// Bytes that the memory can only move together.
+    #[arg(long, value_name = "BYTES", default_value_t = MemorySettings::default().burst_bytes)]
+    burst: u32,
+    /// Let answers of the memory overtake each other.
+    #[arg(long)]
+    out_of_order: bool,
+    /// Hold every stream back in this share of the cycles, at random.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0)]
+    stalls: f64,
+    /// Seed of shuffles, stalls, the memory's order and the hardware's uninitialized values.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Compare every distance with a search through all points, bit for bit.
+    #[arg(long)]
+    check: bool,
+    /// The clock for which queries per second are stated.
+    #[arg(long, value_name = "MHZ", default_value_t = 100.0)]
+    clock_mhz: f64,
+    /// How neighbors are written.
+    #[arg(long, value_enum, default_value = "csv")]
+    neighbors: Neighbors,
+    /// The folder for the results.
+    #[arg(short, long, value_name = "DIR", default_value = "out/knn")]
+    output: PathBuf,
+}
+
+impl Arguments {
+    fn check(&self) -> Result<(), Failure> {
+        let usage = |message| Err(Failure::Usage(message));
+        if !(1..=64).contains(&self.k) {
+            return usage(format!("--k {}: expected 1 to 64 neighbors", self.k));
+        }
+        match self.radius {
+            Some(radius) if !(radius > 0.0 && radius.is_finite()) => {
+                return usage(format!("--radius {radius}: expected a positive number"));
+            }
+            _ => {}
+        }
+        if !(0.0..1.0).contains(&self.stalls) {
+            return usage(format!("--stalls {}: expected a share from 0 up to, but not, 1", self.stalls));
+        }
+        if !(self.clock_mhz > 0.0 && self.clock_mhz.is_finite()) {
+            return usage(format!("--clock-mhz {}: expected a positive number", self.clock_mhz));
+        }
+        if self.interleave == 0 {
+            return usage("--interleave 0: expected 1 part at least".to_owned());
+        }
+        if self.model == Model::Golden && self.no_lockstep {
+            return usage("--no-lockstep goes with --model rtl".to_owned());
+        }
+        self.memory().validate()?;
+        Ok(())
+    }
+
+    fn memory(&self) -> MemorySettings {
+        MemorySettings {
+            latency_cycles: self.latency,
+            bytes_per_cycle: self.bandwidth,
+            burst_bytes: self.burst,
+            reorder_window: if self.out_of_order { REORDER_WINDOW } else { 1 },
+        }
+    }
+
+    const fn engine(&self) -> (Engine, &'static str, Option<u64>) {
+        match (self.model, self.no_lockstep) {
+            (Model::Golden, _) => (Engine::Golden, "golden", None),
+            (Model::Rtl, true) => (Engine::Hardware, "rtl", None),
+            // A difference would end the run.
+            (Model::Rtl, false) => (Engine::Lockstep, "rtl in lockstep with golden", Some(0)),
+        }
+    }
+
+    /// The hardware, and the points in its format.
+    fn hardware(&self) -> Result<(Config, PointSet), Failure> {
+        if let Some(path) = &self.config {
+            let config = configuration::parse_core_b(path, &configuration::read_text(path)?)?;
+            let points = PointSet::load(config.geometry, &self.points)?;
+            return Ok((config, points));
+        }
+        let points = PointSet::load(Config::default().geometry, &self.points)?;
+        Ok((config_for(points.points().len(), self.k, self.tree), points))
+    }
+
+    /// Queries, and where they come from.
+    fn queries(&self, points: &PointSet) -> Result<(Vec<Query>, String), Failure> {
+        let Limit(limit) = self.limit;
+        let (mut places, source) = match &self.queries {
+            Some(path) => {
+                let vertices = PointSet::load(points.format(), &Source::File(path.clone()))?;
+                (vertices.points().to_vec(), path.display().to_string())
+            }
+            None => (self.order.places(points, limit, self.seed), format!("{} order", self.order)),
+        };
+        places.truncate(limit.unwrap_or(usize::MAX));
+        let query = |point: &[f32; 3]| Query { point: *point, k: self.k, radius: self.radius };
+        let queries: Vec<Query> = places.iter().map(query).collect();
+        let limited = limit.filter(|limit| *limit == queries.len());
+        let limited = limited.map_or(String::new(), |limit| format!(" (--limit {limit})"));
+        Ok((interleave(&queries, self.interleave), source + &limited))
+    }
+}
+
+/// Writes neighbors as they were asked for.
+fn write_neighbors(outcome: &Outcome, format: Neighbors, folder: &Path) -> Result<(), Failure> {
+    match format {
+        Neighbors::Csv => {
+            let mut text = "query,rank,point,distance2\n".to_owned();
+            for (query, neighbors) in outcome.neighbors.iter().enumerate() {
+                for (rank, neighbor) in neighbors.iter().enumerate() {
+                    _ = writeln!(text, "{query},{rank},{},{:e}", neighbor.point, neighbor.distance2);
+                }
+            }
+            write(&folder.join("neighbors.csv"), &text)
+        }
+        Neighbors::Json => {
+            let text = serde_json::to_string(&outcome.neighbors).expect("neighbors are lists");
+            write(&folder.join("neighbors.json"), &text)
+        }
+    }
+}
+
+/// Searches neighbors.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    arguments.check()?;
+    let (config, points) = arguments.hardware()?;
+    let tree = Tree::build(&config, &points, arguments.tree)?;
+    let (queries, order) = arguments.queries(&points)?;
+    let folder = &arguments.output;
+    std::fs::create_dir_all(folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+
+    let (engine, engine_name, mismatches) = arguments.engine();
+    let (statistics, beat_bytes) = (tree.statistics(), tree.beat_bytes());
+    let stall = if arguments.stalls > 0.0 { Stall::Random(arguments.stalls) } else { Stall::Never };
+    let command = std::env::args().skip(1).fold("pointcore".to_owned(), |command, word| command + " " + &word);
+    let session = with_spinner("generating, verilating and compiling (cached for the next time)", || {
+        Session::open(config.clone(), tree, arguments.memory(), engine)
+    })?;
+    let session = session.randomized(stall, arguments.seed).reproduced_by(command);
+    generate::write_core_b(session.core(), &config, &folder.join("verilog"))?;
+
+    let outcome = with_progress(engine_name, |progress| session.search_with(&queries, progress))?;
+    write_neighbors(&outcome, arguments.neighbors, folder)?;
+    let checked = if arguments.check {
+        let checking = || check(&points, &queries, &outcome.neighbors);
+        Some(with_spinner("searching through all points", checking).map_err(Failure::Neighbors)?)
+    } else {
+        None
+    };
+    let report = Report::new(&Measured {
+        points: &arguments.points.to_string(),
+        engine: engine_name,
+        order: &order,
+        config: &config,
+        tree: statistics,
+        splitting: arguments.tree.name(),
+        memory: arguments.memory(),
+        beat_bytes,
+        k: arguments.k,
+        radius: arguments.radius,
+        outcome: &outcome,
+        mismatches,
+        checked,
+        clock_mhz: arguments.clock_mhz,
+    });
+    let markdown = report.markdown();
+    write(&folder.join("report.md"), &markdown)?;
+    write(&folder.join("report.json"), &serde_json::to_string_pretty(&report).expect("reports have string keys"))?;
+    output.print(&json!(report), &format!("{markdown}\nWritten to {}.", folder.display()));
+    Ok(())
+}
