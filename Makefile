@@ -1,13 +1,15 @@
 # pointcore: everything a user, a developer or CI runs. `make help` lists it.
 SHELL := /bin/bash
 SCENE ?= scenes/knot.toml
+POINTS ?= surface:100000
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-fpga run run-scan plan gen test check bench doc clean
+.PHONY: help setup setup-tests setup-fpga run run-scan knn plan gen test check bench doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
-	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench.'
+	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench;'
+	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more of its arguments.'
 
 setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
 	@./scripts/setup verilator:verilator g++:g++ zlib.h:zlib1g-dev
@@ -24,6 +26,9 @@ run: setup ## Render SCENE on the generated hardware, in lockstep with its model
 
 run-scan: setup ## Render a scan given by path: make run-scan SCAN=../shared/data/igea.ply
 	cargo run --release --bin pointcore -- run scenes/igea.toml $(if $(SCAN),--set object.0.path=$(abspath $(SCAN)))
+
+knn: setup ## Search the nearest neighbors of POINTS on the generated hardware, in lockstep with its model, into out/knn
+	cargo run --release --bin pointcore -- knn --points $(POINTS) $(ARGS)
 
 plan: ## Show which hardware SCENE calls for, and why
 	cargo run --release --bin pointcore -- plan $(SCENE)

@@ -12,33 +12,33 @@ const SCENE: &str = "camera = { eye = [0, 0, 5], target = [0, 0, 0], fov_degrees
                      [[object]]\nkind = \"sphere\"\npoints = 500\nouter_radius = 1\n";
 
 const SUCCESS: i32 = 0;
-const WRONG_INPUT: i32 = 2;
+pub const WRONG_INPUT: i32 = 2;
 
 /// Where a test writes.
-struct Workplace(TempDir);
+pub struct Workplace(TempDir);
 
 impl Workplace {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self(tempfile::tempdir().expect("the system has a temporary folder"))
     }
 
-    fn path(&self) -> &Path {
+    pub fn path(&self) -> &Path {
         self.0.path()
     }
 
-    fn write(&self, name: &str, contents: &str) -> PathBuf {
+    pub fn write(&self, name: &str, contents: &str) -> PathBuf {
         let path = self.path().join(name);
         fs::write(&path, contents).expect("a temporary folder can be written");
         path
     }
 
-    fn pointcore(&self, arguments: &[&str]) -> Output {
+    pub fn pointcore(&self, arguments: &[&str]) -> Output {
         let output = Command::new(env!("CARGO_BIN_EXE_pointcore")).args(arguments).current_dir(self.path()).output();
         output.expect("cargo has built the binary")
     }
 
     /// Runs `pointcore`, which must succeed without a word on the error stream; returns what it prints.
-    fn succeeds(&self, arguments: &[&str]) -> String {
+    pub fn succeeds(&self, arguments: &[&str]) -> String {
         let output = self.pointcore(arguments);
         let [out, error] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
         assert_eq!((output.status.code(), error.as_str()), (Some(SUCCESS), ""), "pointcore {arguments:?}");
@@ -46,7 +46,7 @@ impl Workplace {
     }
 
     /// Runs `pointcore`, which must say each of `parts` on the error stream, once, and nothing else.
-    fn fails(&self, code: i32, arguments: &[&str], parts: &[&str]) {
+    pub fn fails(&self, code: i32, arguments: &[&str], parts: &[&str]) {
         let output = self.pointcore(arguments);
         let [out, error] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
         assert_eq!((output.status.code(), out.as_str()), (Some(code), ""), "pointcore {arguments:?}: {error}");
@@ -58,7 +58,7 @@ impl Workplace {
     }
 
     /// Runs a tool in a folder, which must accept its input without a warning.
-    fn accepts(&self, program: &str, arguments: &[&str], folder: &str) {
+    pub fn accepts(&self, program: &str, arguments: &[&str], folder: &str) {
         let output = Command::new(program).args(arguments).current_dir(self.path().join(folder)).output();
         let output = output.unwrap_or_else(|error| panic!("cannot run {program} ({error}): run `make setup-tests`"));
         let text = [&output.stdout[..], &output.stderr[..]].map(String::from_utf8_lossy).concat();
@@ -67,7 +67,7 @@ impl Workplace {
     }
 }
 
-fn json(text: &str) -> Value {
+pub fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in: {text}"))
 }
 
@@ -75,10 +75,10 @@ fn json(text: &str) -> Value {
 fn help_names_every_subcommand_and_the_exit_codes() {
     let workplace = Workplace::new();
     let help = workplace.succeeds(&["--help"]);
-    for part in ["plan", "gen", "run", "inspect", "bench", "scenes/knot.toml", "Exit codes"] {
+    for part in ["plan", "gen", "run", "knn", "inspect", "bench", "scenes/knot.toml", "Exit codes"] {
         assert!(help.contains(part), "`{part}` is missing in: {help}");
     }
-    for command in ["plan", "gen", "run", "inspect", "bench"] {
+    for command in ["plan", "gen", "run", "knn", "inspect", "bench"] {
         assert!(workplace.succeeds(&[command, "--help"]).contains("Usage: pointcore"), "{command}");
     }
 }

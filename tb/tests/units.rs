@@ -1,5 +1,6 @@
 //! Hardware against golden models, one module a unit.
 mod command;
+mod command_knn;
 mod compiler;
 mod core_a;
 mod core_a_accumulator;

@@ -224,6 +224,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let (config, points) = arguments.hardware()?;
     let tree = Tree::build(&config, &points, arguments.tree)?;
     let (queries, order) = arguments.queries(&points)?;
+    queries.iter().enumerate().try_for_each(|(index, query)| query.check(&config, index))?;
     let folder = &arguments.output;
     std::fs::create_dir_all(folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
 

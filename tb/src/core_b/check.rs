@@ -72,6 +72,8 @@ fn all_differ(neighbors: &[Neighbor]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::core_b::{Engine, MemorySettings, Order, Session, Source, Splitting, Tree, config_for};
+    use crate::scene::model::tests::shared;
     use pointcore_spec::Format;
 
     #[test]
@@ -91,5 +93,23 @@ mod tests {
         let twice = vec![Neighbor { point: 0, distance2: 3.0 }; 2];
         let difference = super::check(&doubled, &[query], &[twice]).expect_err("a neighbor is found twice");
         assert!(difference.to_string().starts_with("query 0"));
+    }
+
+    #[test]
+    fn neighbors_in_a_scan_are_the_nearest() {
+        let Some((path, model)) = shared("igea.ply") else { return };
+        for (splitting, order) in
+            [(Splitting::Packed, Order::Random), (Splitting::Midpoint, Order::Grid { columns: 3, rows: 3 })]
+        {
+            let config = config_for(model.points.len(), 10, splitting);
+            let points = PointSet::load(config.geometry, &Source::File(path.clone())).expect("the scan is good");
+            let tree = Tree::build(&config, &points, splitting).expect("the points fit");
+            let session =
+                Session::open(config, tree, MemorySettings::default(), Engine::Golden).expect("the core is valid");
+            let query = |point: &[f32; 3]| Query { point: *point, k: 10, radius: None };
+            let queries: Vec<_> = order.places(&points, Some(200), 1).iter().map(query).collect();
+            let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(super::check(&points, &queries, &outcome.neighbors), Ok(200));
+        }
     }
 }

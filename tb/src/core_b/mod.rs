@@ -24,6 +24,6 @@ pub use memory::{Extent, Memory, MemorySettings};
 pub use order::{Order, interleave};
 pub use points::{PointSet, Source, decode, encode};
 pub use query::{Neighbor, Query};
-pub use report::{Bound, Measured, Report};
+pub use report::{Bound, HitRate, Measured, Report};
 pub use run::{Outcome, Runner, verilate};
 pub use session::{Engine, Session};

@@ -29,6 +29,14 @@ pub struct Neighbor {
 const NEIGHBORS_LIMIT: u32 = 64;
 
 impl Query {
+    /// Checks that the core can answer it.
+    ///
+    /// # Errors
+    /// It cannot; the error bears `index`.
+    pub fn check(&self, config: &Config, index: usize) -> Result<(), Error> {
+        self.encode(config, index).map(drop)
+    }
+
     /// The query as the core takes it, with 0 for a number.
     ///
     /// # Errors

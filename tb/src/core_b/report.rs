@@ -3,7 +3,7 @@
 use super::kdtree::Statistics;
 use super::memory::MemorySettings;
 use super::run::Outcome;
-use pointcore_spec::core_b::Config;
+use pointcore_spec::core_b::{Config, ports};
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -15,6 +15,26 @@ pub struct Bound {
     /// Cycles in use, for each query.
     pub cycles_per_query: f64,
 }
+
+/// How often a cache had what was asked for.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HitRate {
+    /// The cache.
+    pub cache: &'static str,
+    /// Requests it answered.
+    pub hits: u64,
+    /// Requests it passed on.
+    pub misses: u64,
+    /// Share of the requests that it answered.
+    pub rate: f64,
+}
+
+/// Caches with the events that count their hits and misses.
+const CACHES: [(&str, [&str; 2]); 3] = [
+    ("point cache", ports::POINT_CACHE_EVENTS),
+    ("tree cache", ports::TREE_CACHE_EVENTS),
+    ("neighbor cache", ports::NEIGHBOR_CACHE_EVENTS),
+];
 
 /// The run behind a report.
 pub struct Measured<'a> {
@@ -97,6 +117,8 @@ pub struct Report {
     pub bound: Bound,
     /// The bound's share of the cycles.
     pub share_of_bound: f64,
+    /// The caches that the core has.
+    pub hit_rates: Vec<HitRate>,
     /// Share of the cycles in which a query waited for a free thread.
     pub thread_wait: f64,
     /// Share of the cycles in which a beat stayed with the queues for another insertion.
@@ -133,6 +155,11 @@ impl Report {
         .into();
         let by_cycles = |a: &&Bound, b: &&Bound| a.cycles_per_query.total_cmp(&b.cycles_per_query);
         let bound = bounds.iter().max_by(by_cycles).expect("a search uses resources").clone();
+        let rate = |(cache, [hit, miss]): (&'static str, [&str; 2])| {
+            let (hits, misses) = (counters.event(hit), counters.event(miss));
+            let present = counters.events.iter().any(|(event, _)| *event == hit);
+            present.then(|| HitRate { cache, hits, misses, rate: hits as f64 / (hits + misses).max(1) as f64 })
+        };
         Self {
             points: run.points.to_owned(),
             engine: run.engine.to_owned(),
@@ -157,6 +184,7 @@ impl Report {
             share_of_bound: bound.cycles_per_query / each(cycles as f64).max(f64::MIN_POSITIVE),
             bounds,
             bound,
+            hit_rates: CACHES.into_iter().filter_map(rate).collect(),
             thread_wait: share(counters.event("event_thread_wait")),
             insert_wait: share(counters.event("event_insert_wait")),
             beat_wait: share(counters.beat_wait),
@@ -207,6 +235,9 @@ impl Report {
         let mut text = "# Nearest neighbors\n\n| figure | value |\n|---|---|\n".to_owned();
         for (name, value) in rows {
             _ = writeln!(text, "| {name} | {value} |");
+        }
+        for HitRate { cache, hits, misses, rate } in &self.hit_rates {
+            _ = writeln!(text, "| {cache} | {} of {} requests |", percent(*rate), hits + misses);
         }
         text += "\nEvery resource takes one item a cycle; the one with the most items bounds the search.\n\n";
         text += "| resource | cycles per query |\n|---|---|\n";

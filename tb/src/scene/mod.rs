@@ -6,7 +6,7 @@
 mod camera;
 mod error;
 mod file;
-mod model;
+pub(crate) mod model;
 pub mod neighbors;
 pub mod normals;
 mod object;
