@@ -6,7 +6,7 @@ use fastrand::Rng;
 use pointcore_golden::core_b::Latencies;
 use pointcore_golden::core_b::events::Events;
 use pointcore_golden::core_b::records::{
-    Beat, BeatPlace, CachedQuery, CachedResult, Fetch, Lookup, Query, TreeRecord, TreeWrite,
+    Beat, BeatPlace, CacheSetup, CachedQuery, CachedResult, Fetch, Lookup, TreeRecord, TreeWrite,
 };
 use pointcore_golden::core_b::top::{In, Top};
 use pointcore_golden::unit::Model;
@@ -30,6 +30,8 @@ pub struct Answer {
     pub number: u32,
     /// Indices and squared distances.
     pub neighbors: Vec<(u32, u32)>,
+    /// It is another query's neighborhood.
+    pub cached: bool,
 }
 
 /// Requests that a memory answers late and in any order.
@@ -106,6 +108,8 @@ pub struct Bench<'a> {
     pub point_hits: u64,
     /// Records found in the tree cache.
     pub tree_hits: u64,
+    /// Queries that were covered by a neighborhood in the neighbor cache.
+    pub neighbor_hits: u64,
 }
 
 impl<'a> Bench<'a> {
@@ -133,7 +137,19 @@ impl<'a> Bench<'a> {
             beats: 0,
             point_hits: 0,
             tree_hits: 0,
+            neighbor_hits: 0,
         }
+    }
+
+    /// Sets the neighbor cache up.
+    pub fn set_up(&mut self, setup: CacheSetup) {
+        self.top.clock(&In { setup: Some(setup), ..In::default() });
+    }
+
+    /// Lets cycles pass.
+    pub fn idle(&mut self, cycles: u64) {
+        (0..cycles).for_each(|_| self.top.clock(&In::default()));
+        self.cycles += cycles;
     }
 
     fn goes_on(&mut self) -> bool {
@@ -146,7 +162,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Answers to all queries, in the order in which they come.
-    pub fn search(&mut self, queries: &[Query]) -> Vec<Answer> {
+    pub fn search<Q: Copy + Into<CachedQuery>>(&mut self, queries: &[Q]) -> Vec<Answer> {
         let mut queries_left = queries.iter();
         let mut answers = Vec::new();
         let mut neighbors = Vec::new();
@@ -160,7 +176,7 @@ impl<'a> Bench<'a> {
                 lookup_ready: self.goes_on(),
                 record: self.memory.record().filter(|_| self.goes_on()),
                 setup: None,
-                query: queries_left.as_slice().first().copied().map(CachedQuery::from).filter(|_| self.goes_on()),
+                query: queries_left.as_slice().first().map(|query| (*query).into()).filter(|_| self.goes_on()),
                 fetch_ready: self.goes_on(),
                 beat: self.memory.beat().filter(|_| self.goes_on()),
                 result_ready: self.goes_on(),
@@ -189,10 +205,11 @@ impl<'a> Bench<'a> {
                 self.memory.advance();
                 patience = PATIENCE;
             }
-            if let Some(CachedResult { result, .. }) = out.result.filter(|_| inputs.result_ready) {
+            if let Some(CachedResult { result, cached }) = out.result.filter(|_| inputs.result_ready) {
                 neighbors.extend(result.found.then_some((result.index, result.distance2)));
                 if result.last {
-                    answers.push(Answer { number: result.number, neighbors: std::mem::take(&mut neighbors) });
+                    let neighbors = std::mem::take(&mut neighbors);
+                    answers.push(Answer { number: result.number, neighbors, cached });
                 }
                 patience = PATIENCE;
             }
@@ -209,5 +226,6 @@ impl<'a> Bench<'a> {
         self.beats += u64::from(events.queue.beat);
         self.point_hits += u64::from(events.point_cache.hit);
         self.tree_hits += u64::from(events.tree_cache.hit);
+        self.neighbor_hits += u64::from(events.neighbor_cache.hit);
     }
 }

@@ -1,6 +1,7 @@
 //! The composed model of core B: its answers equal those of a brute-force search whatever the timing, and always come.
 
 mod driver;
+mod neighbor_cache;
 mod tree;
 
 use driver::{Answer, Bench, Surroundings};
@@ -60,7 +61,7 @@ fn check(config: &Config, tree: &Tree, queries: &[Query], answers: &[Answer]) {
     assert_eq!(answers.len(), queries.len());
     let numbers: HashSet<_> = answers.iter().map(|answer| answer.number).collect();
     assert_eq!(numbers.len(), queries.len(), "a query is answered once");
-    for Answer { number, neighbors } in answers {
+    for Answer { number, neighbors, .. } in answers {
         let query = &queries[*number as usize];
         let k = usize::from(query.k);
         let nearest = neighbors::nearest(config.geometry, &tree.points, query.point, k, query.radius2);

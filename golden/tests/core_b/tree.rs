@@ -22,6 +22,11 @@ pub fn encode(format: Format, number: f32) -> u32 {
     float::convert(Format::F32, format, u64::from(number.to_bits())) as u32
 }
 
+/// The coordinates that a point's encodings in the core's format stand for.
+pub fn decode(format: Format, point: Point) -> [f64; 3] {
+    point.map(|bits| f32::from_bits(float::convert(format, Format::F32, bits.into()) as u32).into())
+}
+
 /// A tree whose splits are at the median mostly, and somewhere else often enough to be unbalanced.
 pub fn build(config: &Config, points: &mut [[f32; 3]], random: &mut Rng) -> Tree {
     let mut tree = Tree { records: BTreeMap::new(), points: Vec::new(), internal_leaves: 0 };
