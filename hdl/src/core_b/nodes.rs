@@ -1,6 +1,5 @@
 //! Where the traversal's nodes come from: its own memory, or the tree cache.
 
-use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
 use crate::rtl::{Expr, Memory, Module, Reg, Stream, bit};
@@ -40,10 +39,10 @@ impl Token {
     }
 }
 
-/// The stage before `t1`.
+/// What stands before `t1`.
 pub(super) enum Nodes {
-    /// A token whose node is read from a memory.
-    Memory { nodes: Memory, t0: Token },
+    /// A memory of nodes.
+    Memory(Memory),
     /// Nodes are sent out and their records come back.
     Cache { node: QueueOut, record: Stream },
 }
@@ -60,44 +59,35 @@ impl Nodes {
         let nodes = m.memory("nodes", 1 << config.tree_depth, width(&fields));
         let writes = &tree.valid & !tree.record.get("is_leaf");
         m.write(&nodes, &writes, &tree.record.get("address"), &tree.record.only(&fields).pack());
-        Self::Memory { nodes, t0: Token::new(m, config, "t0") }
+        Self::Memory(nodes)
     }
 
     /// What is to be read can be taken in this cycle.
     pub fn room(&self) -> Expr {
         match self {
-            Self::Memory { .. } => bit(true),
+            Self::Memory(_) => bit(true),
             Self::Cache { node, .. } => node.room.clone(),
         }
     }
 
-    /// What goes into `t1` on `advance`, and its node as it is read by then.
-    pub fn read(&self, m: &mut Module, config: &Config, advance: &Expr) -> (Place, Record) {
-        let fields: Vec<Field> = records::node(config);
+    /// Takes what is to be read on `advance`; returns what goes into `t1` on it, and its node as it is in `t1`.
+    pub fn read(self, m: &mut Module, config: &Config, advance: &Expr, next: Place) -> (Place, Record) {
+        let fields = records::node(config);
         match self {
-            Self::Memory { nodes, t0 } => {
-                let address = t0.node.trunc(config.tree_depth as usize);
-                let record = m.read_if(nodes, "t1_record", advance, &address);
-                (t0.place(), Record::unpack(&fields, &record))
+            Self::Memory(nodes) => {
+                let address = next.node.trunc(config.tree_depth as usize);
+                let record = m.read_if(&nodes, "t1_record", advance, &address);
+                (next, Record::unpack(&fields, &record))
             }
-            Self::Cache { record, .. } => {
-                m.ready(record, advance);
-                let [thread, node] = ["thread", "node"].map(|name| record.field(name));
-                let place = Place { valid: record.valid.clone(), thread, node };
-                (place, Record::from(record).only(&fields).register(m, "t1_", advance))
-            }
-        }
-    }
-
-    /// Takes on `advance` what is to be read.
-    pub fn take(self, m: &mut Module, advance: &Expr, next: &Place) {
-        match self {
-            Self::Memory { t0, .. } => t0.take(m, advance, next),
-            Self::Cache { node, .. } => {
+            Self::Cache { node, record } => {
                 node.push(m, &(advance & &next.valid), |name| match name {
                     "thread" => next.thread.clone(),
                     _ => next.node.clone(),
                 });
+                m.ready(&record, advance);
+                let [thread, node] = ["thread", "node"].map(|name| record.field(name));
+                let place = Place { valid: record.valid.clone(), thread, node };
+                (place, Record::from(&record).only(&fields).register(m, "t1_", advance))
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Node traversal (thesis 6.5.2, listing 6.2): descends from a node to a leaf and stacks the paths not taken; golden
 //! twin: `pointcore_golden::core_b::traversal`.
 //!
-//! Tokens go round through three stages: `t0` presents addresses, `t1` has node and coordinates, `t2` has the decision. With
-//! a tree cache, that is in the place of `t0`.
+//! Tokens go round through two stages: `t1` has node and coordinates, `t2` has the decision. With a tree cache, nodes go
+//! through it on their way from `t2` to `t1`.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
@@ -11,11 +11,12 @@ use super::coordinates::coordinates;
 use super::nodes::{Nodes, Place, Token};
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
 use crate::float::compare;
-use crate::rtl::{Expr, Module, cat, select};
+use crate::rtl::{Expr, Module, bit, cat, select};
 use crate::units::datapath::Inputs;
-use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out, registered_pulse_out};
+use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out};
 
-/// What `t2` sends on: a leaf, or a path not taken with what its distance follows from.
+/// What `t2` sends through the path datapath: a leaf that is reached, or a path not taken with what its distance follows
+/// from.
 fn steps(config: &Config) -> Vec<Field> {
     let mut fields = vec![("is_leaf".to_owned(), 1)];
     fields.extend(records::descent(config));
@@ -48,93 +49,84 @@ fn leaf_number(node: &Expr) -> Expr {
     shifted.trunc(depth)
 }
 
-/// A value of `t1` as it is in `t2`.
-fn later(m: &mut Module, name: &str, advance: &Expr, value: &Expr) -> Expr {
-    let register = m.reg(name, value.width());
-    m.next_if(&register, advance, value);
-    register.expr()
-}
-
 /// The unit; ports as in `spec::core_b::ports::traversal`.
 ///
 /// # Errors
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let tree_depth = config.tree_depth as usize;
+    let coordinate_bits = config.geometry.width() as usize;
     let mut m = Module::new("core_b_traversal", "Descends to leaves and stacks the paths not taken.");
     m.parameter("threads", config.threads);
     m.parameter("tree_depth", tree_depth);
     let start = pulse_in(&mut m, "start", &records::start(config));
     let descend = queue_in(&mut m, "descend", &records::descent(config));
     let resume = queue_in(&mut m, "resume", &records::descent(config));
+    let leaf = queue_out(&mut m, "leaf", &records::leaf(config));
     let Datapath { module, manifest } = distance(config, options)?;
     let path = m.instance("path", module);
     let nodes = Nodes::new(&mut m, config);
-    let accepts = m.out(&path, "in_ready");
-    let room = nodes.room();
-    let advance = m.wire("advance", &(accepts & &room));
     let [t1, t2] = ["t1", "t2"].map(|stage| Token::new(&mut m, config, stage));
-
-    // t0 → t1: node and query are read.
-    let (entering, node) = nodes.read(&mut m, config, &advance);
-    t1.take(&mut m, &advance, &entering);
-    let [x, y, z] = coordinates(&mut m, config, &start, &advance, &entering.thread);
-
-    // t1 → t2: the decision.
-    t2.take(&mut m, &advance, &t1.place());
-    let at_leaf = later(&mut m, "t2_at_leaf", &advance, &(t1.node.msb() | node.get("internal_leaf")));
-    let coordinate = m.wire("coordinate", &select(&node.get("dimension"), &[&x, &y, &z]));
+    let t2_at_leaf = m.reg("t2_at_leaf", 1);
+    let [t2_coordinate, t2_split] = ["t2_coordinate", "t2_split"].map(|name| m.reg(name, coordinate_bits));
     let less = m.instance("less", compare::lt(config.geometry, 1).module);
-    m.connect(&less, "enable", &advance);
-    m.connect(&less, "a", &coordinate);
-    m.connect(&less, "b", &node.get("split"));
     let left = m.out(&less, "y");
-    let coordinate = later(&mut m, "t2_coordinate", &advance, &coordinate);
-    let split = later(&mut m, "t2_split", &advance, &node.get("split"));
 
-    // t2: the far child or the leaf goes into the path datapath, the near child round.
-    let above = t2.node.trunc(tree_depth);
-    let descends = m.wire("descends", &(&t2.valid & !&at_leaf));
-    let near = cat(&[&above, &!&left]);
-    let far = cat(&[&above, &left]);
-    let number = leaf_number(&t2.node).zext(config.node_bits() as usize);
-    let step = Record::new(&steps(config), |name| match name {
-        "is_leaf" => at_leaf.clone(),
+    // t2: the leaf goes out, the near child round; the far child, or that the leaf is reached, through the path datapath.
+    let reaches = m.wire("reaches", &(&t2.valid & &t2_at_leaf));
+    let proceeds = m.wire("proceeds", &(nodes.room() & (!&reaches | &leaf.room)));
+    let accepts = m.out(&path, "in_ready");
+    let advance = m.wire("advance", &(accepts & &proceeds));
+    let number = leaf_number(&t2.node);
+    leaf.push(&mut m, &(&advance & &reaches), |name| match name {
         "thread" => t2.thread.expr(),
-        "node" => at_leaf.mux(&number, &far),
-        "coordinate" => coordinate.clone(),
-        _ => split.clone(),
+        _ => number.clone(),
     });
-    m.connect(&path, "in_valid", &(&t2.valid & room));
+    let above = t2.node.trunc(tree_depth);
+    let (near, far) = (cat(&[&above, &!&left]), cat(&[&above, &left]));
+    let step = Record::new(&steps(config), |name| match name {
+        "is_leaf" => t2_at_leaf.expr(),
+        "thread" => t2.thread.expr(),
+        "node" => far.clone(),
+        "coordinate" => t2_coordinate.expr(),
+        _ => t2_split.expr(),
+    });
+    m.connect(&path, "in_valid", &(&t2.valid & proceeds));
     step.connect(&mut m, &path, "in_");
+    event_out(&mut m, "event_node", &(&advance & &t2.valid));
 
+    // t2 → t1: the near child, else a newcomer; node and query are read.
+    let descends = m.wire("descends", &(&t2.valid & !&t2_at_leaf));
     let resumes = m.wire("resumes", &(&resume.valid & !&descends));
     let newcomer = |name: &str| resume.valid.mux(&resume.field(name), &descend.field(name));
-    let enters = &descends | (&resume.valid | &descend.valid);
     let next = Place {
-        valid: enters,
+        valid: &descends | (&resume.valid | &descend.valid),
         thread: descends.mux(&t2.thread, &newcomer("thread")),
         node: descends.mux(&near, &newcomer("node")),
     };
-    nodes.take(&mut m, &advance, &next);
     m.ready(&resume, &(&advance & !&descends));
     m.ready(&descend, &(&advance & !(&descends | resumes)));
+    let (entering, node) = nodes.read(&mut m, config, &advance, next);
+    t1.take(&mut m, &advance, &entering);
+    let axes = coordinates(&mut m, config, &start, &advance, &entering.thread);
 
-    // Pushes are always taken, leaves when there is room.
+    // t1 → t2: the decision.
+    t2.take(&mut m, &advance, &t1.place());
+    m.next_if(&t2_at_leaf, &advance, &(t1.node.msb() | node.get("internal_leaf")));
+    let coordinate = m.wire("coordinate", &select(&node.get("dimension"), &axes.each_ref()));
+    m.next_if(&t2_coordinate, &advance, &coordinate);
+    m.next_if(&t2_split, &advance, &node.get("split"));
+    m.connect(&less, "enable", &advance);
+    m.connect(&less, "a", &coordinate);
+    m.connect(&less, "b", &node.get("split"));
+
+    // What leaves the datapath is always taken.
     let out = m.stream_from(&path, "out");
-    let is_leaf = out.field("is_leaf");
-    let pushed = Record::from(&out);
-    let mut push_fields = records::thread_only(config);
-    push_fields.extend(records::path(config));
-    pulse_out(&mut m, "push", &(&out.valid & !&is_leaf), &pushed.only(&push_fields));
-    let leaf = queue_out(&mut m, "leaf", &records::leaf(config));
-    let reaches = m.wire("reaches", &((&out.valid & &is_leaf) & &leaf.room));
-    m.ready(&out, &(!&is_leaf | &leaf.room));
-    leaf.push(&mut m, &reaches, |name| match name {
-        "leaf" => out.field("node").trunc(tree_depth),
-        field => out.field(field),
-    });
-    registered_pulse_out(&mut m, "reached", &reaches, &pushed.only(&records::thread_only(config)));
-    event_out(&mut m, "event_node", &(&advance & &t2.valid));
+    m.ready(&out, &bit(true));
+    let (is_leaf, passed) = (out.field("is_leaf"), Record::from(&out));
+    let thread_only = records::thread_only(config);
+    let push_fields = [thread_only.clone(), records::path(config)].concat();
+    pulse_out(&mut m, "push", &(&out.valid & !&is_leaf), &passed.only(&push_fields));
+    pulse_out(&mut m, "reached", &(&out.valid & is_leaf), &passed.only(&thread_only));
     Ok(Datapath { module: m, manifest })
 }
