@@ -85,10 +85,15 @@ fn check(host: &Host) {
     }
 }
 
-/// Cores with points in a cache and without.
+/// Cores with points in a cache, with a tree in external memory, with both and with neither.
 fn cores() -> [Config; 4] {
-    let [bare, cached, many, wide] = configs();
-    [bare, Config { point_cache: 4, ..cached }, many, Config { point_cache: 2, ..wide }]
+    let [bare, points, tree, both] = configs();
+    [
+        bare,
+        Config { point_cache: 4, ..points },
+        Config { tree_cache: 16, ..tree },
+        Config { point_cache: 2, tree_cache: 32, ..both },
+    ]
 }
 
 #[test]

@@ -71,7 +71,9 @@ impl Rule for Threads {
 
 #[test]
 fn descents_agree_with_the_model_and_visit_every_leaf() {
-    for config in configs() {
+    let [.., many, wide] = configs();
+    let without_nodes = [many, wide].map(|config| Config { tree_cache: 16, ..config });
+    for config in configs().into_iter().chain(without_nodes) {
         let unit = traversal::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let begin = |feeds: &mut Feeds| {
             let tree = Tree::random(&config, &mut feeds.random);

@@ -26,6 +26,7 @@ mod core_b_stack;
 mod core_b_threads;
 mod core_b_top;
 mod core_b_traversal;
+mod core_b_tree_cache;
 mod float;
 mod harness;
 mod layout;
