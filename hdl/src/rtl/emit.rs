@@ -203,8 +203,9 @@ impl Emitter<'_> {
         for (name, condition) in &self.module.assertions {
             let condition = self.writer.expression(condition);
             let _ = writeln!(checks, "        if (!({condition})) begin");
+            let _ = writeln!(checks, "`ifdef FORMAL\n            {name}: assert (0);\n`else");
             let _ = writeln!(checks, "            $display(\"assertion failed: {name} in %m\");");
-            checks += "            $stop;\n        end\n";
+            checks += "            $stop;\n`endif\n        end\n";
         }
         checks += "    end\nend\n";
         let definitions = std::mem::take(&mut self.writer.definitions).join("\n");

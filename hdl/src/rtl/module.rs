@@ -231,7 +231,8 @@ impl Module {
         }
     }
 
-    /// States what holds at every clock edge outside reset; checked where `POINTCORE_ASSERT` is defined.
+    /// States what holds at every clock edge outside reset; checked where `POINTCORE_ASSERT` is defined, to be proved where
+    /// `FORMAL` is as well.
     pub fn assert(&mut self, name: &str, condition: &Expr) {
         self.claim(name);
         self.assertions.push((name.into(), condition.as_condition("assertion")));

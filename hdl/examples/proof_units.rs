@@ -1,0 +1,79 @@
+//! `proof_units DIR` writes the units that are proved (`formal/`): of each its Verilog `<proof>.v`, and the sizes that its
+//! harness needs in `<proof>.vh`. The sizes are small, so that a solver can go through all of a unit's states.
+
+use pointcore_hdl::rtl::{Module, elaborate};
+use pointcore_hdl::{core_b, stream};
+use pointcore_spec::Format;
+use pointcore_spec::core_b::Config;
+use std::error::Error;
+use std::path::Path;
+
+/// A unit to be proved.
+struct Proof {
+    name: &'static str,
+    unit: Module,
+    sizes: Vec<(&'static str, u32)>,
+}
+
+/// A core with threads that compete and a row with a front and an end. Distances and indices have fewer bits than operators
+/// and memories call for: the units proved store and compare them and do nothing else.
+fn small_core() -> Config {
+    let geometry = Format { exponent: 1, mantissa: 0, ..Format::F24.flushed() };
+    Config { geometry, threads: 2, neighbors: 2, lanes: 1, tree_depth: 3, index_bits: 2, ..Config::default() }
+}
+
+fn proofs() -> Vec<Proof> {
+    const WIDTH: u32 = 2;
+    // A depth that is a power of two and one that is not: their addresses go round differently.
+    let fifo = |name, depth: u32| Proof {
+        name,
+        unit: stream::fifo(depth as usize, &[("data", WIDTH as usize)]),
+        sizes: vec![("DEPTH", depth), ("WIDTH", WIDTH)],
+    };
+    let skid = Proof {
+        name: "stream_skid",
+        unit: stream::skid(&[("data", WIDTH as usize)]),
+        sizes: vec![("DEPTH", 2), ("WIDTH", WIDTH)],
+    };
+    let core = small_core();
+    let stack = Proof {
+        name: "core_b_stack",
+        unit: core_b::stack::module(&core),
+        sizes: vec![
+            ("THREADS", core.threads),
+            ("THREAD_BITS", core.thread_bits()),
+            ("DEPTH", core.tree_depth),
+            ("NODE_BITS", core.node_bits()),
+            ("DISTANCE_BITS", core.geometry.width()),
+        ],
+    };
+    let queue = Proof {
+        name: "core_b_queue",
+        unit: core_b::queue::module(&core),
+        sizes: vec![
+            ("THREADS", core.threads),
+            ("THREAD_BITS", core.thread_bits()),
+            ("NEIGHBORS", core.neighbors),
+            ("RANK_BITS", core.rank_bits()),
+            ("LANES", core.lanes),
+            ("INDEX_BITS", core.index_bits),
+            ("BEAT_BITS", core.beat_bits()),
+            ("DISTANCE_BITS", core.geometry.width()),
+        ],
+    };
+    vec![fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, stack, queue]
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = std::env::args().nth(1).ok_or("usage: proof_units DIR")?;
+    let folder = Path::new(&folder);
+    std::fs::create_dir_all(folder)?;
+    for Proof { name, unit, sizes } in proofs() {
+        let design = elaborate(&unit)?;
+        let sizes = sizes.iter().map(|(size, value)| format!("localparam {size} = {value};\n"));
+        let header: String = std::iter::once(format!("`define UNIT {}\n", design.top())).chain(sizes).collect();
+        std::fs::write(folder.join(format!("{name}.v")), design.verilog())?;
+        std::fs::write(folder.join(format!("{name}.vh")), header)?;
+    }
+    Ok(())
+}
