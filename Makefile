@@ -4,7 +4,7 @@ SCENE ?= scenes/knot.toml
 POINTS ?= surface:100000
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-fpga run run-scan knn plan gen test check bench doc clean
+.PHONY: help setup setup-tests setup-formal setup-fpga run run-scan knn plan gen test formal check bench doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
@@ -16,6 +16,10 @@ setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
 
 setup-tests: setup ## Install what the tests need besides: Icarus Verilog, yosys
 	@./scripts/setup iverilog:iverilog yosys:yosys
+
+setup-formal: setup-tests ## Install what the proofs need besides: SymbiYosys and a solver, pinned, into target/tools
+	@./scripts/setup python3:python3 ensurepip.py:python3-venv
+	@./scripts/python-tools
 
 setup-fpga: ## Install synthesis, place and route, pinned, into target/tools
 	@./scripts/setup python3:python3 ensurepip.py:python3-venv
@@ -38,6 +42,9 @@ gen: ## Write the Verilog for SCENE into out/verilog
 
 test: setup-tests ## Run all tests
 	cargo test --workspace
+
+formal: setup-formal ## Prove queues and stacks (formal/README.md), and that every proof finds faults
+	@./scripts/formal
 
 check: ## Formatting, clippy and documentation without warnings
 	cargo fmt --all --check
