@@ -1,5 +1,6 @@
 //! Searches through the library: neighbors equal those of a search through all points, bit for bit, on model and hardware.
 
+use pointcore::core_b::samples::{point_sets, queries_near};
 use pointcore::core_b::{
     Engine, Error, MemorySettings, Outcome, PointSet, Query, Session, Splitting, Tree, encode, kdtree::depth_for,
 };
@@ -8,39 +9,16 @@ use pointcore_golden::reference::neighbors::nearest;
 use pointcore_spec::Format;
 use pointcore_spec::core_b::Config;
 
-/// Point sets of all kinds, by name.
-fn sets(count: usize) -> Vec<(&'static str, Vec<[f32; 3]>)> {
-    let mut random = fastrand::Rng::with_seed(seed().expect("POINTCORE_SEED is a number"));
-    let mut cloud = |point: &dyn Fn(&mut fastrand::Rng) -> [f32; 3]| (0..count).map(|_| point(&mut random)).collect();
-    let signed = |random: &mut fastrand::Rng| 2.0 * random.f32() - 1.0;
-    let magnitude = |random: &mut fastrand::Rng| signed(random).signum() * 10_f32.powf(30.0 * signed(random));
-    vec![
-        ("uniform", cloud(&|random| [(); 3].map(|()| signed(random)))),
-        (
-            "clustered",
-            cloud(&|random| {
-                let center = f32::from(random.u8(0..5));
-                [(); 3].map(|()| center + 1e-3 * signed(random))
-            }),
-        ),
-        ("coplanar", cloud(&|random| [signed(random), 0.25, signed(random)])),
-        ("collinear", cloud(&|random| [0.5, -0.5, signed(random)])),
-        ("lattice", cloud(&|random| [(); 3].map(|()| f32::from(random.i8(-3..4))))),
-        ("identical", cloud(&|_| [0.1, 0.2, 0.3])),
-        ("magnitudes", cloud(&|random| [(); 3].map(|()| magnitude(random)))),
-    ]
+fn random() -> fastrand::Rng {
+    fastrand::Rng::with_seed(seed().expect("POINTCORE_SEED is a number"))
 }
 
-/// Queries at points, near them and elsewhere, for up to `neighbors` of them, some within a radius.
+fn sets(count: usize) -> Vec<(&'static str, Vec<[f32; 3]>)> {
+    point_sets(count, &mut random())
+}
+
 fn queries(points: &[[f32; 3]], neighbors: u32, count: usize) -> Vec<Query> {
-    let mut random = fastrand::Rng::with_seed(seed().expect("POINTCORE_SEED is a number"));
-    let query = |index: usize| {
-        let point = points[random.usize(..points.len())];
-        let moved = point.map(|x| x + (random.f32() - 0.5) * 0.1 * x.abs().max(1e-20));
-        let radius = random.bool().then(|| 10_f32.powf(random.f32() * 4.0 - 3.0));
-        Query { point: if index.is_multiple_of(2) { point } else { moved }, k: random.u32(1..=neighbors), radius }
-    };
-    (0..count).map(query).collect()
+    queries_near(points, neighbors, count, &mut random())
 }
 
 /// Compares every neighbor with a search through all points; returns how many there are.

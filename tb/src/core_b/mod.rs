@@ -11,7 +11,9 @@ mod order;
 mod points;
 mod query;
 mod report;
+pub mod resources;
 mod run;
+pub mod samples;
 mod session;
 
 pub use check::{Difference, check};
