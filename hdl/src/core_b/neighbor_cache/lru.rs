@@ -3,6 +3,8 @@
 //!
 //! The order is an age matrix: for each pair of entries a bit that says which of the two was used before the other.
 
+use std::cmp::Ordering;
+
 use pointcore_spec::core_a::config::index_bits;
 use pointcore_spec::core_b::Config;
 
@@ -50,15 +52,19 @@ pub(super) struct Entries {
 }
 
 /// The member of `eligible` that was used before all others of it, alone.
-fn oldest(eligible: &Expr, older: &[Reg]) -> Expr {
+fn oldest(m: &mut Module, eligible: &Expr, older: &[Reg]) -> Expr {
     let entries = eligible.width();
-    // Whether entry `a` was used before entry `b`.
-    let before = |a: usize, b: usize| if a < b { older[b - 1].bit(a) } else { !older[a - 1].bit(b) };
-    let is_oldest = |entry: usize| {
-        let others = (0..entries).filter(|&other| other != entry);
-        others.fold(eligible.bit(entry), |yes, other| yes & !(eligible.bit(other) & before(other, entry)))
+    let used_before = |entry: usize, other: usize| match other.cmp(&entry) {
+        Ordering::Less => older[entry - 1].bit(other),
+        Ordering::Equal => bit(false),
+        Ordering::Greater => !older[other - 1].bit(entry),
     };
-    set(&(0..entries).map(is_oldest).collect::<Vec<_>>())
+    let mut is_oldest = |entry: usize| {
+        let before = set(&(0..entries).map(|other| used_before(entry, other)).collect::<Vec<_>>());
+        let before = m.wire(&format!("before_{entry}"), &(eligible & before));
+        eligible.bit(entry) & before.is_zero()
+    };
+    set(&(0..entries).map(&mut is_oldest).collect::<Vec<_>>())
 }
 
 impl Entries {
@@ -78,7 +84,8 @@ impl Entries {
 
         let read = set(&readers.iter().map(|readers| readers.any()).collect::<Vec<_>>());
         let eligible = m.wire("eligible", &!(read | &writing));
-        let chosen = m.wire("oldest", &oldest(&eligible, &older));
+        let chosen = oldest(m, &eligible, &older);
+        let chosen = m.wire("oldest", &chosen);
         let victim = m.wire("victim", &index_of(&chosen, config.entry_bits() as usize));
         let victim = Chosen { valid: eligible.any(), entry: victim };
         Self { present, writing, stale, versions, readers, older, victim }
