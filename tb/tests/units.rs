@@ -17,6 +17,7 @@ mod core_a_transform;
 mod core_a_weighting;
 mod core_b;
 mod core_b_leaf;
+mod core_b_neighbor_cache;
 mod core_b_point_cache;
 mod core_b_queue;
 mod core_b_recursion;

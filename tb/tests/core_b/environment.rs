@@ -22,18 +22,38 @@ pub struct Feeds {
 #[derive(Clone)]
 struct Source {
     stream: Stream,
-    items: VecDeque<Vec<u64>>,
+    /// Each with the cycles that it waits at the head.
+    items: VecDeque<(u32, Vec<u64>)>,
     offering: bool,
     stalls: Stalls,
+}
+
+impl Source {
+    /// The item to be offered in this cycle, if any.
+    fn next(&mut self) -> Option<Vec<u64>> {
+        match self.items.front_mut() {
+            Some((cycles, _)) if *cycles > 0 => {
+                *cycles -= 1;
+                None
+            }
+            _ if self.stalls.stalled() => None,
+            _ => self.items.pop_front().map(|(_, item)| item),
+        }
+    }
 }
 
 impl Feeds {
     /// Queues an item of an input stream or pulse.
     pub fn feed(&mut self, stream: &str, item: Vec<u64>) {
+        self.feed_after(0, stream, item);
+    }
+
+    /// Queues an item that waits for some cycles when it is the next one.
+    pub fn feed_after(&mut self, cycles: u32, stream: &str, item: Vec<u64>) {
         let source = self.sources.iter_mut().find(|source| source.stream.name == stream);
         let source = source.unwrap_or_else(|| panic!("no input stream {stream}"));
         assert_eq!(item.len(), source.stream.fields.len(), "{stream}");
-        source.items.push_back(item);
+        source.items.push_back((cycles, item));
     }
 
     /// Holds an input that belongs to no stream.
@@ -109,7 +129,7 @@ impl<R: Rule> Stimulus for Environment<R> {
         }
         let Feeds { sources, inputs: ports, random, .. } = &mut self.feeds;
         for source in sources.iter_mut().filter(|source| !source.offering) {
-            let item = if source.stalls.stalled() { None } else { source.items.pop_front() };
+            let item = source.next();
             source.offering = item.is_some();
             inputs[source.stream.valid] = u64::from(source.offering);
             for (index, &field) in source.stream.fields.iter().enumerate() {
