@@ -1,7 +1,7 @@
 // stream_fifo, stream_skid: every item comes out once, unchanged, in order, and none is lost.
 //
-// A symbolic item is tracked: it is pushed behind `ahead` others, each of which leaves before it. Assumed: nothing but that
-// a source holds what it offers until it is taken; the sink may stall as it likes.
+// A symbolic item is tracked: it is pushed behind `ahead` others, each of which leaves before it. Nothing is assumed: the
+// source may withdraw what it offers, and the sink may stall as it likes.
 module proof (input clk);
     `include "sizes.vh"
 

@@ -47,9 +47,9 @@ fn proofs() -> Vec<Proof> {
             ("DISTANCE_BITS", core.geometry.width()),
         ],
     };
-    let queue = Proof {
-        name: "core_b_queue",
-        unit: core_b::queue::module(&core),
+    let queue = |name, core: &Config| Proof {
+        name,
+        unit: core_b::queue::module(core),
         sizes: vec![
             ("THREADS", core.threads),
             ("THREAD_BITS", core.thread_bits()),
@@ -61,7 +61,12 @@ fn proofs() -> Vec<Proof> {
             ("DISTANCE_BITS", core.geometry.width()),
         ],
     };
-    vec![fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, stack, queue]
+    // Rows that are written back and read again, and beats that stay for several insertions into a longer row.
+    let queues = [
+        queue("core_b_queue_threads", &core),
+        queue("core_b_queue_lanes", &Config { threads: 1, neighbors: 3, lanes: 2, ..core.clone() }),
+    ];
+    [fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, stack].into_iter().chain(queues).collect()
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
