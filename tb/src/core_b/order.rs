@@ -24,7 +24,7 @@ pub enum Order {
     /// Every point, along a Morton curve.
     Morton,
     /// For every point in the file's order so many columns and rows of queries, spread evenly over its cell of the local tangent
-    /// plane: the thesis' up-sampling (6.7.1).
+    /// plane, along a Hilbert curve: the thesis' up-sampling (6.7.1).
     Grid {
         /// Queries across a cell.
         columns: u32,
@@ -77,7 +77,7 @@ impl Order {
                 let bounds = bounds(&places);
                 places.par_sort_by_cached_key(|point| morton(*point, bounds));
             }
-            Self::Grid { columns, rows } => return grid(&places, DVec2::new(columns.into(), rows.into()), limit),
+            Self::Grid { columns, rows } => return grid(&places, [columns, rows], limit),
         }
         places.truncate(limit.unwrap_or(usize::MAX));
         places
@@ -108,19 +108,28 @@ fn morton(point: [f32; 3], [low, high]: [DVec3; 2]) -> u64 {
     spread(place.x) | spread(place.y) << 1 | spread(place.z) << 2
 }
 
-fn grid(points: &[[f32; 3]], sides: DVec2, limit: Option<usize>) -> Vec<[f32; 3]> {
+/// The cells of a grid along a Hilbert curve, by column and row: each next to the one before where the grid is square and its
+/// side a power of two, and near it elsewhere.
+fn cells(columns: u32, rows: u32) -> Vec<DVec2> {
+    let order = columns.max(rows).next_power_of_two().ilog2();
+    let curve = (0..1_u64 << (2 * order)).map(|place| fast_hilbert::h2xy::<u32>(place, order as u8));
+    let inside = curve.filter(|(column, row)| *column < columns && *row < rows);
+    inside.map(|(column, row)| DVec2::new(column.into(), row.into())).collect()
+}
+
+fn grid(points: &[[f32; 3]], [columns, rows]: [u32; 2], limit: Option<usize>) -> Vec<[f32; 3]> {
+    let (cells, sides) = (cells(columns, rows), DVec2::new(columns.into(), rows.into()));
+    let cells = &cells;
     let positions: Vec<DVec3> = points.iter().map(|point| DVec3::from_array(point.map(f64::from))).collect();
     let neighbors = neighbors::nearest(&positions, normals::FITTED_NEIGHBORS);
-    let per_point = (sides.x * sides.y) as usize;
-    let count = limit.map_or(points.len(), |limit| limit.div_ceil(per_point).min(points.len()));
+    let count = limit.map_or(points.len(), |limit| limit.div_ceil(cells.len()).min(points.len()));
     let around = |index: usize| {
         let (first, second) = normals::fit(&positions, index, &neighbors[index]).any_orthonormal_pair();
         let near = neighbors[index].iter().take(CELL_NEIGHBORS);
         let side = near.clone().map(|neighbor| neighbor.distance).sum::<f64>() / near.len().max(1) as f64;
         let position = positions[index];
-        (0..per_point).map(move |place| {
-            let cell = DVec2::new((place % sides.x as usize) as f64, (place / sides.x as usize) as f64);
-            let offset = side * ((cell + 0.5) / sides - 0.5);
+        cells.iter().map(move |cell| {
+            let offset = side * ((*cell + 0.5) / sides - 0.5);
             (position + offset.x * first + offset.y * second).as_vec3().to_array()
         })
     };
@@ -163,6 +172,16 @@ mod tests {
             assert_eq!(order.places(&points, Some(7), 1), places[..7], "{order}");
         }
         assert_ne!(Order::Random.places(&points, None, 1), Order::Random.places(&points, None, 2));
+    }
+
+    #[test]
+    fn a_grid_is_walked_cell_by_cell() {
+        for (columns, rows) in [(1, 1), (2, 2), (8, 8), (3, 5), (64, 1)] {
+            let cells = cells(columns, rows);
+            assert_eq!(cells.len(), (columns * rows) as usize);
+            assert!((0..cells.len()).all(|index| !cells[index + 1..].contains(&cells[index])), "{columns}×{rows}");
+        }
+        assert!(cells(8, 8).windows(2).all(|pair| pair[0].distance(pair[1]) == 1.0));
     }
 
     #[test]
