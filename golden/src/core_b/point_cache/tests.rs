@@ -111,8 +111,10 @@ fn a_leaf_from_memory_does_not_take_the_slot_of_a_request_under_way() {
     (0..10).for_each(|_| bench.clock([true, false, true, true]));
     bench.fill.extend(answer(missed));
     assert_eq!(bench.serve(&[fetch(0, 2, 2)]), 0, "leaf 2 is still there");
-    let from_memory = bench.beats.iter().filter(|beat| beat.place.address == 4).count();
-    assert_eq!((from_memory, bench.hits), (1, 4), "and leaf 4 was served");
+    let (from_memory, from_slot): (Vec<_>, Vec<_>) = bench.beats.iter().partition(|beat| beat.place.address == 4);
+    assert_eq!((from_memory, bench.hits), (answer(missed), 4), "and leaf 4 was served");
+    let expected: Vec<_> = [0, 2, 3, 1, 0].into_iter().flat_map(|thread| answer(fetch(thread, 2, 2))).collect();
+    assert_eq!(from_slot, expected, "with its points");
 }
 
 /// Any requests in any order of answers under random stalls: every thread gets the leaves it asked for, whole.
