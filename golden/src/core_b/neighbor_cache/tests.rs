@@ -74,6 +74,10 @@ impl Bench {
         }
     }
 
+    fn idle(&mut self, cycles: u32) {
+        (0..cycles).for_each(|_| self.cache.clock(&In::default()));
+    }
+
     /// Answers in the order in which they come.
     fn run(&mut self, queries: &[CachedQuery], random: &mut Rng) -> Vec<Answer> {
         let mut left = queries.iter();
@@ -129,9 +133,7 @@ impl Bench {
     /// One query, until all that it sets off is over.
     fn ask(&mut self, query: CachedQuery) -> Answer {
         let answer = self.run(&[query], &mut Rng::with_seed(0)).remove(0);
-        for _ in 0..40 {
-            self.cache.clock(&In::default());
-        }
+        self.idle(40);
         answer
     }
 }
@@ -175,20 +177,29 @@ fn the_farthest_of_one_more_than_wanted_is_left_out_and_tells_the_tolerance() {
 
 #[test]
 fn neighborhoods_of_other_settings_are_forgotten() {
-    let latencies = CacheLatencies { check: 1, cover: 100 };
-    let mut bench = Bench::new(&config(1), latencies, balls());
-    let mut run = |setup, wait, number| {
-        bench.cache.clock(&In { setup, ..In::default() });
-        let cached = bench.run(&[query(number, 13.0, 2.0, 1.0)], &mut Rng::with_seed(0))[0].cached;
-        (0..wait).for_each(|_| bench.cache.clock(&In::default()));
-        cached
-    };
-    assert!(!run(None, 100, 0));
-    assert!(run(None, 0, 1), "it can be reused");
-    assert!(!run(Some(balls()), 0, 2));
-    // The comparison value of the last one is not known yet.
-    assert!(!run(Some(balls()), 100, 3), "what was found before is not reused");
-    assert!(run(None, 0, 4), "what was found since then is");
+    let ask = |bench: &mut Bench| bench.run(&[query(0, 13.0, 2.0, 1.0)], &mut Rng::with_seed(0))[0].cached;
+    // The settings change before, when and after the comparison value of what was found is known.
+    for wait in 0..60 {
+        let mut bench = Bench::new(&config(1), CacheLatencies { check: 1, cover: 40 }, balls());
+        assert!(!ask(&mut bench));
+        bench.idle(wait);
+        bench.cache.clock(&In { setup: Some(balls()), ..In::default() });
+        bench.idle(60);
+        assert!(!ask(&mut bench), "{wait} cycles after it was found, the settings changed");
+        bench.idle(60);
+        assert!(ask(&mut bench), "what was found since then is reused");
+    }
+}
+
+#[test]
+fn eight_queries_are_checked_at_a_time() {
+    let mut cache = NeighborCache::new(&config(1), CacheLatencies { check: 20, cover: 1 });
+    let mut accepted = 0;
+    for number in 0..100 {
+        accepted += u32::from(cache.outputs().query_ready);
+        cache.clock(&In { query: Some(query(number, 13.0, 2.0, 1.0)), ..In::default() });
+    }
+    assert_eq!(accepted, 2 + 8 + 2, "two wait for the search, eight are checked and two wait for that");
 }
 
 /// Entries are replaced while others, and their own former neighborhoods, are checked and delivered.
@@ -213,7 +224,7 @@ fn an_answer_is_never_overwritten_while_it_is_delivered() {
             let mut answers = Vec::new();
             for burst in queries.chunks(random.usize(1..40)) {
                 answers.extend(bench.run(burst, random));
-                (0..random.u8(0..100)).for_each(|_| bench.cache.clock(&In::default()));
+                bench.idle(random.u32(0..100));
             }
             let by_number: HashMap<_, _> = answers.iter().map(|answer| (answer.number, answer)).collect();
             assert_eq!(by_number.len(), queries.len(), "a query is answered once");
