@@ -2,7 +2,7 @@
 //! `pointcore_golden::core_b::point_cache`.
 //!
 //! A lookup `l` sends a leaf either to `run`, which reads it from its slot, or to the memory; `r` holds the beat on its way
-//! out. What `l` has read of a tag and what `run` reads of a slot stays, since no leaf is kept in such a slot.
+//! out. What `l` has read of a tag stays, since no leaf is kept in such a slot; nor does one begin to come while `run` reads.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_a::config::index_bits;
@@ -55,11 +55,6 @@ impl Leaf {
         let request = request.register(m, &format!("{name}_"), enable);
         let slot = m.wire(&format!("{name}_slot"), &slot_of(config, &request.get("address")));
         Self { valid, request, slot }
-    }
-
-    /// Whether it is there and in that slot.
-    fn occupies(&self, slot: &Expr) -> Expr {
-        &self.valid & self.slot.eq(slot)
     }
 }
 
@@ -130,9 +125,9 @@ pub fn module(config: &Config) -> Module {
     let l = Leaf::new(&mut m, config, "l", &advance_l, &Record::from(&fetch));
     let run = Leaf::new(&mut m, config, "run", &enter, &l.request);
     let fetch_slot = m.wire("fetch_slot", &slot_of(config, &fetch.field("address")));
+    let in_lookup = &l.valid & l.slot.eq(&fill.slot);
     let looked_up = fetch.transfer() & fetch_slot.eq(&fill.slot);
-    let in_use = l.occupies(&fill.slot) | (looked_up | run.occupies(&fill.slot));
-    let may_keep = m.wire("may_keep", &!in_use);
+    let may_keep = m.wire("may_keep", &!(in_lookup | looked_up));
     let runs = m.wire("runs", &(&run.valid & !&fill.under_way));
     let (points, tags, present) = fill.store(&mut m, config, &(&advance_r & !&runs), &may_keep);
 
