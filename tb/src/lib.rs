@@ -1,5 +1,6 @@
 //! Co-simulation of the generated hardware with its models, and the `pointcore` command.
 
+pub mod cache;
 pub mod core_a;
 pub mod core_b;
 pub mod float_check;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::driver::RESET_CYCLES;
 use super::failure::Waveform;
 use super::stimulus::{Flow, Stimulus};
+use crate::cache::file;
 use crate::verilated::{Library, VerilatedError};
 
 /// Where and how a run failed.
@@ -54,11 +55,7 @@ impl Replay<'_> {
     /// A file beside the cached builds; its name says which run it is of.
     fn path(&self) -> Result<PathBuf, VerilatedError> {
         let folder = self.library.cache().join("waveforms");
-        std::fs::create_dir_all(&folder).map_err(|source| VerilatedError::File {
-            action: "create",
-            path: folder.clone(),
-            source,
-        })?;
+        std::fs::create_dir_all(&folder).map_err(file("create", &folder))?;
         let name = format!(
             "{}_{}_seed{}_cycle{}.fst",
             self.library.source().top,

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 
-use super::cache::{Cache, file, key};
 use super::model::Library;
 use super::shim::{self, MODEL_CLASS};
 use super::{Optimization, Options, Source, Trace, VerilatedError};
+use crate::cache::{Cache, file, key};
 use crate::toolchain::Toolchain;
 
 /// C++ beyond this many bytes is compiled in several units at once; below, reading the headers again costs more.
@@ -59,7 +59,7 @@ impl Builder {
     /// # Errors
     /// When a tool is missing or too old.
     pub fn new() -> Result<Arc<Self>, VerilatedError> {
-        Ok(Self::with(Toolchain::find()?, Cache::default_folder()))
+        Ok(Self::with(Toolchain::find()?, Cache::default_folder("verilated")))
     }
 
     /// These tools and this cache folder.
@@ -241,7 +241,7 @@ fn check_ports(source: &Source) -> Result<(), VerilatedError> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), VerilatedError> {
-    fs::write(path, text).map_err(file("write", path))
+    Ok(fs::write(path, text).map_err(file("write", path))?)
 }
 
 /// Runs the commands side by side in `folder`; the first failure is the error, with what the tool printed.

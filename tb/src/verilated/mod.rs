@@ -4,7 +4,6 @@
 //! [`Model`]s of it, as many as wanted. Inputs and outputs cross in two arrays, one foreign call a cycle.
 
 mod build;
-mod cache;
 mod model;
 mod shim;
 
@@ -16,6 +15,7 @@ pub use pointcore_hdl::rtl::{Direction, Port};
 
 use pointcore_hdl::rtl::Design;
 
+use crate::cache::FileError;
 use crate::toolchain::ToolchainError;
 
 /// Verilog text and what of it is to be run.
@@ -99,15 +99,8 @@ pub enum VerilatedError {
         output: String,
     },
     /// A file of the cache could not be read or written.
-    #[error("{action} {}: {source}", path.display())]
-    File {
-        /// What was tried.
-        action: &'static str,
-        /// The file or folder.
-        path: PathBuf,
-        /// What the operating system said.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// The compiled model could not be loaded.
     #[error("cannot load {}: {source}", path.display())]
     Load {

@@ -1,14 +1,24 @@
-//! Builds kept by the hash of everything they depend on, shared by threads and processes.
+//! Results of external tools kept by the hash of everything they depend on, shared by threads and processes.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use super::VerilatedError;
-
 /// File of an entry that holds the hashes of the others.
 const CHECKSUMS: &str = "checksums";
+
+/// A file that could not be read or written.
+#[derive(Debug, thiserror::Error)]
+#[error("{action} {}: {source}", path.display())]
+pub struct FileError {
+    /// What was tried.
+    pub action: &'static str,
+    /// The file or folder.
+    pub path: PathBuf,
+    /// What the operating system said.
+    pub source: std::io::Error,
+}
 
 /// A folder of finished builds.
 #[derive(Debug, Clone)]
@@ -17,31 +27,33 @@ pub struct Cache {
 }
 
 impl Cache {
-    /// Tools run in folders of their own, so the path is made absolute.
+    /// The builds in this folder. Tools run in folders of their own, so the path is made absolute.
+    #[must_use]
     pub fn new(folder: PathBuf) -> Self {
         Self { folder: std::path::absolute(&folder).unwrap_or(folder) }
     }
 
+    /// Where they lie.
+    #[must_use]
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// `POINTCORE_CACHE`, else `verilated` in cargo's target folder that this program runs from, else `target/verilated` here.
-    pub fn default_folder() -> PathBuf {
-        if let Some(folder) = std::env::var_os("POINTCORE_CACHE") {
-            return folder.into();
-        }
-        let program = std::env::current_exe().unwrap_or_default();
-        let target = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").exists());
-        target.map_or_else(|| PathBuf::from("target"), Path::to_path_buf).join("verilated")
+    /// `POINTCORE_CACHE`, else the folder `name` in cargo's target folder.
+    #[must_use]
+    pub fn default_folder(name: &str) -> PathBuf {
+        std::env::var_os("POINTCORE_CACHE").map_or_else(|| target_folder().join(name), PathBuf::from)
     }
 
     /// The folder of entry `key`; `build` fills it, in a folder of its own that is then moved, when it is missing or damaged.
-    pub fn entry(
+    ///
+    /// # Errors
+    /// What `build` returns, or a file that cannot be written.
+    pub fn entry<E: From<FileError>>(
         &self,
         key: &str,
-        build: impl FnOnce(&Path) -> Result<(), VerilatedError>,
-    ) -> Result<PathBuf, VerilatedError> {
+        build: impl FnOnce(&Path) -> Result<(), E>,
+    ) -> Result<PathBuf, E> {
         fs::create_dir_all(&self.folder).map_err(file("create", &self.folder))?;
         let lock_path = self.folder.join(format!("{key}.lock"));
         let lock = File::create(&lock_path).map_err(file("create", &lock_path))?;
@@ -68,7 +80,16 @@ impl Cache {
     }
 }
 
+/// Cargo's target folder that this program runs from, else `target` here.
+#[must_use]
+pub fn target_folder() -> PathBuf {
+    let program = std::env::current_exe().unwrap_or_default();
+    let target = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").exists());
+    target.map_or_else(|| PathBuf::from("target"), Path::to_path_buf)
+}
+
 /// The key of a build that depends on `parts`.
+#[must_use]
 pub fn key<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
     let mut hash = Sha256::new();
     for part in parts {
@@ -80,9 +101,9 @@ pub fn key<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
 }
 
 /// Turns an I/O error into ours.
-pub fn file(action: &'static str, path: &Path) -> impl FnOnce(std::io::Error) -> VerilatedError {
+pub fn file(action: &'static str, path: &Path) -> impl FnOnce(std::io::Error) -> FileError {
     let path = path.to_path_buf();
-    move |source| VerilatedError::File { action, path, source }
+    move |source| FileError { action, path, source }
 }
 
 /// Whether every file of the entry still has the contents it was stored with. Loading a truncated library would be fatal.
