@@ -4,7 +4,7 @@ SCENE ?= scenes/knot.toml
 POINTS ?= surface:100000
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-fpga run run-scan knn plan gen test formal check bench doc clean
+.PHONY: help setup setup-tests setup-formal setup-fpga run run-scan knn plan gen test formal check bench synth doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
@@ -53,6 +53,9 @@ check: ## Formatting, clippy and documentation without warnings
 
 bench: setup ## Measure and merge the figures into out/bench.json
 	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN)))
+
+synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5 and merge them into out/bench.json
+	cargo run --release --bin pointcore -- area --merge out/bench.json $(UNIT) $(ARGS)
 
 doc: ## Build the documentation
 	cargo doc --workspace --no-deps

@@ -11,6 +11,7 @@ pub mod plan;
 pub mod plot;
 pub mod scene;
 pub mod shading;
+pub mod synthesis;
 pub mod toolchain;
 pub mod vectors;
 pub mod verilated;

@@ -3,8 +3,9 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
-use commands::{Failure, bench, generate, inspect, knn, plan, run};
+use commands::{Failure, area, bench, generate, inspect, knn, plan, run};
 use pointcore::core_b::Error as SearchError;
+use pointcore::synthesis::SynthesisError;
 use std::process::ExitCode;
 
 /// Generates, simulates and measures hardware for point-based graphics.
@@ -38,6 +39,8 @@ enum Command {
     Inspect(inspect::Arguments),
     /// Measure the project's figures and merge them into out/bench.json.
     Bench(bench::Arguments),
+    /// Measure area and clock of units on FPGA tools.
+    Area(area::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Command::Knn(arguments) => knn::run(&arguments, output),
         Command::Inspect(arguments) => inspect::run(&arguments, output),
         Command::Bench(arguments) => bench::run(&arguments, output),
+        Command::Area(arguments) => area::run(&arguments, output),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -72,9 +76,10 @@ impl Failure {
             | Self::Configuration { .. }
             | Self::Usage(_)
             | Self::Search(_)
+            | Self::Synthesis(SynthesisError::TooLarge { .. })
             | Self::Write { .. }
             | Self::Picture(_) => 2,
-            Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) => 3,
+            Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
         })
     }
 }

@@ -59,11 +59,11 @@ impl fmt::Display for Version {
 }
 
 impl Version {
-    /// The first word of `text` that reads as `major.minor…`.
+    /// The first word of `text` that reads as `major.minor…`, whatever stands before its first digit.
     #[must_use]
     pub fn first_in(text: &str) -> Option<Self> {
         text.split_whitespace().find_map(|word| {
-            let mut numbers = word.split('.');
+            let mut numbers = word.trim_start_matches(|c: char| !c.is_ascii_digit()).split('.');
             let version = Self { major: numbers.next()?.parse().ok()?, minor: numbers.next()?.parse().ok()? };
             Some(version)
         })
@@ -147,6 +147,8 @@ mod tests {
         let verilator = Version::first_in("Verilator 5.006 2023-01-22 rev (Debian 5.006-3)");
         assert_eq!(verilator, Some(OLDEST_VERILATOR));
         assert_eq!(Version::first_in("g++ (Debian 12.2.0-14) 12.2.0"), Some(Version { major: 12, minor: 2 }));
+        let nextpnr = Version::first_in("\"nextpnr-ecp5\" -- Next Generation Place and Route (Version nextpnr-0.11.1)");
+        assert_eq!(nextpnr, Some(Version { major: 0, minor: 11 }));
         assert_eq!(Version::first_in("no number here"), None);
     }
 

@@ -75,10 +75,10 @@ pub fn json(text: &str) -> Value {
 fn help_names_every_subcommand_and_the_exit_codes() {
     let workplace = Workplace::new();
     let help = workplace.succeeds(&["--help"]);
-    for part in ["plan", "gen", "run", "knn", "inspect", "bench", "scenes/knot.toml", "Exit codes"] {
+    for part in ["plan", "gen", "run", "knn", "inspect", "bench", "area", "scenes/knot.toml", "Exit codes"] {
         assert!(help.contains(part), "`{part}` is missing in: {help}");
     }
-    for command in ["plan", "gen", "run", "knn", "inspect", "bench"] {
+    for command in ["plan", "gen", "run", "knn", "inspect", "bench", "area"] {
         assert!(workplace.succeeds(&[command, "--help"]).contains("Usage: pointcore"), "{command}");
     }
 }
@@ -113,6 +113,9 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         (&["gen", "unknown.toml", "-o", "out"], ["unknown.toml", "line 1"]),
         (&["gen", "misspelt.toml", "-o", "out"], ["misspelt.toml", "line 5"]),
         (&["gen", "config.toml", "-o", "out", "--set", "width=9"], ["--set", "configuration file"]),
+        (&["area", "f32_sub"], ["unknown unit `f32_sub`", "core_a_heap"]),
+        (&["area", "gone.toml"], ["gone.toml", "cannot be read"]),
+        (&["area", "config.toml"], ["config.toml: `tile_slots` = 1", "2 to 64"]),
         (&["inspect", "gone.ply"], ["gone.ply", "cannot be read"]),
         (&["inspect", "empty.ply"], ["empty.ply", "not a PLY header"]),
         (&["inspect", "absurd.ply"], ["absurd.ply", "1000000000000000000"]),

@@ -35,3 +35,4 @@ mod plan;
 mod stream_fifo;
 mod stream_skid;
 mod support;
+mod synthesis;

@@ -1,5 +1,6 @@
 //! The subcommands of `pointcore` and what they share.
 
+pub mod area;
 pub mod bench;
 pub mod configuration;
 pub mod generate;
@@ -16,8 +17,10 @@ use pointcore::lockstep::LockstepError;
 use pointcore::picture::PictureError;
 use pointcore::plan::{Plan, PlanError};
 use pointcore::scene::{Scene, SceneError};
+use pointcore::synthesis::SynthesisError;
 use pointcore::verilated::VerilatedError;
 use serde::Serialize;
+use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 
 /// How results are printed.
@@ -82,6 +85,9 @@ pub enum Failure {
     /// Operators that could not be compared.
     #[error(transparent)]
     Operators(#[from] FloatCheckError),
+    /// Synthesis, place and route.
+    #[error(transparent)]
+    Synthesis(#[from] SynthesisError),
     /// A result that cannot be written.
     #[error("{}: cannot be written: {source}", path.display())]
     Write {
@@ -109,7 +115,29 @@ pub fn write(path: &Path, contents: &str) -> Result<(), Failure> {
     written.map_err(|source| Failure::Write { path: path.to_owned(), source })
 }
 
-/// A scene's name: its file without folder and ending.
+/// Figures by key.
+pub type Figures = Map<String, Value>;
+
+/// The figures that are already in the file; none if there is no such file.
+fn existing(path: &Path) -> Result<Figures, Failure> {
+    let wrong = |problem| Failure::Configuration { path: path.to_owned(), problem };
+    match std::fs::read_to_string(path) {
+        Ok(text) => serde_json::from_str(&text).map_err(|error| wrong(format!("{error}; delete it to start anew"))),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Figures::new()),
+        Err(error) => Err(wrong(format!("cannot be read: {error}"))),
+    }
+}
+
+/// Adds figures to a file's, in the place of older ones of the same keys; returns all.
+pub fn merge(path: &Path, figures: Figures) -> Result<Figures, Failure> {
+    let mut merged = existing(path)?;
+    merged.extend(figures);
+    let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
+    write(path, &(text + "\n"))?;
+    Ok(merged)
+}
+
+/// A scene's or configuration's name: its file without folder and ending.
 pub fn scene_name(path: &Path) -> String {
     path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }

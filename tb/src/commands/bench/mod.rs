@@ -2,11 +2,10 @@
 
 mod splat;
 
-use super::{Failure, Output, write};
+use super::{Failure, Figures, Output, merge};
 use pointcore::float_check::{Enable, Stages, check_format};
 use pointcore_spec::Format;
-use serde_json::{Map, Value};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Operand triples for each operator and format.
 const OPERATOR_CASES: u64 = 1 << 20;
@@ -23,9 +22,6 @@ pub struct Arguments {
     #[arg(short, long, default_value = "out/bench.json")]
     output: PathBuf,
 }
-
-/// Figures by key.
-type Figures = Map<String, Value>;
 
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
@@ -45,26 +41,14 @@ fn operator_figures(figures: &mut Figures) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The figures that are already in the file; none if there is no such file.
-fn existing(path: &Path) -> Result<Figures, Failure> {
-    let wrong = |problem| Failure::Configuration { path: path.to_owned(), problem };
-    match std::fs::read_to_string(path) {
-        Ok(text) => serde_json::from_str(&text).map_err(|error| wrong(format!("{error}; delete it to start anew"))),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Figures::new()),
-        Err(error) => Err(wrong(format!("cannot be read: {error}"))),
-    }
-}
-
 /// Measures everything.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let mut figures = Figures::new();
     splat::figures(arguments.scan.as_deref(), &mut figures)?;
     operator_figures(&mut figures)?;
 
-    let mut merged = existing(&arguments.output)?;
-    merged.extend(figures);
+    let merged = merge(&arguments.output, figures)?;
     let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
-    write(&arguments.output, &(text.clone() + "\n"))?;
     output.print(&merged, &text);
     Ok(())
 }

@@ -1,0 +1,227 @@
+//! Area and clock of the hardware on open tools: yosys for the cells, nextpnr for the clock.
+//!
+//! Every step's result is kept by the hash of all it depends on, so a long series that was interrupted goes on where it was.
+
+mod cells;
+mod shell;
+mod table;
+mod target;
+mod timing;
+mod tools;
+mod units;
+
+pub use cells::Area;
+pub use table::{Style, table};
+pub use target::Target;
+pub use timing::Timing;
+pub use units::{GROUPS, Group, Unit, all, known, standard};
+
+use crate::cache::{Cache, FileError, file, key};
+use crate::core_a::GenerateError;
+use rayon::prelude::*;
+use serde::Serialize;
+use shell::Shelled;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use target::Device;
+use tools::Tool;
+
+/// Why a unit could not be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum SynthesisError {
+    /// A tool is not there or too old.
+    #[error(
+        "`{tool}` {needed} or newer is neither on the search path nor in target/tools; install it with `make setup-fpga`"
+    )]
+    Missing {
+        /// Its name.
+        tool: &'static str,
+        /// The oldest version that will do.
+        needed: &'static str,
+    },
+    /// A tool stopped.
+    #[error("{} failed on `{unit}`; its last lines:\n{output}", tool.display())]
+    Tool {
+        /// The program.
+        tool: PathBuf,
+        /// What it worked on.
+        unit: String,
+        /// What it said last.
+        output: String,
+    },
+    /// A tool's report could not be read.
+    #[error("the tools' report on `{unit}` is not as expected: {problem}")]
+    Report {
+        /// What was measured.
+        unit: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// The device has not enough of something.
+    #[error(
+        "`{unit}` takes {needed} {resource}, the {device} has {available}; choose a smaller configuration or another target"
+    )]
+    TooLarge {
+        /// What was measured.
+        unit: String,
+        /// What there is not enough of.
+        resource: &'static str,
+        /// The device.
+        device: &'static str,
+        /// How many the unit takes.
+        needed: u64,
+        /// How many the device has.
+        available: u64,
+    },
+    /// The hardware could not be generated.
+    #[error("the hardware of `{unit}` could not be generated: {source}")]
+    Generate {
+        /// What was to be measured.
+        unit: String,
+        /// The generator's fault.
+        source: GenerateError,
+    },
+    /// A file of the cache.
+    #[error(transparent)]
+    File(#[from] FileError),
+}
+
+/// A unit's area and clock.
+#[derive(Clone, Debug, Serialize)]
+pub struct Measurement {
+    /// The unit's name.
+    pub unit: String,
+    /// What it takes.
+    pub area: Area,
+    /// The run with the median frequency, where the target is placed and routed.
+    pub timing: Option<Timing>,
+    /// The frequency with every seed, in MHz.
+    pub fmax_mhz: Vec<f64>,
+}
+
+/// A step that has been done.
+pub struct Step<'a> {
+    /// On what.
+    pub unit: &'a str,
+    /// The seed of place and route; none for synthesis.
+    pub seed: Option<u32>,
+    /// How long it took; short if its result was kept.
+    pub duration: Duration,
+}
+
+/// Tools for one target, and the cache of their results.
+pub struct Synthesizer {
+    target: Target,
+    yosys: Tool,
+    router: Option<(&'static Device, Tool)>,
+    cache: Cache,
+}
+
+impl Synthesizer {
+    /// The tools for a target.
+    ///
+    /// # Errors
+    /// When one is missing or too old.
+    pub fn new(target: Target) -> Result<Self, SynthesisError> {
+        let router = target.device().map(|device| Ok::<_, SynthesisError>((device, Tool::nextpnr(device.program)?)));
+        let cache = Cache::new(Cache::default_folder("synthesis"));
+        Ok(Self { target, yosys: Tool::yosys()?, router: router.transpose()?, cache })
+    }
+
+    /// Measures a unit, its clock with seeds 1 to `seeds`; `progress` hears of every step done.
+    ///
+    /// # Errors
+    /// A tool's failure, or a unit that the device cannot hold.
+    pub fn measure(
+        &self,
+        unit: &Unit,
+        seeds: u32,
+        progress: &(dyn Fn(&Step<'_>) + Sync),
+    ) -> Result<Measurement, SynthesisError> {
+        let name = &unit.name;
+        let start = Instant::now();
+        let design = unit.module().and_then(shell::wrap);
+        let design = design.map_err(|source| SynthesisError::Generate { unit: name.clone(), source })?;
+        let (synthesis, synthesis_key) = self.synthesize(name, &design)?;
+        let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
+        let area = cells::parse(self.target, &read(&synthesis.join(CELLS))?).map_err(report)?;
+        progress(&Step { unit: name, seed: None, duration: start.elapsed() });
+        let mut runs = Vec::new();
+        if let Some((device, router)) = &self.router {
+            check_capacity(name, device, &area)?;
+            let route = |seed| {
+                let start = Instant::now();
+                let timing = self.route(name, device, router, &synthesis, &synthesis_key, seed)?;
+                progress(&Step { unit: name, seed: Some(seed), duration: start.elapsed() });
+                Ok(timing)
+            };
+            runs = (1..=seeds).into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
+        }
+        let fmax_mhz = runs.iter().map(|run: &Timing| run.fmax_mhz).collect();
+        Ok(Measurement { unit: name.clone(), area, timing: timing::median(&runs).cloned(), fmax_mhz })
+    }
+
+    /// The cache entry with the unit's cells and netlist, and its key.
+    fn synthesize(&self, unit: &str, design: &Shelled) -> Result<(PathBuf, String), SynthesisError> {
+        let script = self.target.script(design);
+        let key = key([design.verilog.as_str(), &script, &self.yosys.description]);
+        let entry = self.cache.entry(&key, |content| {
+            write(&content.join("design.v"), &design.verilog)?;
+            write(&content.join("script.ys"), &script)?;
+            self.yosys.run(unit, content, &["-q", "-s", "script.ys"])
+        })?;
+        Ok((entry, key))
+    }
+
+    /// The clock of a netlist with one seed.
+    fn route(
+        &self,
+        unit: &str,
+        device: &Device,
+        router: &Tool,
+        synthesis: &Path,
+        synthesis_key: &str,
+        seed: u32,
+    ) -> Result<Timing, SynthesisError> {
+        let seed = seed.to_string();
+        let parts = [synthesis_key, &router.description, &seed];
+        let key = key(parts.into_iter().chain(device.arguments.iter().copied()));
+        let entry = self.cache.entry(&key, |content| {
+            let netlist = content.join(NETLIST);
+            fs::copy(synthesis.join(NETLIST), &netlist).map_err(file("copy the netlist to", &netlist))?;
+            let files = ["-q", "--timing-allow-fail", "--seed", &seed, "--json", NETLIST, "--report", TIMING];
+            router.run(unit, content, &[&files, device.arguments].concat())?;
+            Ok::<_, SynthesisError>(fs::remove_file(&netlist).map_err(file("remove", &netlist))?)
+        })?;
+        timing::parse(&read(&entry.join(TIMING))?)
+            .map_err(|problem| SynthesisError::Report { unit: unit.to_owned(), problem })
+    }
+}
+
+/// What yosys counts.
+const CELLS: &str = "cells.json";
+/// What yosys hands to place and route.
+const NETLIST: &str = "netlist.json";
+/// What place and route report.
+const TIMING: &str = "timing.json";
+
+/// A clear word before the router gives up after minutes.
+fn check_capacity(unit: &str, device: &Device, area: &Area) -> Result<(), SynthesisError> {
+    for capacity in device.capacities {
+        let (needed, available) = ((capacity.taken)(area), capacity.available);
+        if needed > available {
+            let (unit, device, resource) = (unit.to_owned(), device.name, capacity.name);
+            return Err(SynthesisError::TooLarge { unit, resource, device, needed, available });
+        }
+    }
+    Ok(())
+}
+
+fn read(path: &Path) -> Result<String, FileError> {
+    fs::read_to_string(path).map_err(file("read", path))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), FileError> {
+    fs::write(path, text).map_err(file("write", path))
+}

@@ -1,0 +1,227 @@
+//! What can be synthesized by name: every operator, and every unit of the cores at the default configuration.
+
+use crate::core_a::GenerateError;
+use pointcore_hdl::compiler::{CompileError, Datapath, Options};
+use pointcore_hdl::float::{self, Operator};
+use pointcore_hdl::rtl::Module;
+use pointcore_hdl::{core_a, core_b};
+use pointcore_spec::{Fixed, Format, Signedness, core_a as core_a_spec, core_b as core_b_spec};
+use std::rc::Rc;
+
+/// The fixed-point format of the conversions: pixels with subpixel positions.
+const FIXED: Fixed = Fixed { width: 24, fraction: 8, signed: Signedness::Signed };
+/// Lines of the caches that core B leaves out by default.
+const TREE_CACHE: u32 = 4096;
+const NEIGHBOR_CACHE: u32 = 8;
+/// Levels of the heaps that stand beside the core's own, by name.
+const HEAPS: [(&str, u32); 2] = [("heap1023", 10), ("heap4095", 12)];
+
+type Build = Box<dyn Fn() -> Result<Rc<Module>, GenerateError> + Send + Sync>;
+
+/// Something to synthesize.
+pub struct Unit {
+    /// What it is called on the command line and in tables.
+    pub name: String,
+    build: Build,
+}
+
+impl Unit {
+    /// Describes the hardware.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn module(&self) -> Result<Rc<Module>, GenerateError> {
+        (self.build)()
+    }
+
+    fn new<M: Into<Rc<Module>>>(
+        name: impl Into<String>,
+        build: impl Fn() -> Result<M, CompileError> + Send + Sync + 'static,
+    ) -> Self {
+        Self { name: name.into(), build: Box::new(move || Ok(build()?.into())) }
+    }
+
+    /// A whole core A.
+    #[must_use]
+    pub fn core_a(name: impl Into<String>, config: core_a_spec::Config) -> Self {
+        Self::new(name, move || Ok(core_a::top::core(&config, &Options::default())?.module))
+    }
+
+    /// A whole core B.
+    #[must_use]
+    pub fn core_b(name: impl Into<String>, config: core_b_spec::Config) -> Self {
+        Self::new(name, move || Ok(core_b::top::core(&config, &Options::default())?.module))
+    }
+}
+
+/// A name that stands for several units, and these.
+pub type Group = (&'static str, fn() -> Vec<Unit>);
+
+/// The groups a name may stand for.
+pub const GROUPS: [Group; 4] =
+    [("operators", operators), ("core_a", core_a_units), ("core_b", core_b_units), ("heaps", heaps)];
+
+/// The operators that the cores rest on.
+const STANDARD_OPERATORS: [&str; 12] = [
+    "f32_add",
+    "f32_ftz_mul",
+    "f32_mul",
+    "f24_mul",
+    "f32_fma",
+    "f32_ftz_fma",
+    "f32_div",
+    "f32_recip_newton",
+    "f32_recip",
+    "f32_sqrt",
+    "f32_rsqrt_newton",
+    "f32_rsqrt",
+];
+
+/// What is measured where nothing is named: the operators that the cores rest on, every unit of the cores, heaps.
+#[must_use]
+pub fn standard() -> Vec<Unit> {
+    let mut operators = operators();
+    operators.retain(|unit| STANDARD_OPERATORS.contains(&unit.name.as_str()));
+    operators.sort_by_key(|unit| STANDARD_OPERATORS.iter().position(|name| *name == unit.name));
+    operators.into_iter().chain(core_a_units()).chain(core_b_units()).chain(heaps()).collect()
+}
+
+/// Every unit known by name.
+#[must_use]
+pub fn all() -> Vec<Unit> {
+    GROUPS.iter().flat_map(|(_, units)| units()).collect()
+}
+
+/// The names that stand for units, for a message.
+#[must_use]
+pub fn known() -> String {
+    let formats = formats().map(name).collect::<Vec<_>>().join(", ");
+    let operators = OPERATORS.map(|(name, ..)| name).join(", ");
+    let others = core_a_units().into_iter().chain(core_b_units()).chain(heaps());
+    let others = others.map(|unit| unit.name).collect::<Vec<_>>().join(", ");
+    let groups = GROUPS.map(|(name, _)| name).join(", ");
+    format!(
+        "FORMAT_OPERATOR, where FORMAT is {formats} and OPERATOR is {operators}; {others}; one of the groups {groups}; \
+         or a configuration file NAME.toml"
+    )
+}
+
+/// All formats with and without subnormals.
+fn formats() -> impl Iterator<Item = Format> {
+    Format::NAMED.into_iter().flat_map(|(_, format)| [format, format.flushed()])
+}
+
+/// A format's name as part of a unit's.
+fn name(format: Format) -> String {
+    format.to_string().replace('-', "_")
+}
+
+type OperatorKind = (&'static str, fn(Format) -> u32, fn(Format, u32) -> Operator);
+
+/// The operators on numbers of one format.
+const OPERATORS: [OperatorKind; 14] = [
+    ("add", float::add::stages, float::add::module),
+    ("mul", float::mul::stages, float::mul::module),
+    ("fma", float::fma::stages, float::fma::module),
+    ("div", float::div::stages, float::div::module),
+    ("recip", float::div::stages, float::div::recip),
+    ("recip_newton", float::recip_newton::stages, float::recip_newton::module),
+    ("sqrt", float::sqrt::stages, float::sqrt::module),
+    ("rsqrt", float::rsqrt::stages, float::rsqrt::module),
+    ("rsqrt_newton", float::rsqrt_newton::stages, float::rsqrt_newton::module),
+    ("min", float::minmax::stages, float::minmax::min),
+    ("lt", float::compare::stages, float::compare::lt),
+    ("eq", float::compare::stages, float::compare::eq),
+    ("to_fixed", |f| float::to_fixed::stages(f, FIXED), |f, stages| float::to_fixed::module(f, FIXED, stages)),
+    ("from_fixed", |f| float::from_fixed::stages(f, FIXED), |f, stages| float::from_fixed::module(f, FIXED, stages)),
+];
+
+/// Every operator of every format with its default number of pipeline stages, e.g. `f32_ftz_mul`.
+fn operators() -> Vec<Unit> {
+    let unit = |format: Format, (operator, stages, module): OperatorKind| {
+        Unit::new(format!("{}_{operator}", name(format)), move || Ok(module(format, stages(format)).module))
+    };
+    formats().flat_map(|format| OPERATORS.map(|kind| unit(format, kind))).collect()
+}
+
+/// Every unit of core A.
+fn core_a_units() -> Vec<Unit> {
+    use core_a::{accumulator, depth_test, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform};
+    use core_a::{heap, weighting};
+    type Config = core_a_spec::Config;
+    let module = |name: &str, module: fn(&Config) -> Module| {
+        Unit::new(format!("core_a_{name}"), move || Ok(module(&Config::default())))
+    };
+    let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
+        Unit::new(format!("core_a_{name}"), move || Ok(datapath(&Config::default(), &Options::default())?.module))
+    };
+    vec![
+        datapath("transform", transform::datapath),
+        datapath("setup", setup::datapath),
+        module("splitter", splitter::module),
+        module("heap", heap::module),
+        module("reorder", reorder::module),
+        module("tile_cache", tile_cache::module),
+        datapath("rasterizer", rasterizer::datapath),
+        datapath("weighting", weighting::datapath),
+        module("depth_test", depth_test::module),
+        module("accumulator", accumulator::module),
+        datapath("normalizer", normalizer::datapath),
+        Unit::core_a("core_a_top", Config::default()),
+    ]
+}
+
+/// Every unit of core B, at the default configuration but for the two caches that it leaves out.
+fn core_b_units() -> Vec<Unit> {
+    use core_b::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
+    type Config = core_b_spec::Config;
+    let module = |name: &str, module: fn(&Config) -> Module| {
+        Unit::new(format!("core_b_{name}"), move || Ok(module(&Config::default())))
+    };
+    let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
+        Unit::new(format!("core_b_{name}"), move || Ok(datapath(&Config::default(), &Options::default())?.module))
+    };
+    vec![
+        module("threads", threads::module),
+        datapath("traversal", traversal::datapath),
+        module("stack", stack::module),
+        module("recursion", recursion::module),
+        datapath("leaf", leaf::datapath),
+        module("point_cache", point_cache::module),
+        module("sieve", sieve::module),
+        module("queue", queue::module),
+        Unit::new("core_b_tree_cache", || {
+            Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..Config::default() }))
+        }),
+        Unit::new("core_b_neighbor_cache", || {
+            let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..Config::default() };
+            Ok(neighbor_cache::unit(&config, &Options::default())?.module)
+        }),
+        Unit::core_b("core_b_top", Config::default()),
+    ]
+}
+
+/// Heaps of the sizes that others report.
+fn heaps() -> Vec<Unit> {
+    let unit = |(name, heap_levels)| {
+        let config = core_a_spec::Config { heap_levels, ..core_a_spec::Config::default() };
+        Unit::new(name, move || Ok(core_a::heap::module(&config)))
+    };
+    HEAPS.map(unit).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn names_are_unique_and_the_standard_ones_known() {
+        let names: Vec<_> = all().into_iter().map(|unit| unit.name).collect();
+        let distinct: HashSet<_> = names.iter().chain(&GROUPS.map(|(name, _)| name.to_owned())).cloned().collect();
+        assert_eq!(distinct.len(), names.len() + GROUPS.len());
+        let standard = standard();
+        assert!(STANDARD_OPERATORS.iter().all(|name| standard.iter().any(|unit| unit.name == *name)));
+        assert!(standard.iter().all(|unit| distinct.contains(&unit.name)));
+    }
+}
