@@ -92,6 +92,11 @@ impl Tree {
         [3, 4, 5].map(|field| number(&self.config, query[field]))
     }
 
+    /// The radius around a query to a core with a neighbor cache.
+    pub fn reach(&self, query: &[u64]) -> f32 {
+        number(&self.config, query[6])
+    }
+
     /// The squared distances of the nearest points that a query asks for, by looking at all of them.
     pub fn nearest(&self, query: &[u64]) -> Vec<f32> {
         let (point, k, radius2) = (self.point(query), query[1] as usize, number(&self.config, query[2]));
