@@ -2,7 +2,8 @@
 
 use pointcore::core_b::samples::{point_sets, queries_near};
 use pointcore::core_b::{
-    Engine, Error, MemorySettings, Outcome, PointSet, Query, Session, Splitting, Tree, encode, kdtree::depth_for,
+    Engine, Error, MemorySettings, Order, Outcome, PointSet, Query, Reuse, Session, Source, Splitting, Tree, encode,
+    interleave, kdtree::depth_for,
 };
 use pointcore::lockstep::{Stall, seed};
 use pointcore_golden::reference::neighbors::nearest;
@@ -129,4 +130,93 @@ fn what_has_no_answer_is_refused() {
     let other = Config { lanes: 4, ..config };
     let refused = Session::open(other, tree, MemorySettings::default(), Engine::Golden);
     assert!(matches!(refused.err(), Some(Error::OtherTree)));
+}
+
+/// Queries spread around points, for 6 neighbors or within a radius, each asked again before long.
+fn coherent(points: &PointSet, radius: Option<f32>) -> Vec<Query> {
+    let places = Order::Grid { columns: 8, rows: 8 }.places(points, Some(300), 1);
+    let query = |point| Query { point, k: 6, radius };
+    let twice: Vec<_> = places.into_iter().flat_map(|point| [query(point); 2]).collect();
+    interleave(&twice, 7)
+}
+
+#[test]
+fn caches_leave_answers_exact() {
+    let small = Config { bucket: 8, tree_depth: 7, threads: 2, ..Config::default() };
+    let configs = [
+        Config { tree_cache: 32, ..small.clone() },
+        Config { tree_cache: 256, point_cache: 0, lanes: 4, ..small.clone() },
+        Config { neighbor_cache: 16, ..small.clone() },
+        Config { neighbor_cache: 12, tree_cache: 64, geometry: Format::F24, ..small },
+    ];
+    let memory = MemorySettings { latency_cycles: 30, reorder_window: 4, burst_bytes: 32, ..MemorySettings::default() };
+    for config in configs {
+        let points = PointSet::load(config.geometry, &Source::Surface(1000)).expect("the surface is finite");
+        for radius in [None, Some(0.2)] {
+            let queries = coherent(&points, radius);
+            let session =
+                open(&config, &points, Splitting::Median, memory, Engine::Golden).randomized(Stall::Random(0.1), 2);
+            let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
+            assert!(check("surface", &config, &points, &queries, &outcome) > 1000);
+            for (size, hit) in [(config.tree_cache, "event_tree_hit"), (config.neighbor_cache, "event_cache_hit")] {
+                let hits = outcome.counters.event(hit);
+                assert_eq!(hits > 10, size > 0, "{hit}: {hits} with {config:?}, radius {radius:?}");
+            }
+            assert_eq!(outcome.counters.records, outcome.counters.event("event_tree_miss"));
+        }
+    }
+}
+
+#[test]
+fn hardware_with_every_cache_answers_as_its_model() {
+    let config = Config {
+        bucket: 8,
+        tree_depth: 6,
+        threads: 4,
+        neighbors: 7,
+        neighbor_cache: 4,
+        tree_cache: 32,
+        point_cache: 8,
+        ..Config::default()
+    };
+    let points = PointSet::load(config.geometry, &Source::Surface(500)).expect("the surface is finite");
+    for radius in [None, Some(0.3)] {
+        let queries = coherent(&points, radius);
+        let search = |engine| {
+            let session = open(&config, &points, Splitting::Packed, MemorySettings::default(), engine);
+            session.search(&queries).unwrap_or_else(|error| panic!("{error}"))
+        };
+        let [golden, lockstep] = [Engine::Golden, Engine::Lockstep].map(search);
+        assert!(check("surface", &config, &points, &queries, &lockstep) > 1000);
+        assert_eq!((&lockstep.neighbors, &lockstep.counters), (&golden.neighbors, &golden.counters));
+    }
+}
+
+#[test]
+fn approximate_neighbors_keep_their_tolerance() {
+    const EPSILON: f32 = 0.5;
+    let config = Config { bucket: 8, tree_depth: 7, threads: 2, neighbor_cache: 8, ..Config::default() };
+    let points = PointSet::load(config.geometry, &Source::Surface(1000)).expect("the surface is finite");
+    let queries = coherent(&points, None);
+    let hits = |epsilon| {
+        let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+        let session = session.reusing(Reuse { epsilon, ..Reuse::default() }).expect("the tolerance is valid");
+        let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
+        let checked = pointcore::core_b::check(&points, &queries, &outcome.neighbors, epsilon);
+        let checked = checked.unwrap_or_else(|difference| panic!("{difference}"));
+        assert_eq!(checked.exact == queries.len(), epsilon == 0.0, "{checked:?}");
+        outcome.counters.event("event_cache_hit")
+    };
+    let (exact, approximate) = (hits(0.0), hits(EPSILON));
+    assert!(exact < approximate, "{exact} hits exactly, {approximate} with tolerance");
+}
+
+#[test]
+fn queries_of_a_neighbor_cache_are_alike() {
+    let config = Config { tree_depth: 1, neighbor_cache: 2, ..Config::default() };
+    let points = PointSet::new(config.geometry, &[[0.0; 3]]).expect("the point is finite");
+    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+    let query = Query { point: [1.0; 3], k: 1, radius: None };
+    let refused = session.search(&[query, Query { radius: Some(1.0), ..query }]);
+    assert!(matches!(refused, Err(Error::Query { index: 1, .. })));
 }

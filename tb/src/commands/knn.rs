@@ -4,8 +4,8 @@ use super::configuration;
 use super::progress::{with_progress, with_spinner};
 use super::{Failure, Output, generate, write};
 use pointcore::core_b::{
-    Engine, Measured, MemorySettings, Order, Outcome, PointSet, Query, Report, Session, Source, Splitting, Tree, check,
-    config_for, interleave,
+    Engine, Error as SearchError, Measured, MemorySettings, Order, Outcome, PointSet, Query, Report, Reuse, Session,
+    Source, Splitting, Tree, check, config_for, interleave,
 };
 use pointcore::lockstep::Stall;
 use pointcore_spec::core_b::Config;
@@ -85,6 +85,15 @@ pub struct Arguments {
     /// The hardware's configuration, such as configs/knn.toml.
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
+    /// Neighborhoods that a coherent neighbor cache holds, up to 32; 0 leaves it out.
+    #[arg(long, value_name = "COUNT", default_value_t = 0, conflicts_with = "config")]
+    cache: u32,
+    /// With a neighbor cache: how much farther than the true ones neighbors may be, as a share.
+    #[arg(long, value_name = "SHARE", default_value_t = Reuse::default().epsilon)]
+    epsilon: f32,
+    /// With a neighbor cache: the factor by which balls are searched larger.
+    #[arg(long, value_name = "FACTOR", default_value_t = Reuse::default().alpha)]
+    alpha: f32,
     /// What answers the queries.
     #[arg(long, value_enum, default_value = "rtl")]
     model: Model,
@@ -148,6 +157,7 @@ impl Arguments {
             return usage("--no-lockstep goes with --model rtl".to_owned());
         }
         self.memory().validate()?;
+        self.reuse().validate()?;
         Ok(())
     }
 
@@ -158,6 +168,10 @@ impl Arguments {
             burst_bytes: self.burst,
             reorder_window: if self.out_of_order { REORDER_WINDOW } else { 1 },
         }
+    }
+
+    const fn reuse(&self) -> Reuse {
+        Reuse { epsilon: self.epsilon, alpha: self.alpha }
     }
 
     const fn engine(&self) -> (Engine, &'static str, Option<u64>) {
@@ -177,7 +191,12 @@ impl Arguments {
             return Ok((config, points));
         }
         let points = PointSet::load(Config::default().geometry, &self.points)?;
-        Ok((config_for(points.points().len(), self.k, self.tree), points))
+        // The neighbor cache needs one neighbor more to tell how far a neighborhood reaches.
+        let searched = if self.cache > 0 && self.radius.is_none() { self.k + 1 } else { self.k };
+        let config = config_for(points.points().len(), searched, self.tree);
+        let config = Config { neighbor_cache: self.cache, ..config };
+        config.validate().map_err(SearchError::from)?;
+        Ok((config, points))
     }
 
     /// Queries, and where they come from.
@@ -235,13 +254,14 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let session = with_spinner("generating, verilating and compiling (cached for the next time)", || {
         Session::open(config.clone(), tree, arguments.memory(), engine)
     })?;
-    let session = session.randomized(stall, arguments.seed).reproduced_by(command);
+    let session = session.randomized(stall, arguments.seed).reproduced_by(command).reusing(arguments.reuse())?;
     generate::write_core_b(session.core(), &config, &folder.join("verilog"))?;
 
     let outcome = with_progress(engine_name, |progress| session.search_with(&queries, progress))?;
     write_neighbors(&outcome, arguments.neighbors, folder)?;
     let checked = if arguments.check {
-        let checking = || check(&points, &queries, &outcome.neighbors);
+        let epsilon = if config.neighbor_cache > 0 { arguments.epsilon } else { 0.0 };
+        let checking = || check(&points, &queries, &outcome.neighbors, epsilon);
         Some(with_spinner("searching through all points", checking).map_err(Failure::Neighbors)?)
     } else {
         None
@@ -260,6 +280,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         outcome: &outcome,
         mismatches,
         checked,
+        reuse: arguments.reuse(),
         clock_mhz: arguments.clock_mhz,
     });
     let markdown = report.markdown();

@@ -1,9 +1,12 @@
 //! Neighbors against a search through all points.
 
-use super::points::{PointSet, encode};
+use super::points::{PointSet, decode, encode};
 use super::query::{Neighbor, Query};
+use super::reuse::Kind;
 use pointcore_golden::core_b::leaf::squared_distance;
+use pointcore_golden::core_b::records::Point;
 use pointcore_golden::reference::neighbors::BruteForce;
+use pointcore_spec::Format;
 use rayon::prelude::*;
 use std::fmt;
 
@@ -28,38 +31,82 @@ impl fmt::Display for Difference {
     }
 }
 
+/// What a check found.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Checked {
+    /// Queries compared.
+    pub queries: usize,
+    /// Those whose distances equal the true ones bit for bit: all, where no approximation is allowed.
+    pub exact: usize,
+    /// The greatest ratio of the distance of the farthest neighbor to the true one's.
+    pub worst_ratio: f32,
+}
+
 /// Compares squared distances bit for bit; of neighbors at equal distance any will do, but each must lie where it says. Where all
-/// queries would take too long, evenly spaced ones are checked.
+/// queries would take too long, evenly spaced ones are checked. With an `epsilon` (thesis 6.4.2) the k-th nearest neighbor may be
+/// farther by the factor 1 + ε, and balls may lack neighbors.
 ///
 /// # Errors
 /// The first difference.
-pub fn check(points: &PointSet, queries: &[Query], neighbors: &[Vec<Neighbor>]) -> Result<usize, Difference> {
-    let format = points.format();
+pub fn check(
+    points: &PointSet,
+    queries: &[Query],
+    neighbors: &[Vec<Neighbor>],
+    epsilon: f32,
+) -> Result<Checked, Difference> {
     let encoded = points.encoded();
-    let brute_force = BruteForce::new(format, &encoded);
-    let step = (queries.len() * encoded.len()).div_ceil(DISTANCE_LIMIT).max(1);
-    let wrong = |index: usize| {
-        let Query { point, k, radius } = queries[index];
-        let at = point.map(|number| encode(format, number));
-        let radius2 = radius.map_or(format.infinity() as u32, |radius| encode(format, radius * radius));
-        let expected = brute_force.nearest(at, k as usize, radius2);
-        let found = &neighbors[index];
-        let agree = |(found, expected): (&Neighbor, u32)| {
-            let distance2 = encode(format, found.distance2);
-            distance2 == expected && squared_distance(format, encoded[found.point as usize], at) == distance2
-        };
-        let pairs = || found.iter().zip(expected.iter().map(|neighbor| neighbor.distance2));
-        let right = found.len() == expected.len() && pairs().all(agree) && all_differ(found);
-        (!right).then(|| Difference {
-            query: index,
-            found: found.iter().map(|neighbor| neighbor.distance2).collect(),
-            expected: expected.iter().map(|neighbor| super::decode(format, neighbor.distance2)).collect(),
-        })
+    let comparison = Comparison {
+        format: points.format(),
+        encoded: &encoded,
+        brute_force: BruteForce::new(points.format(), &encoded),
+        epsilon,
     };
-    let checked: Vec<usize> = (0..queries.len()).step_by(step).collect();
-    match checked.par_iter().find_map_first(|index| wrong(*index)) {
-        Some(difference) => Err(difference),
-        None => Ok(checked.len()),
+    let step = (queries.len() * encoded.len()).div_ceil(DISTANCE_LIMIT).max(1);
+    let compared: Vec<usize> = (0..queries.len()).step_by(step).collect();
+    let ratios = compared.par_iter().map(|index| comparison.compare(*index, &queries[*index], &neighbors[*index]));
+    let ratios: Vec<Option<f32>> = ratios.collect::<Result<_, Difference>>()?;
+    let inexact = || ratios.iter().flatten();
+    Ok(Checked {
+        queries: ratios.len(),
+        exact: ratios.len() - inexact().count(),
+        worst_ratio: inexact().copied().fold(1.0, f32::max),
+    })
+}
+
+struct Comparison<'a> {
+    format: Format,
+    encoded: &'a [Point],
+    brute_force: BruteForce<'a>,
+    epsilon: f32,
+}
+
+impl Comparison<'_> {
+    /// `None` for an exact answer, else how much too far its farthest neighbor is.
+    fn compare(&self, query: usize, asked: &Query, found: &[Neighbor]) -> Result<Option<f32>, Difference> {
+        let format = self.format;
+        let at = asked.point.map(|number| encode(format, number));
+        let radius2 = asked.radius.map_or(format.infinity() as u32, |radius| encode(format, radius * radius));
+        let nearest = self.brute_force.nearest(at, asked.k as usize, radius2);
+        let expected: Vec<f32> = nearest.iter().map(|neighbor| decode(format, neighbor.distance2)).collect();
+        let distances: Vec<f32> = found.iter().map(|neighbor| neighbor.distance2).collect();
+        let lies_there = |neighbor: &Neighbor| {
+            squared_distance(format, self.encoded[neighbor.point as usize], at) == encode(format, neighbor.distance2)
+        };
+        let sound = found.iter().all(lies_there) && all_differ(found) && distances.is_sorted();
+        if sound && distances == expected {
+            return Ok(None);
+        }
+        let farthest = |distances: &[f32]| distances.last().map_or(0.0, |distance2| distance2.sqrt());
+        let ratio = farthest(&distances) / farthest(&expected);
+        let allowed = match asked.kind() {
+            Kind::Nearest => distances.len() == expected.len() && ratio <= 1.0 + self.epsilon,
+            Kind::Ball => distances.len() < expected.len(),
+        };
+        if sound && self.epsilon > 0.0 && allowed {
+            Ok(Some(ratio))
+        } else {
+            Err(Difference { query, found: distances, expected })
+        }
     }
 }
 
@@ -74,7 +121,6 @@ mod tests {
     use super::*;
     use crate::core_b::{Engine, MemorySettings, Order, Session, Source, Splitting, Tree, config_for};
     use crate::scene::model::tests::shared;
-    use pointcore_spec::Format;
 
     #[test]
     fn only_right_answers_pass() {
@@ -83,7 +129,7 @@ mod tests {
         let query = Query { point: [0.0; 3], k: 2, radius: None };
         let check = |found: &[(u32, f32)]| {
             let found = found.iter().map(|(point, distance2)| Neighbor { point: *point, distance2: *distance2 });
-            check(&points, &[query], &[found.collect()]).is_ok()
+            check(&points, &[query], &[found.collect()], 0.0).is_ok()
         };
         assert!(check(&[(0, 0.0), (1, 1.0)]) && check(&[(0, 0.0), (2, 1.0)]), "of two at equal distance any will do");
         assert!(!check(&[(0, 0.0)]), "one is missing");
@@ -91,8 +137,25 @@ mod tests {
         assert!(!check(&[(1, 1.0), (2, 1.0)]), "the nearest is missing");
         let doubled = PointSet::new(Format::F32, &[[1.0; 3], [1.0; 3]]).expect("points are finite");
         let twice = vec![Neighbor { point: 0, distance2: 3.0 }; 2];
-        let difference = super::check(&doubled, &[query], &[twice]).expect_err("a neighbor is found twice");
+        let difference = super::check(&doubled, &[query], &[twice], 0.0).expect_err("a neighbor is found twice");
         assert!(difference.to_string().starts_with("query 0"));
+    }
+
+    #[test]
+    fn approximate_answers_are_measured() {
+        let line: Vec<_> = (0..4_u8).map(|x| [f32::from(x), 0.0, 0.0]).collect();
+        let points = PointSet::new(Format::F32, &line).expect("points are finite");
+        let check = |query, found: &[u32], epsilon| {
+            let found = found.iter().map(|x| Neighbor { point: *x, distance2: (*x as f32).powi(2) }).collect();
+            super::check(&points, &[query], &[found], epsilon)
+        };
+        let query = Query { point: [0.0; 3], k: 3, radius: None };
+        let inexact = |worst_ratio| Ok(Checked { queries: 1, exact: 0, worst_ratio });
+        assert_eq!(check(query, &[0, 1, 3], 0.5), inexact(1.5));
+        assert!(check(query, &[0, 1, 3], 0.49).is_err() && check(query, &[0, 1], 0.5).is_err());
+        let ball = Query { radius: Some(2.5), ..query };
+        assert_eq!(check(ball, &[0, 1], 0.1), inexact(0.5), "a ball may lack neighbors");
+        assert!(check(ball, &[0, 1], 0.0).is_err() && check(ball, &[0, 1, 3], 0.1).is_err());
     }
 
     #[test]
@@ -109,7 +172,8 @@ mod tests {
             let query = |point: &[f32; 3]| Query { point: *point, k: 10, radius: None };
             let queries: Vec<_> = order.places(&points, Some(200), 1).iter().map(query).collect();
             let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
-            assert_eq!(super::check(&points, &queries, &outcome.neighbors), Ok(200));
+            let checked = super::check(&points, &queries, &outcome.neighbors, 0.0);
+            assert_eq!(checked, Ok(Checked { queries: 200, exact: 200, worst_ratio: 1.0 }));
         }
     }
 }

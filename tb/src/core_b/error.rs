@@ -91,6 +91,16 @@ pub enum Error {
         /// What would be right.
         expected: &'static str,
     },
+    /// A factor of reuse without meaning.
+    #[error("{setting} is {value}: expected {expected}")]
+    Reuse {
+        /// What is set.
+        setting: &'static str,
+        /// To what.
+        value: f32,
+        /// What would be right.
+        expected: &'static str,
+    },
     /// A fault of the generator.
     #[error("the hardware could not be generated: {0}")]
     Generate(#[from] GenerateError),

@@ -1,12 +1,13 @@
 //! The host around core B: loads the tree, streams queries, plays the point memory, collects results, counts.
 
 use super::Tree;
+use super::answers::Answers;
 use super::memory::{Extent, Memory, MemorySettings};
-use super::points::decode;
-use super::query::Neighbor;
+use super::query::{Asked, Neighbor};
+use super::reuse::{Kind, Reuse};
 use crate::core_a::Progress;
 use crate::lockstep::{Flow, Stalls, Stimulus};
-use pointcore_golden::core_b::records::{Beat, BeatPlace, CachedQuery, CachedResult, Fetch, Query, Shape, TreeWrite};
+use pointcore_golden::core_b::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, Shape, TreeRecord, TreeWrite};
 use pointcore_golden::core_b::top::{In, Out};
 use pointcore_golden::unit::{self, Record, Visitor, Word};
 use pointcore_spec::core_b::{Config, ports};
@@ -14,6 +15,10 @@ use std::sync::Arc;
 
 /// The memory's port for points.
 const POINTS: usize = 0;
+/// The memory's port for records of the tree.
+const TREE: usize = 1;
+/// The memory's ports.
+const PORTS: usize = 2;
 /// Cycles between two reports of progress.
 const PROGRESS_INTERVAL_CYCLES: u64 = 1024;
 /// Cycles without a transfer after which a core counts as stuck: the longest search among cached points takes fewer.
@@ -28,6 +33,8 @@ pub struct Counters {
     pub events: Vec<(&'static str, u64)>,
     /// Requests to the memory.
     pub requests: u64,
+    /// Records of the tree taken from the memory.
+    pub records: u64,
     /// Beats taken from the memory.
     pub beats: u64,
     /// Bytes that the memory moved, whole bursts.
@@ -64,10 +71,21 @@ pub struct Work<'a> {
     pub config: &'a Config,
     /// The tree and its points.
     pub tree: &'a Tree,
-    /// What to ask; numbers are given by the host.
-    pub queries: &'a [Query],
+    /// What to ask.
+    pub queries: &'a [Asked],
+    /// What the neighbor cache may answer, if there is one.
+    pub reuse: Reuse,
+    /// Of which kind all queries are, as the neighbor cache needs it.
+    pub kind: Kind,
     /// How the memory answers.
     pub memory: MemorySettings,
+}
+
+/// What a request to the memory asks for.
+#[derive(Clone, Copy, Debug)]
+enum Request {
+    Points(Fetch),
+    Record(Lookup),
 }
 
 /// The host as a stimulus: it sees the outputs of the cycle before.
@@ -77,18 +95,16 @@ pub struct Host<'a> {
     stalls: Stalls,
     progress: Progress<'a>,
     writes: Arc<[TreeWrite]>,
-    memory: Memory<Fetch>,
+    setup: Option<CacheSetup>,
+    first_query_cycle: u64,
+    memory: Memory<Request>,
     inputs: In,
     sent: usize,
-    /// Numbers under way with the indices of their queries.
-    under_way: Vec<(u32, usize)>,
-    answered: usize,
     last_transfer: u64,
     quiet_cycles: u64,
+    answers: Answers<'a>,
     /// Whether and how it ended.
     pub end: Option<End>,
-    /// Neighbors by query.
-    pub neighbors: Vec<Vec<Neighbor>>,
     /// Counts so far.
     pub counters: Counters,
 }
@@ -97,25 +113,28 @@ impl<'a> Host<'a> {
     /// A host that asks each query once; `stalls` says when it holds back, `seed` orders the memory's answers.
     #[must_use]
     pub fn new(work: Work<'a>, stalls: Stalls, seed: u64, progress: Progress<'a>) -> Self {
-        let Work { config, tree, queries, memory } = work;
-        let memory = Memory::new(memory, 1, tree.beat_bytes(), seed);
-        let longest =
-            memory.answer_cycles(Extent { beats: config.bucket.div_ceil(config.lanes), beat_bytes: tree.beat_bytes() });
+        let Work { config, tree, memory, .. } = work;
+        let memory = Memory::new(memory, PORTS, tree.beat_bytes(), seed);
+        let beats = config.bucket.div_ceil(config.lanes);
+        let longest = memory.answer_cycles(Extent { beats, beat_bytes: tree.beat_bytes() });
         let events = ports::events(config).into_iter().map(|event| (event, 0)).collect();
+        let writes: Arc<[TreeWrite]> = if config.tree_cache > 0 { Arc::default() } else { tree.writes().collect() };
+        let setup = (config.neighbor_cache > 0).then(|| work.reuse.setup(config.geometry, work.kind));
         Self {
             work,
             stalls,
             progress,
-            writes: tree.writes().collect(),
+            setup,
+            // A tree cache clears a line a cycle.
+            first_query_cycle: (writes.len() as u64).max(config.tree_cache.into()) + 1,
+            writes,
             memory,
             inputs: In::default(),
             sent: 0,
-            under_way: Vec::new(),
-            answered: 0,
             last_transfer: 0,
             quiet_cycles: QUIET_CYCLES + longest,
+            answers: Answers::new(work),
             end: None,
-            neighbors: vec![Vec::new(); queries.len()],
             counters: Counters { events, ..Counters::default() },
         }
     }
@@ -129,33 +148,45 @@ impl<'a> Host<'a> {
     /// Queries answered so far.
     #[must_use]
     pub const fn answered(&self) -> usize {
-        self.answered
+        self.answers.answered()
+    }
+
+    /// Queries to be answered.
+    #[must_use]
+    pub const fn queries(&self) -> usize {
+        self.work.queries.len()
+    }
+
+    /// What the host counted, and the neighbors by query.
+    #[must_use]
+    pub fn into_results(self) -> (Counters, Vec<Vec<Neighbor>>) {
+        (self.counters, self.answers.into_neighbors())
     }
 
     /// Sets the inputs of `cycle`, seeing the outputs of the cycle before.
     pub fn drive(&mut self, cycle: u64, outputs: &Out) -> Flow {
-        let first_query_cycle = self.writes.len() as u64;
-        if cycle > first_query_cycle {
+        if cycle > self.first_query_cycle {
             self.account(cycle - 1, outputs);
         } else {
             self.last_transfer = cycle;
         }
-        if self.answered == self.work.queries.len() {
+        if self.answered() == self.queries() {
             self.end = Some(End::Answered);
         } else if cycle - self.last_transfer > self.quiet_cycles {
             self.end = Some(End::Stuck);
         }
         if self.end.is_some() {
-            self.counters.cycles = cycle.saturating_sub(first_query_cycle);
+            self.counters.cycles = cycle.saturating_sub(self.first_query_cycle);
             self.counters.requests = self.memory.requests_taken;
             self.counters.bytes = self.memory.bytes;
             return Flow::Done;
         }
         if cycle.is_multiple_of(PROGRESS_INTERVAL_CYCLES) {
-            (self.progress)(cycle, self.answered as f64 / self.work.queries.len() as f64);
+            (self.progress)(cycle, self.answered() as f64 / self.queries() as f64);
         }
         self.inputs.tree = self.writes.get(cycle as usize).copied();
-        if cycle >= first_query_cycle {
+        self.inputs.setup = self.setup.filter(|_| cycle + 1 == self.first_query_cycle);
+        if cycle >= self.first_query_cycle {
             self.offer(cycle, outputs);
         }
         Flow::Continue
@@ -163,86 +194,82 @@ impl<'a> Host<'a> {
 
     /// Accounts for what moved in `cycle`.
     fn account(&mut self, cycle: u64, outputs: &Out) {
-        let mut moved = false;
-        if self.inputs.query.is_some() {
-            moved |= outputs.query_ready;
-            self.sent += usize::from(outputs.query_ready);
-            self.counters.query_wait += u64::from(!outputs.query_ready);
+        let query = self.inputs.query.is_some();
+        let [query_moved, query_waits] = [query && outputs.query_ready, query && !outputs.query_ready];
+        let beat = self.inputs.beat.is_some();
+        let [beat_moved, beat_waits] = [beat && outputs.beat_ready, beat && !outputs.beat_ready];
+        let record_moved = self.inputs.record.is_some() && outputs.record_ready;
+        self.sent += usize::from(query_moved);
+        let counts = [
+            (&mut self.counters.query_wait, query_waits),
+            (&mut self.counters.beat_wait, beat_waits),
+            (&mut self.counters.beats, beat_moved),
+            (&mut self.counters.records, record_moved),
+        ];
+        counts.into_iter().for_each(|(count, happened)| *count += u64::from(happened));
+        if beat_moved {
+            self.memory.take(POINTS);
         }
-        if let Some(fetch) = outputs.fetch.filter(|_| self.inputs.fetch_ready) {
-            moved = true;
+        if record_moved {
+            self.memory.take(TREE);
+        }
+        let fetch = outputs.fetch.filter(|_| self.inputs.fetch_ready);
+        if let Some(fetch) = fetch {
             let extent = Extent { beats: fetch.beats.into(), beat_bytes: self.work.tree.beat_bytes() };
-            self.memory.request(POINTS, fetch, extent, cycle);
+            self.memory.request(POINTS, Request::Points(fetch), extent, cycle);
         }
-        if self.inputs.beat.is_some() {
-            self.counters.beat_wait += u64::from(!outputs.beat_ready);
-            if outputs.beat_ready {
-                moved = true;
-                self.counters.beats += 1;
-                self.memory.take(POINTS);
-            }
+        let lookup = outputs.lookup.filter(|_| self.inputs.lookup_ready);
+        if let Some(lookup) = lookup {
+            let extent = Extent { beats: 1, beat_bytes: Tree::record_bytes(self.work.config) };
+            self.memory.request(TREE, Request::Record(lookup), extent, cycle);
         }
-        if outputs.result.is_some() && self.inputs.result_ready {
-            moved = true;
-            self.collect(outputs);
+        let result = outputs.result.filter(|_| self.inputs.result_ready);
+        if let Some(result) = result {
+            self.counters.neighbors += u64::from(result.result.found);
+            self.answers.collect(result);
         }
         let mut outputs = *outputs;
-        let shape = Shape::new(self.work.config);
-        outputs.visit(shape, &mut EventCounter(self.counters.events.iter_mut()));
-        if moved {
+        outputs.visit(Shape::new(self.work.config), &mut EventCounter(self.counters.events.iter_mut()));
+        if query_moved || beat_moved || record_moved || fetch.is_some() || lookup.is_some() || result.is_some() {
             self.last_transfer = cycle;
-        }
-    }
-
-    fn collect(&mut self, outputs: &Out) {
-        let Some(CachedResult { result, .. }) = outputs.result else { return };
-        let place = self.under_way.iter().position(|(number, _)| *number == result.number);
-        let place = place.expect("results bear the number of a query under way");
-        let query = self.under_way[place].1;
-        if result.found {
-            let point = self.work.tree.source(result.index).expect("neighbors are points, not places without one");
-            let distance2 = decode(self.work.config.geometry, result.distance2);
-            self.neighbors[query].push(Neighbor { point, distance2 });
-            self.counters.neighbors += 1;
-        }
-        if result.last {
-            self.under_way.swap_remove(place);
-            self.answered += 1;
         }
     }
 
     /// Offers what there is, unless the stalls hold it back; an offer once made stands.
     fn offer(&mut self, cycle: u64, outputs: &Out) {
         if self.inputs.query.is_none() || outputs.query_ready {
-            self.inputs.query = self.next_query().map(CachedQuery::from);
+            self.inputs.query = self.answers.number(self.sent).filter(|_| !self.stalls.stalled());
+            if let Some(query) = &self.inputs.query {
+                self.answers.offered(query, self.sent);
+            }
         }
         self.memory.advance(cycle);
         if self.inputs.beat.is_none() || outputs.beat_ready {
             let beat = self.memory.offer(POINTS, cycle).filter(|_| !self.stalls.stalled());
-            self.inputs.beat = beat.map(|(fetch, number)| self.beat(fetch, number));
+            self.inputs.beat = beat.and_then(|(request, number)| self.beat(request, number));
+        }
+        if self.inputs.record.is_none() || outputs.record_ready {
+            let record = self.memory.offer(TREE, cycle).filter(|_| !self.stalls.stalled());
+            self.inputs.record = record.and_then(|(request, _)| self.record(request));
         }
         self.inputs.fetch_ready = !self.stalls.stalled();
+        self.inputs.lookup_ready = !self.stalls.stalled();
         self.inputs.result_ready = !self.stalls.stalled();
     }
 
-    /// The next query, unless its number is under way: numbers repeat.
-    fn next_query(&mut self) -> Option<Query> {
-        let query = *self.work.queries.get(self.sent)?;
-        let number = (self.sent as u64 & ((1 << self.work.config.index_bits) - 1)) as u32;
-        let free = self.under_way.iter().all(|(other, _)| *other != number);
-        (free && !self.stalls.stalled()).then(|| {
-            self.under_way.push((number, self.sent));
-            Query { number, ..query }
-        })
-    }
-
-    fn beat(&self, fetch: Fetch, number: u32) -> Beat {
+    fn beat(&self, request: Request, number: u32) -> Option<Beat> {
+        let Request::Points(fetch) = request else { return None };
         let address = fetch.address + number;
         let place = BeatPlace { thread: fetch.thread, address, last: number + 1 == u32::from(fetch.beats) };
         let mut beat = Beat { place, ..Beat::default() };
         let points = self.work.tree.beat(address);
         beat.points[..points.len()].copy_from_slice(points);
-        beat
+        Some(beat)
+    }
+
+    fn record(&self, request: Request) -> Option<TreeRecord> {
+        let Request::Record(lookup) = request else { return None };
+        Some(self.work.tree.record(lookup))
     }
 }
 

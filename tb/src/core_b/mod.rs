@@ -1,5 +1,6 @@
 //! Core B on the host's side: point sets, kd-trees, the memory around the core, searches on hardware and model.
 
+mod answers;
 mod check;
 mod derive;
 mod error;
@@ -12,20 +13,22 @@ mod points;
 mod query;
 mod report;
 pub mod resources;
+mod reuse;
 mod run;
 pub mod samples;
 mod session;
 
-pub use check::{Difference, check};
+pub use check::{Checked, Difference, check};
 pub use derive::config_for;
 pub use error::Error;
 pub use generate::Core;
-pub use host::{Counters, Work};
+pub use host::Counters;
 pub use kdtree::{Splitting, Tree};
 pub use memory::{Extent, Memory, MemorySettings};
 pub use order::{Order, interleave};
 pub use points::{PointSet, Source, decode, encode};
 pub use query::{Neighbor, Query};
 pub use report::{Bound, HitRate, Measured, Report};
-pub use run::{Outcome, Runner, verilate};
+pub use reuse::{Kind, Reuse};
+pub use run::{Outcome, verilate};
 pub use session::{Engine, Session};

@@ -1,7 +1,9 @@
 //! What a search cost: figures with their definitions, as JSON and as a page to read.
 
+use super::check::Checked;
 use super::kdtree::Statistics;
 use super::memory::MemorySettings;
+use super::reuse::Reuse;
 use super::run::Outcome;
 use pointcore_spec::core_b::{Config, ports};
 use serde::Serialize;
@@ -62,8 +64,10 @@ pub struct Measured<'a> {
     pub outcome: &'a Outcome,
     /// Outputs that differed, where they were compared.
     pub mismatches: Option<u64>,
-    /// Queries whose neighbors were compared with a search through all points.
-    pub checked: Option<usize>,
+    /// What a comparison with a search through all points brought.
+    pub checked: Option<Checked>,
+    /// What the neighbor cache may answer.
+    pub reuse: Reuse,
     /// The clock for which times are stated.
     pub clock_mhz: f64,
 }
@@ -93,8 +97,10 @@ pub struct Report {
     pub neighbors: u64,
     /// Outputs on which hardware and model differed; absent where they were not compared.
     pub mismatches: Option<u64>,
-    /// Queries whose neighbors equal those of a search through all points; absent where they were not checked.
-    pub checked: Option<usize>,
+    /// What a comparison with a search through all points brought; absent where there was none.
+    pub checked: Option<Checked>,
+    /// What the neighbor cache may answer; absent where there is none.
+    pub reuse: Option<Reuse>,
     /// Cycles from the first query to the last result.
     pub cycles: u64,
     /// Cycles for each query.
@@ -143,6 +149,7 @@ impl Report {
             ("nodes visited", counters.event("event_node") as f64),
             ("paths popped", counters.event("event_pop") as f64),
             ("beats of points from memory", counters.beats as f64),
+            ("records of the tree from memory", counters.records as f64),
             ("insertions", insertions as f64),
             (
                 "beats in the priority queues",
@@ -173,6 +180,7 @@ impl Report {
             neighbors: counters.neighbors,
             mismatches: run.mismatches,
             checked: run.checked,
+            reuse: (run.config.neighbor_cache > 0).then_some(run.reuse),
             cycles,
             cycles_per_query: each(cycles as f64),
             clock_mhz: run.clock_mhz,
@@ -201,7 +209,13 @@ impl Report {
             None => "not compared".to_owned(),
         };
         let checked = match self.checked {
-            Some(count) => format!("{count} of {} queries, every distance equal bit for bit", self.queries),
+            Some(Checked { queries, exact, .. }) if queries == exact => {
+                format!("{queries} of {} queries, every distance equal bit for bit", self.queries)
+            }
+            Some(Checked { queries, exact, worst_ratio }) => format!(
+                "{queries} of {} queries, {exact} exact, the farthest neighbor up to {worst_ratio:.3} times too far",
+                self.queries
+            ),
             None => "not compared (`--check` does)".to_owned(),
         };
         let within = self.radius.map_or(String::new(), |radius| format!(" within {radius}"));
@@ -235,6 +249,9 @@ impl Report {
         let mut text = "# Nearest neighbors\n\n| figure | value |\n|---|---|\n".to_owned();
         for (name, value) in rows {
             _ = writeln!(text, "| {name} | {value} |");
+        }
+        if let Some(Reuse { epsilon, alpha }) = self.reuse {
+            _ = writeln!(text, "| reuse | ε = {epsilon}, α = {alpha} |");
         }
         for HitRate { cache, hits, misses, rate } in &self.hit_rates {
             _ = writeln!(text, "| {cache} | {} of {} requests |", percent(*rate), hits + misses);

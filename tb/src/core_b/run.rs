@@ -114,8 +114,8 @@ impl<'a> Runner<'a> {
 
 fn finish(host: Host, cycle: u64, started: Instant) -> Result<Outcome, Error> {
     if host.end == Some(End::Stuck) {
-        return Err(Error::Stuck { cycle, answered: host.answered(), queries: host.neighbors.len() });
+        return Err(Error::Stuck { cycle, answered: host.answered(), queries: host.queries() });
     }
-    let Host { neighbors, counters, .. } = host;
+    let (counters, neighbors) = host.into_results();
     Ok(Outcome { neighbors, counters, simulated_cycles: cycle, elapsed: started.elapsed() })
 }

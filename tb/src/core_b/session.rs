@@ -3,7 +3,8 @@
 use super::generate::Core;
 use super::host::Work;
 use super::memory::MemorySettings;
-use super::query::Query;
+use super::query::{Query, check_alike};
+use super::reuse::{Kind, Reuse};
 use super::run::{Outcome, Runner, verilate};
 use super::{Error, Tree};
 use crate::core_a::Progress;
@@ -51,6 +52,7 @@ pub struct Session {
     /// The verilated core, unless the golden model answers alone.
     library: Option<Arc<Library>>,
     engine: Engine,
+    reuse: Reuse,
     stall: Stall,
     seed: u64,
     reproduce: String,
@@ -68,8 +70,8 @@ impl Session {
         tree.check(&config)?;
         let core = Core::generate(&config)?;
         let library = if engine == Engine::Golden { None } else { Some(verilate(&core, Trace::Off)?) };
-        let reproduce = String::new();
-        Ok(Self { config, tree, memory, core, library, engine, stall: Stall::Never, seed: 1, reproduce })
+        let (reuse, stall, seed, reproduce) = (Reuse::default(), Stall::Never, 1, String::new());
+        Ok(Self { config, tree, memory, core, library, engine, reuse, stall, seed, reproduce })
     }
 
     /// Holds streams back at random, chooses among answers of the memory and the hardware's uninitialized values.
@@ -77,6 +79,16 @@ impl Session {
     pub fn randomized(mut self, stall: Stall, seed: u64) -> Self {
         (self.stall, self.seed) = (stall, seed);
         self
+    }
+
+    /// Lets the neighbor cache answer within these limits.
+    ///
+    /// # Errors
+    /// A factor has no meaning.
+    pub fn reusing(mut self, reuse: Reuse) -> Result<Self, Error> {
+        reuse.validate()?;
+        self.reuse = reuse;
+        Ok(self)
     }
 
     /// The command to print when hardware and model differ.
@@ -111,9 +123,18 @@ impl Session {
     /// # Errors
     /// As [`Session::search`].
     pub fn search_with(&self, queries: &[Query], progress: Progress) -> Result<Outcome, Error> {
-        let encode = |(index, query): (usize, &Query)| query.encode(&self.config, index);
+        check_alike(&self.config, queries)?;
+        let kind = queries.first().map_or(Kind::Nearest, Query::kind);
+        let encode = |(index, query): (usize, &Query)| query.encode(&self.config, self.reuse, index);
         let queries = queries.par_iter().enumerate().map(encode).collect::<Result<Vec<_>, Error>>()?;
-        let work = Work { config: &self.config, tree: &self.tree, queries: &queries, memory: self.memory };
+        let work = Work {
+            config: &self.config,
+            tree: &self.tree,
+            queries: &queries,
+            reuse: self.reuse,
+            kind,
+            memory: self.memory,
+        };
         let runner = Runner { work, stall: self.stall, seed: self.seed, progress, reproduce: &self.reproduce };
         match (self.engine, &self.library) {
             (Engine::Hardware, Some(library)) => runner.hardware(library, None),

@@ -5,6 +5,7 @@
 //! coordinates ≤ the split, points right of it ≥, which is all the search asks for: equal coordinates may lie on both sides.
 
 mod divide;
+mod records;
 mod splitting;
 
 pub use splitting::Splitting;
@@ -12,7 +13,7 @@ pub use splitting::Splitting;
 use super::points::encode;
 use super::{Error, PointSet};
 use divide::{Item, Part};
-use pointcore_golden::core_b::records::{self, Point, TreeWrite};
+use pointcore_golden::core_b::records::Point;
 use pointcore_spec::Format;
 use pointcore_spec::core_b::Config;
 use std::fmt;
@@ -131,25 +132,6 @@ impl Tree {
         self.sources.resize(end, None);
         let number = (node << (depth - level)) - (1 << depth);
         self.leaves[number as usize] = Some(Bucket { begin, beats, points: items.len() as u32 });
-    }
-
-    /// The writes that load the tree into the core.
-    pub fn writes(&self) -> impl Iterator<Item = TreeWrite> + '_ {
-        let nodes = (0..).zip(&self.nodes).filter_map(|(address, node)| {
-            let node = match (*node)? {
-                Node::Split { dimension, split } => {
-                    records::Node { dimension, split: encode(self.format, split), internal_leaf: false }
-                }
-                Node::Leaf => records::Node { internal_leaf: true, ..records::Node::default() },
-            };
-            Some(TreeWrite { address, node, ..TreeWrite::default() })
-        });
-        let leaves = (0..).zip(&self.leaves).filter_map(|(address, bucket)| {
-            let Bucket { begin, beats, .. } = (*bucket)?;
-            let bucket = records::Bucket { begin, beats: beats as u8 };
-            Some(TreeWrite { is_leaf: true, address, bucket, ..TreeWrite::default() })
-        });
-        nodes.chain(leaves)
     }
 
     /// The points of a beat.
