@@ -224,7 +224,7 @@ fn searches_agree_with_the_model_and_with_brute_force() {
             }
             if config.tree_cache > 0 {
                 let [hits, misses] = ["event_tree_hit", "event_tree_miss"].map(|event| report.events(event));
-                assert!(hits > misses && misses > 0, "{hits} hits, {misses} misses");
+                assert!(hits > 0 && misses > 0, "{hits} hits, {misses} misses");
             }
         });
     }
