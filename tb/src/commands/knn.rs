@@ -52,10 +52,6 @@ impl std::str::FromStr for Limit {
 }
 
 /// Arguments of `knn`.
-///
-/// Hardware and model search together, every output compared in every cycle, which takes its time: only the first 2000 queries are
-/// asked unless --limit says otherwise. Without --config the hardware is derived: the tree as deep as the points need, the queues
-/// as long as k.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The points: a PLY or OBJ file, or `surface:COUNT` for a procedural surface.
