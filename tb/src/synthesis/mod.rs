@@ -225,3 +225,21 @@ fn read(path: &Path) -> Result<String, FileError> {
 fn write(path: &Path, text: &str) -> Result<(), FileError> {
     fs::write(path, text).map_err(file("write", path))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_device_cannot_hold_is_said_before_it_is_placed() {
+        let device = Target::Ecp5.device().expect("an ECP5 is placed and routed");
+        let fits = Area { lut: 80_000, carry: 1_800, dsp: 156, ..Area::default() };
+        assert!(check_capacity("core", device, &fits).is_ok());
+        let error = check_capacity("core", device, &Area { carry: 1_900, ..fits }).unwrap_err().to_string();
+        for part in ["`core` takes 83800 LUT4", "LFE5U-85F has 83640"] {
+            assert!(error.contains(part), "`{part}` is missing in: {error}");
+        }
+        let multipliers = check_capacity("core", device, &Area { dsp: 157, ..fits }).unwrap_err();
+        assert!(matches!(multipliers, SynthesisError::TooLarge { needed: 157, available: 156, .. }), "{multipliers}");
+    }
+}

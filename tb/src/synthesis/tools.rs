@@ -67,3 +67,32 @@ fn describe(program: &Path) -> Option<(&Path, String, Version)> {
     let version = Version::first_in(&line)?;
     Some((program, line, version))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_tool_is_named_with_the_command_that_installs_it() {
+        let error = Tool::find("tool-that-is-not-there", "1.0").unwrap_err().to_string();
+        assert!(error.contains("`tool-that-is-not-there` 1.0") && error.contains("make setup-fpga"), "{error}");
+    }
+
+    #[test]
+    fn a_tool_that_is_too_old_will_not_do() {
+        let error = Tool::find("sh", "999.0").unwrap_err();
+        assert!(matches!(error, SynthesisError::Missing { .. }), "no shell is as new: {error}");
+    }
+
+    #[test]
+    fn a_failed_tool_is_quoted_with_its_last_lines() {
+        let shell = Tool { program: "sh".into(), description: String::new() };
+        let script = "for n in $(seq 50); do echo line $n; done; echo ERROR: no such cell >&2; exit 1";
+        let error = shell.run("f32_add", Path::new("."), &["-c", script]).unwrap_err().to_string();
+        for part in ["sh failed on `f32_add`", "line 50", "ERROR: no such cell"] {
+            assert!(error.contains(part), "`{part}` is missing in: {error}");
+        }
+        assert!(!error.contains("line 38\n"), "only the last lines: {error}");
+        assert!(shell.run("f32_add", Path::new("."), &["-c", "echo fine"]).is_ok());
+    }
+}

@@ -62,11 +62,12 @@ pub const GROUPS: [Group; 4] =
     [("operators", operators), ("core_a", core_a_units), ("core_b", core_b_units), ("heaps", heaps)];
 
 /// The operators that the cores rest on.
-const STANDARD_OPERATORS: [&str; 12] = [
+const STANDARD_OPERATORS: [&str; 13] = [
     "f32_add",
     "f32_ftz_mul",
     "f32_mul",
     "f24_mul",
+    "f24_ftz_mul",
     "f32_fma",
     "f32_ftz_fma",
     "f32_div",
