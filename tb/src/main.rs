@@ -36,8 +36,8 @@ enum Command {
     /// Search the nearest neighbors of points on the generated hardware and report on it.
     ///
     /// Hardware and model search together, every output compared in every cycle, which takes its time: only the first 2000 queries are
-    /// asked unless --limit says otherwise. Without --config the hardware is derived: the tree as deep as the points need, the queues
-    /// as long as k. Neighbors go to out/knn/neighbors.csv, the report beside them.
+    /// asked unless --limit says otherwise. Without --config the hardware is derived: four points a cycle, the tree as deep as the points
+    /// need, the queues as long as k. Neighbors go to out/knn/neighbors.csv, the report beside them.
     Knn(Box<knn::Arguments>),
     /// Describe a model file: points, normals, spacing.
     Inspect(inspect::Arguments),

@@ -4,6 +4,8 @@ use super::Splitting;
 use super::kdtree::depth_for;
 use pointcore_spec::core_b::Config;
 
+/// Points a cycle: with fewer, distances bound a search for ten neighbors; with more, nodes do.
+const LANES: u32 = 4;
 /// Levels that a tree of mid-points may be deeper than a full one: its leaves are not evenly filled.
 const MIDPOINT_SPARE_LEVELS: u32 = 1;
 /// The largest `neighbors`.
@@ -11,12 +13,13 @@ const NEIGHBORS_LIMIT: u32 = 64;
 /// The largest `tree_depth`.
 const DEPTH_LIMIT: u32 = 20;
 
-/// The default configuration with queues for `k` neighbors and a tree for so many points.
+/// The default configuration with four lanes, queues for `k` neighbors and a tree for so many points.
 #[must_use]
 pub fn config_for(points: usize, k: u32, splitting: Splitting) -> Config {
     let default = Config::default();
     let spare = if splitting == Splitting::Midpoint { MIDPOINT_SPARE_LEVELS } else { 0 };
     Config {
+        lanes: LANES,
         neighbors: k.clamp(default.neighbors, NEIGHBORS_LIMIT),
         tree_depth: (depth_for(points, default.bucket) + spare).min(DEPTH_LIMIT),
         ..default
