@@ -7,6 +7,9 @@ use serde::{Deserialize, Serialize};
 /// Bits of a split dimension: x, y, z.
 pub const DIMENSION_BITS: u32 = 2;
 
+/// Searches beyond the threads: one whose neighbors are being copied, one that waits to start, two that are being compared.
+const SPARE_TICKETS: u32 = 4;
+
 /// The parameters of one core B. Missing keys take the default, unknown keys are errors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -166,10 +169,11 @@ impl Config {
         index_bits(self.neighbor_cache)
     }
 
-    /// Searches that the neighbor cache may have under way: a few more than there are threads, so that none waits for a copy.
+    /// Searches that the neighbor cache may have under way: a few more than there are threads, so that no thread waits for a
+    /// comparison or a copy.
     #[must_use]
     pub const fn tickets(&self) -> u32 {
-        (self.threads + 2).next_power_of_two()
+        self.threads + SPARE_TICKETS
     }
 }
 

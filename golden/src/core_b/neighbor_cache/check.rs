@@ -93,15 +93,22 @@ impl Check {
         })
     }
 
-    /// One clock edge; `leaves` is the verdict on the item that leaves in this cycle.
+    /// Queries that are being compared.
+    pub(super) fn compared(&self) -> usize {
+        self.asked.len()
+    }
+
+    /// One clock edge; `leaves` is the verdict on the item that leaves in this cycle, `admits` whether one more query may be
+    /// compared.
     pub(super) fn clock(
         &mut self,
         input: Option<CachedQuery>,
         leaves: Option<Verdict>,
+        admits: bool,
         entries: &Entries,
         setup: &CacheSetup,
     ) {
-        let has_room = self.next != 0 || self.asked.len() < CHECKS;
+        let has_room = self.next != 0 || (self.asked.len() < CHECKS && admits);
         let enters = self.datapath.in_ready();
         let advances = self.issued.is_none() || enters;
         let judged = self.issued.filter(|_| enters).map(|Issued { item, query, reference }| Judged {

@@ -139,7 +139,8 @@ impl Model for NeighborCache {
         let step = self.copy.step(&self.entries, hit, self.deliver.in_ready());
         let answer = answer(verdict, &step);
 
-        self.check.clock(inputs.query, verdict, &self.entries, &self.setup);
+        let admits = self.tickets.admit(self.check.compared());
+        self.check.clock(inputs.query, verdict, admits, &self.entries, &self.setup);
         let released = self.deliver.clock(answer, &self.entries, &self.neighborhoods, inputs.result_ready);
         let started = match step {
             Step::Start { ticket, .. } => Some(self.tickets.query(ticket)),

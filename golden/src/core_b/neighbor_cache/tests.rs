@@ -192,14 +192,19 @@ fn neighborhoods_of_other_settings_are_forgotten() {
 }
 
 #[test]
-fn eight_queries_are_checked_at_a_time() {
-    let mut cache = NeighborCache::new(&config(1), CacheLatencies { check: 20, cover: 1 });
-    let mut accepted = 0;
-    for number in 0..100 {
-        accepted += u32::from(cache.outputs().query_ready);
-        cache.clock(&In { query: Some(query(number, 13.0, 2.0, 1.0)), ..In::default() });
-    }
-    assert_eq!(accepted, 2 + 8 + 2, "two wait for the search, eight are checked and two wait for that");
+fn queries_are_not_compared_long_before_they_are_searched_for() {
+    let accepted = |threads| {
+        let config = Config { threads, ..config(1) };
+        let mut cache = NeighborCache::new(&config, CacheLatencies { check: 20, cover: 1 });
+        let mut accepted = 0;
+        for number in 0..100 {
+            accepted += u32::from(cache.outputs().query_ready);
+            cache.clock(&In { query: Some(query(number, 13.0, 2.0, 1.0)), ..In::default() });
+        }
+        accepted
+    };
+    assert_eq!(accepted(32), 2 + 8 + 2, "two wait for the search, eight are compared and two wait for that");
+    assert_eq!(accepted(3), 2 + 5 + 2, "no more are compared than will find a ticket");
 }
 
 /// Entries are replaced while others, and their own former neighborhoods, are checked and delivered.

@@ -22,6 +22,11 @@ impl Tickets {
         self.0.iter().position(|ticket| !ticket.taken).map(|ticket| ticket as u32)
     }
 
+    /// Whether one more query may be compared while so many are.
+    pub(super) fn admit(&self, compared: usize) -> bool {
+        compared + self.0.iter().filter(|ticket| ticket.taken).count() < self.0.len()
+    }
+
     pub(super) fn query(&self, ticket: u32) -> Query {
         self.0[ticket as usize].query
     }

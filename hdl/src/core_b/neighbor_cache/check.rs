@@ -8,7 +8,7 @@ use super::deliver::Answer;
 use super::lru::{Chosen, Entries, VERSION_BITS};
 use super::tickets::Tickets;
 use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
-use crate::rtl::{Expr, Module, Stream, lit};
+use crate::rtl::{Expr, Module, Reg, Stream, lit};
 use crate::units::datapath::{Inputs, dot, uniform};
 use crate::units::records::{Record, event_out, queue_in, queue_out, width};
 
@@ -50,6 +50,7 @@ struct Asked {
     room: Expr,
     head: Record,
     held: Expr,
+    count: Reg,
 }
 
 impl Asked {
@@ -65,7 +66,7 @@ impl Asked {
         m.next_if(&write_address, push, &write_address.add_lit(1));
         m.next_if(&read_address, pop, &read_address.add_lit(1));
         m.next(&count, &(&count + push.zext(count.width()) - pop.zext(count.width())));
-        Self { room: !count.eq_lit(CHECKS as u128), head: Record::unpack(&fields, &head), held: count.any() }
+        Self { room: !count.eq_lit(CHECKS as u128), head: Record::unpack(&fields, &head), held: count.any(), count }
     }
 }
 
@@ -118,7 +119,8 @@ impl Comparisons {
 
         let i1_valid = m.reg_reset("i1_valid", 1, 0);
         let advance = m.wire("i_advance", &(!&i1_valid | accepts));
-        m.drive(&issues, &((&query.valid & &advance) & (!&first | &asked.room)));
+        let admits = m.wire("admits", &(&asked.room & from.tickets.admit(&asked.count)));
+        m.drive(&issues, &((&query.valid & &advance) & (!&first | admits)));
         m.ready(&query, &(&issues & &last));
         m.next_if(&entry, &issues, &last.mux(&lit(entry.width(), 0), &entry.add_lit(1)));
         m.next_if(&i1_valid, &advance, &issues);

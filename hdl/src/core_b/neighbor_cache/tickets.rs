@@ -1,9 +1,10 @@
 //! The searches under way: a search bears a ticket in place of its query's number, under which the query is kept.
 
+use pointcore_spec::core_a::config::index_bits;
 use pointcore_spec::core_b::{Config, records};
 
 use crate::core_b::sets::{decode, index_of, lowest};
-use crate::rtl::{Expr, Memory, Module, Reg};
+use crate::rtl::{Expr, Memory, Module, Reg, address_width};
 use crate::units::records::{Record, width};
 
 /// The tickets and the queries they stand for.
@@ -11,6 +12,7 @@ pub(super) struct Tickets {
     taken: Reg,
     queries: Memory,
     bits: usize,
+    taken_count: Reg,
     /// Some ticket is free.
     pub any_free: Expr,
     /// The lowest free one.
@@ -21,11 +23,18 @@ impl Tickets {
     /// All free after reset.
     pub fn new(m: &mut Module, config: &Config) -> Self {
         let count = config.tickets() as usize;
-        let bits = count.ilog2() as usize;
+        let bits = address_width(count);
         let taken = m.reg_reset("taken", count, 0);
-        let queries = m.memory("tickets", count, width(&records::query(config)));
+        let queries = m.memory("tickets", 1 << bits, width(&records::query(config)));
         let free = m.wire("free_ticket", &index_of(&lowest(&!&taken), bits));
-        Self { any_free: !taken.all(), taken, queries, bits, free }
+        let taken_count = m.reg_reset("taken_count", index_bits(config.tickets() + 1) as usize, 0);
+        Self { any_free: !taken.all(), taken, queries, bits, taken_count, free }
+    }
+
+    /// One more query may be compared while `compared` are, so that none waits for a ticket afterwards.
+    pub fn admit(&self, compared: &Expr) -> Expr {
+        let bits = self.taken_count.width().max(compared.width()) + 1;
+        (compared.zext(bits) + self.taken_count.zext(bits)).lt_lit(self.taken.width() as u128)
     }
 
     /// The query of the ticket that a result bears; read where `enable` is set.
@@ -40,6 +49,8 @@ impl Tickets {
         let count = self.taken.width();
         let taken = decode(takes, &self.free, count);
         let returned = decode(returns, &number.trunc(self.bits), count);
+        let [more, less] = [takes, returns].map(|change| change.zext(self.taken_count.width()));
+        m.next(&self.taken_count, &(&self.taken_count + more - less));
         m.next(&self.taken, &((&self.taken | taken) & !returned));
     }
 }
