@@ -43,8 +43,8 @@ pub struct Counters {
     pub beat_wait: u64,
     /// Cycles in which a query was on offer and not taken.
     pub query_wait: u64,
-    /// Neighbors found.
-    pub neighbors: u64,
+    /// Neighbors that came out; with a neighbor cache, more than were wanted.
+    pub results: u64,
 }
 
 impl Counters {
@@ -225,7 +225,7 @@ impl<'a> Host<'a> {
         }
         let result = outputs.result.filter(|_| self.inputs.result_ready);
         if let Some(result) = result {
-            self.counters.neighbors += u64::from(result.result.found);
+            self.counters.results += u64::from(result.result.found);
             self.answers.collect(result);
         }
         let mut outputs = *outputs;

@@ -158,7 +158,7 @@ impl Report {
                 "beats in the priority queues",
                 (counters.event("event_beat") + counters.event("event_insert_wait")) as f64,
             ),
-            ("results", counters.neighbors as f64),
+            ("results", counters.results as f64),
             ("memory bus", counters.bytes as f64 / bytes_per_cycle),
         ]
         .map(|(name, count)| Bound { name, cycles_per_query: each(count) })
@@ -180,7 +180,7 @@ impl Report {
             k: run.k,
             radius: run.radius,
             queries,
-            neighbors: counters.neighbors,
+            neighbors: run.outcome.neighbors.iter().map(|neighbors| neighbors.len() as u64).sum(),
             mismatches: run.mismatches,
             checked: run.checked,
             reuse: (run.config.neighbor_cache > 0).then_some(run.reuse),
