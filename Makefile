@@ -8,7 +8,7 @@ POINTS ?= surface:100000
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
-	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench;'
+	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench, MODELS=FILES more for bench;'
 	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more of its arguments.'
 
 setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
@@ -52,7 +52,7 @@ check: ## Formatting, clippy and documentation without warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
 
 bench: setup ## Measure and merge the figures into out/bench.json
-	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN)))
+	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN))) $(if $(MODELS),--models $(abspath $(MODELS)))
 
 synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5 and merge them into out/bench.json
 	cargo run --release --bin pointcore -- area --merge out/bench.json $(UNIT) $(ARGS)

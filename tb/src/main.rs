@@ -82,7 +82,8 @@ impl Failure {
             | Self::Search(_)
             | Self::Synthesis(SynthesisError::TooLarge { .. })
             | Self::Write { .. }
-            | Self::Picture(_) => 2,
+            | Self::Picture(_)
+            | Self::Plot(_) => 2,
             Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
         })
     }

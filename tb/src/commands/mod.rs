@@ -16,6 +16,7 @@ use pointcore::float_check::FloatCheckError;
 use pointcore::lockstep::LockstepError;
 use pointcore::picture::PictureError;
 use pointcore::plan::{Plan, PlanError};
+use pointcore::plot::PlotError;
 use pointcore::scene::{Scene, SceneError};
 use pointcore::synthesis::SynthesisError;
 use pointcore::verilated::VerilatedError;
@@ -99,6 +100,9 @@ pub enum Failure {
     /// A picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// A chart that cannot be written.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
 }
 
 /// Loads a scene and derives its hardware.

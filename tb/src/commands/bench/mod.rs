@@ -1,5 +1,6 @@
 //! `pointcore bench`: the project's figures, merged into one flat JSON object.
 
+mod knn;
 mod splat;
 
 use super::{Failure, Figures, Output, merge};
@@ -15,12 +16,30 @@ const OPERATOR_SEED: u64 = 1;
 /// Arguments of `bench`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The scan for scenes/igea.toml; without it that scene is measured only if its own path exists.
+    /// The scan for scenes/igea.toml and for neighbor search; without it that scene is measured only if its own path exists, and
+    /// neighbors are searched on a procedural surface.
     #[arg(long, value_name = "FILE")]
     scan: Option<PathBuf>,
+    /// More models in which neighbors are compared with brute force.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    models: Vec<PathBuf>,
+    /// What to measure; by default everything.
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "knn", "operators"])]
+    only: Vec<Part>,
     /// The file to merge the figures into.
     #[arg(short, long, default_value = "out/bench.json")]
     output: PathBuf,
+}
+
+/// A part of the benchmark.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Part {
+    /// Core A: frames and simulation speed.
+    Splat,
+    /// Core B: neighbor search; its charts and tables go to a folder `knn` beside the output.
+    Knn,
+    /// Floating-point operators.
+    Operators,
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -44,8 +63,18 @@ fn operator_figures(figures: &mut Figures) -> Result<(), Failure> {
 /// Measures everything.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let mut figures = Figures::new();
-    splat::figures(arguments.scan.as_deref(), &mut figures)?;
-    operator_figures(&mut figures)?;
+    let scan = arguments.scan.as_deref();
+    let measures = |part| arguments.only.contains(&part);
+    if measures(Part::Splat) {
+        splat::figures(scan, &mut figures)?;
+    }
+    if measures(Part::Knn) {
+        let folder = arguments.output.with_file_name("knn");
+        knn::figures(scan, &arguments.models, &folder, &mut figures)?;
+    }
+    if measures(Part::Operators) {
+        operator_figures(&mut figures)?;
+    }
 
     let merged = merge(&arguments.output, figures)?;
     let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
