@@ -40,6 +40,7 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         (&["--queries", "nan.obj"], ["nan.obj", "vertex 1"]),
         (&["--config", "gone.toml"], ["gone.toml", "cannot be read"]),
         (&["--config", "a.toml"], ["a.toml", "core = \"b\""]),
+        (&["--config", "config.toml", "--k", "5", "--epsilon", "0.1"], ["config.toml", "`neighbor_cache`"]),
         (&["--config", "odd.toml"], ["odd.toml: `lanes` = 3", "1, 2, 4 or 8"]),
         (&["--config", "unknown.toml"], ["unknown.toml", "line 4"]),
         (&["--config", "flat.toml"], ["100 points", "raise `tree_depth` to 4"]),
@@ -63,17 +64,19 @@ fn the_model_finds_neighbors_and_leaves_them_with_a_report() {
     workplace.write("line.obj", &line);
     workplace.write("queries.obj", "v 7.25 0 0\nv 100 0 0\n");
     let search = ["knn", "--points", "line.obj", "--model", "golden", "--k", "2", "--json"];
-    let within = [&search[..], &["--queries", "queries.obj", "--radius", "1.5"]].concat();
+    let within = [&search[..], &["--csv", "--queries", "queries.obj", "--radius", "1.5"]].concat();
     let report = json(&workplace.succeeds(&within));
     assert_eq!((&report["queries"], &report["neighbors"]), (&Value::from(2), &Value::from(2)));
     let neighbors = fs::read_to_string(workplace.path().join("out/knn/neighbors.csv")).expect("neighbors are written");
     assert_eq!(neighbors, "query,rank,point,distance2\n0,0,7,6.25e-2\n0,1,8,5.625e-1\n");
+    let queries = fs::read_to_string(workplace.path().join("out/knn/queries.csv")).expect("queries are written");
+    assert_eq!(queries, "query,x,y,z\n0,7.25e0,0e0,0e0\n1,1e2,0e0,0e0\n");
     for file in ["report.md", "report.json", "verilog/core_b_top.v", "verilog/config.toml"] {
         assert!(workplace.path().join("out/knn").join(file).is_file(), "{file} is missing");
     }
 
     for order in ["random", "file", "morton", "grid:3x2"] {
-        let arguments = ["--order", order, "--check", "--limit", "30", "--neighbors", "json", "-o", "other"];
+        let arguments = ["--order", order, "--check", "--limit", "30", "-o", "other"];
         let report = json(&workplace.succeeds(&[&search[..], &arguments].concat()));
         assert_eq!(
             (&report["checked"]["exact"], &report["neighbors"]),

@@ -3,7 +3,7 @@
 use pointcore::core_b::samples::{point_sets, queries_near};
 use pointcore::core_b::{
     Engine, Error, MemorySettings, Order, Outcome, PointSet, Query, Reuse, Session, Source, Splitting, Tree, encode,
-    interleave, kdtree::depth_for,
+    kdtree::depth_for,
 };
 use pointcore::lockstep::{Stall, seed};
 use pointcore_golden::reference::neighbors::nearest;
@@ -132,12 +132,14 @@ fn what_has_no_answer_is_refused() {
     assert!(matches!(refused.err(), Some(Error::OtherTree)));
 }
 
-/// Queries spread around points, for 6 neighbors or within a radius, each asked again before long.
+/// Runs of queries that take turns.
+const RUNS: usize = 7;
+
+/// Queries spread around points, for 6 neighbors or within a radius, each asked again next in its run.
 fn coherent(points: &PointSet, radius: Option<f32>) -> Vec<Query> {
     let places = Order::Grid { columns: 8, rows: 8 }.places(points, Some(300), 1);
     let query = |point| Query { point, k: 6, radius };
-    let twice: Vec<_> = places.into_iter().flat_map(|point| [query(point); 2]).collect();
-    interleave(&twice, 7)
+    places.into_iter().flat_map(|point| [query(point); 2]).collect()
 }
 
 #[test]
@@ -154,8 +156,9 @@ fn caches_leave_answers_exact() {
         let points = PointSet::load(config.geometry, &Source::Surface(1000)).expect("the surface is finite");
         for radius in [None, Some(0.2)] {
             let queries = coherent(&points, radius);
-            let session =
-                open(&config, &points, Splitting::Median, memory, Engine::Golden).randomized(Stall::Random(0.1), 2);
+            let session = open(&config, &points, Splitting::Median, memory, Engine::Golden)
+                .randomized(Stall::Random(0.1), 2)
+                .interleaved(RUNS);
             let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
             assert!(check("surface", &config, &points, &queries, &outcome) > 1000);
             for (size, hit) in [(config.tree_cache, "event_tree_hit"), (config.neighbor_cache, "event_cache_hit")] {
@@ -183,7 +186,8 @@ fn hardware_with_every_cache_answers_as_its_model() {
     for radius in [None, Some(0.3)] {
         let queries = coherent(&points, radius);
         let search = |engine| {
-            let session = open(&config, &points, Splitting::Packed, MemorySettings::default(), engine);
+            let session =
+                open(&config, &points, Splitting::Packed, MemorySettings::default(), engine).interleaved(RUNS);
             session.search(&queries).unwrap_or_else(|error| panic!("{error}"))
         };
         let [golden, lockstep] = [Engine::Golden, Engine::Lockstep].map(search);
@@ -201,6 +205,7 @@ fn approximate_neighbors_keep_their_tolerance() {
     let hits = |epsilon| {
         let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
         let session = session.reusing(Reuse { epsilon, ..Reuse::default() }).expect("the tolerance is valid");
+        let session = session.interleaved(RUNS);
         let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
         let checked = pointcore::core_b::check(&points, &queries, &outcome.neighbors, epsilon);
         let checked = checked.unwrap_or_else(|difference| panic!("{difference}"));

@@ -5,7 +5,7 @@ use super::progress::{with_progress, with_spinner};
 use super::{Failure, Output, generate, write};
 use pointcore::core_b::{
     Engine, Error as SearchError, Measured, MemorySettings, Order, Outcome, PointSet, Query, Report, Reuse, Session,
-    Source, Splitting, Tree, check, config_for, interleave,
+    Source, Splitting, Tree, check, config_for,
 };
 use pointcore::lockstep::Stall;
 use pointcore_spec::core_b::Config;
@@ -13,6 +13,8 @@ use serde_json::json;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+/// Neighborhoods of the thesis' neighbor cache.
+const CACHE_ENTRIES: u32 = 8;
 /// Requests among which an out-of-order memory chooses.
 const REORDER_WINDOW: usize = 8;
 
@@ -23,15 +25,6 @@ pub enum Model {
     Rtl,
     /// The bit-exact, cycle-accurate golden model alone.
     Golden,
-}
-
-/// How neighbors are written.
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Neighbors {
-    /// neighbors.csv: query, rank, point, distance2.
-    Csv,
-    /// neighbors.json: for each query a list of points and squared distances.
-    Json,
 }
 
 /// How many queries are asked.
@@ -81,15 +74,15 @@ pub struct Arguments {
     /// The hardware's configuration, such as configs/knn.toml.
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Neighborhoods that a coherent neighbor cache holds, up to 32; 0 leaves it out.
-    #[arg(long, value_name = "COUNT", default_value_t = 0, conflicts_with = "config")]
-    cache: u32,
-    /// With a neighbor cache: how much farther than the true ones neighbors may be, as a share.
-    #[arg(long, value_name = "SHARE", default_value_t = Reuse::default().epsilon)]
-    epsilon: f32,
-    /// With a neighbor cache: the factor by which balls are searched larger.
-    #[arg(long, value_name = "FACTOR", default_value_t = Reuse::default().alpha)]
-    alpha: f32,
+    /// Neighborhoods that a coherent neighbor cache holds, up to 32; 0 leaves it out. By default 8 with --epsilon or --alpha, else 0.
+    #[arg(long, value_name = "COUNT", conflicts_with = "config")]
+    cache: Option<u32>,
+    /// How much farther than the true ones neighbors from the neighbor cache may be, as a share; by default not at all.
+    #[arg(long, value_name = "SHARE")]
+    epsilon: Option<f32>,
+    /// The factor by which balls are searched larger for the neighbor cache; by default 1.25.
+    #[arg(long, value_name = "FACTOR")]
+    alpha: Option<f32>,
     /// What answers the queries.
     #[arg(long, value_enum, default_value = "rtl")]
     model: Model,
@@ -120,9 +113,9 @@ pub struct Arguments {
     /// The clock for which queries per second are stated.
     #[arg(long, value_name = "MHZ", default_value_t = 100.0)]
     clock_mhz: f64,
-    /// How neighbors are written.
-    #[arg(long, value_enum, default_value = "csv")]
-    neighbors: Neighbors,
+    /// Write neighbors.csv (query, rank, point, distance2), as without --json, which writes neighbors.json instead.
+    #[arg(long)]
+    csv: bool,
     /// The folder for the results.
     #[arg(short, long, value_name = "DIR", default_value = "out/knn")]
     output: PathBuf,
@@ -166,8 +159,15 @@ impl Arguments {
         }
     }
 
-    const fn reuse(&self) -> Reuse {
-        Reuse { epsilon: self.epsilon, alpha: self.alpha }
+    fn reuse(&self) -> Reuse {
+        let Reuse { epsilon, alpha } = Reuse::default();
+        Reuse { epsilon: self.epsilon.unwrap_or(epsilon), alpha: self.alpha.unwrap_or(alpha) }
+    }
+
+    /// Neighborhoods in the neighbor cache, where no configuration says.
+    fn cache(&self) -> u32 {
+        let wanted = self.epsilon.is_some() || self.alpha.is_some();
+        self.cache.unwrap_or(if wanted { CACHE_ENTRIES } else { 0 })
     }
 
     const fn engine(&self) -> (Engine, &'static str, Option<u64>) {
@@ -183,14 +183,19 @@ impl Arguments {
     fn hardware(&self) -> Result<(Config, PointSet), Failure> {
         if let Some(path) = &self.config {
             let config = configuration::parse_core_b(path, &configuration::read_text(path)?)?;
+            if config.neighbor_cache == 0 && (self.epsilon.is_some() || self.alpha.is_some()) {
+                let message = "--epsilon and --alpha go with a neighbor cache: set `neighbor_cache` in";
+                return Err(Failure::Usage(format!("{message} {}", path.display())));
+            }
             let points = PointSet::load(config.geometry, &self.points)?;
             return Ok((config, points));
         }
         let points = PointSet::load(Config::default().geometry, &self.points)?;
         // The neighbor cache needs one neighbor more to tell how far a neighborhood reaches.
-        let searched = if self.cache > 0 && self.radius.is_none() { self.k + 1 } else { self.k };
+        let cache = self.cache();
+        let searched = if cache > 0 && self.radius.is_none() { self.k + 1 } else { self.k };
         let config = config_for(points.points().len(), searched, self.tree);
-        let config = Config { neighbor_cache: self.cache, ..config };
+        let config = Config { neighbor_cache: cache, ..config };
         config.validate().map_err(SearchError::from)?;
         Ok((config, points))
     }
@@ -210,27 +215,28 @@ impl Arguments {
         let queries: Vec<Query> = places.iter().map(query).collect();
         let limited = limit.filter(|limit| *limit == queries.len());
         let limited = limited.map_or(String::new(), |limit| format!(" (--limit {limit})"));
-        Ok((interleave(&queries, self.interleave), source + &limited))
+        Ok((queries, source + &limited))
     }
 }
 
-/// Writes neighbors as they were asked for.
-fn write_neighbors(outcome: &Outcome, format: Neighbors, folder: &Path) -> Result<(), Failure> {
-    match format {
-        Neighbors::Csv => {
-            let mut text = "query,rank,point,distance2\n".to_owned();
-            for (query, neighbors) in outcome.neighbors.iter().enumerate() {
-                for (rank, neighbor) in neighbors.iter().enumerate() {
-                    _ = writeln!(text, "{query},{rank},{},{:e}", neighbor.point, neighbor.distance2);
-                }
-            }
-            write(&folder.join("neighbors.csv"), &text)
-        }
-        Neighbors::Json => {
-            let text = serde_json::to_string(&outcome.neighbors).expect("neighbors are lists");
-            write(&folder.join("neighbors.json"), &text)
+/// Writes the queries, and the neighbors of each.
+fn write_neighbors(queries: &[Query], outcome: &Outcome, output: Output, folder: &Path) -> Result<(), Failure> {
+    let mut places = "query,x,y,z\n".to_owned();
+    for (query, Query { point: [x, y, z], .. }) in queries.iter().enumerate() {
+        _ = writeln!(places, "{query},{x:e},{y:e},{z:e}");
+    }
+    write(&folder.join("queries.csv"), &places)?;
+    if output == Output::Json {
+        let text = serde_json::to_string(&outcome.neighbors).expect("neighbors are lists");
+        return write(&folder.join("neighbors.json"), &text);
+    }
+    let mut text = "query,rank,point,distance2\n".to_owned();
+    for (query, neighbors) in outcome.neighbors.iter().enumerate() {
+        for (rank, neighbor) in neighbors.iter().enumerate() {
+            _ = writeln!(text, "{query},{rank},{},{:e}", neighbor.point, neighbor.distance2);
         }
     }
+    write(&folder.join("neighbors.csv"), &text)
 }
 
 /// Searches neighbors.
@@ -250,14 +256,18 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let session = with_spinner("generating, verilating and compiling (cached for the next time)", || {
         Session::open(config.clone(), tree, arguments.memory(), engine)
     })?;
-    let session = session.randomized(stall, arguments.seed).reproduced_by(command).reusing(arguments.reuse())?;
+    let session = session
+        .randomized(stall, arguments.seed)
+        .reproduced_by(command)
+        .reusing(arguments.reuse())?
+        .interleaved(arguments.interleave);
     generate::write_core_b(session.core(), &config, &folder.join("verilog"))?;
 
     let outcome = with_progress(engine_name, |progress| session.search_with(&queries, progress))?;
-    write_neighbors(&outcome, arguments.neighbors, folder)?;
+    let file_format = if arguments.csv { Output::Text } else { output };
+    write_neighbors(&queries, &outcome, file_format, folder)?;
     let checked = if arguments.check {
-        let epsilon = if config.neighbor_cache > 0 { arguments.epsilon } else { 0.0 };
-        let checking = || check(&points, &queries, &outcome.neighbors, epsilon);
+        let checking = || check(&points, &queries, &outcome.neighbors, arguments.reuse().epsilon);
         Some(with_spinner("searching through all points", checking).map_err(Failure::Neighbors)?)
     } else {
         None

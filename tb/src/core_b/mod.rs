@@ -25,7 +25,7 @@ pub use generate::Core;
 pub use host::Counters;
 pub use kdtree::{Splitting, Tree};
 pub use memory::{Extent, Memory, MemorySettings};
-pub use order::{Order, interleave};
+pub use order::Order;
 pub use points::{PointSet, Source, decode, encode};
 pub use query::{Neighbor, Query};
 pub use report::{Bound, HitRate, Measured, Report};

@@ -1,6 +1,6 @@
 //! Which points are asked for, and in which order: coherence decides how well caches do.
 
-use super::{PointSet, Query};
+use super::PointSet;
 use crate::scene::{neighbors, normals};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -84,13 +84,11 @@ impl Order {
     }
 }
 
-/// Cuts queries into `runs` of equal length and asks them in turn, so that neighbors in a run are not under way at the same time
-/// (thesis 6.6.3).
-#[must_use]
-pub fn interleave(queries: &[Query], runs: usize) -> Vec<Query> {
-    let length = queries.len().div_ceil(runs.max(1)).max(1);
-    let runs: Vec<_> = queries.chunks(length).collect();
-    (0..length).flat_map(|place| runs.iter().filter_map(move |run| run.get(place).copied())).collect()
+/// The order in which `count` queries are asked when cut into `runs` of equal length that take turns, so that neighbors in a run are
+/// not under way at the same time (thesis 6.6.3).
+pub(super) fn interleaved(count: usize, runs: usize) -> Vec<usize> {
+    let length = count.div_ceil(runs.max(1)).max(1);
+    (0..length).flat_map(|place| (place..count).step_by(length)).collect()
 }
 
 fn bounds(points: &[[f32; 3]]) -> [DVec3; 2] {
@@ -211,12 +209,9 @@ mod tests {
 
     #[test]
     fn interleaved_runs_take_turns() {
-        let queries: Vec<_> =
-            (0..7_u8).map(|x| Query { point: [f32::from(x), 0.0, 0.0], k: 1, radius: None }).collect();
-        let order = |runs| interleave(&queries, runs).iter().map(|query| query.point[0]).collect::<Vec<_>>();
-        assert_eq!(order(1), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
-        assert_eq!(order(3), [0.0, 3.0, 6.0, 1.0, 4.0, 2.0, 5.0]);
-        assert_eq!(order(100).len(), 7);
-        assert!(interleave(&[], 4).is_empty());
+        assert_eq!(interleaved(7, 3), [0, 3, 6, 1, 4, 2, 5]);
+        assert_eq!(interleaved(4, 1), [0, 1, 2, 3]);
+        assert_eq!(interleaved(3, 9), [0, 1, 2]);
+        assert!(interleaved(0, 4).is_empty());
     }
 }

@@ -3,6 +3,7 @@
 use super::generate::Core;
 use super::host::Work;
 use super::memory::MemorySettings;
+use super::order::interleaved;
 use super::query::{Query, check_alike};
 use super::reuse::{Kind, Reuse};
 use super::run::{Outcome, Runner, verilate};
@@ -53,6 +54,8 @@ pub struct Session {
     library: Option<Arc<Library>>,
     engine: Engine,
     reuse: Reuse,
+    /// Runs of queries that take turns.
+    runs: usize,
     stall: Stall,
     seed: u64,
     reproduce: String,
@@ -70,8 +73,8 @@ impl Session {
         tree.check(&config)?;
         let core = Core::generate(&config)?;
         let library = if engine == Engine::Golden { None } else { Some(verilate(&core, Trace::Off)?) };
-        let (reuse, stall, seed, reproduce) = (Reuse::default(), Stall::Never, 1, String::new());
-        Ok(Self { config, tree, memory, core, library, engine, reuse, stall, seed, reproduce })
+        let (reuse, runs, stall, seed, reproduce) = (Reuse::default(), 1, Stall::Never, 1, String::new());
+        Ok(Self { config, tree, memory, core, library, engine, reuse, runs, stall, seed, reproduce })
     }
 
     /// Holds streams back at random, chooses among answers of the memory and the hardware's uninitialized values.
@@ -89,6 +92,14 @@ impl Session {
         reuse.validate()?;
         self.reuse = reuse;
         Ok(self)
+    }
+
+    /// Cuts the queries of a search into so many runs of equal length that take turns, so that near ones are not under way together
+    /// (thesis 6.6.3); the answers stay in the order of the queries.
+    #[must_use]
+    pub fn interleaved(mut self, runs: usize) -> Self {
+        self.runs = runs;
+        self
     }
 
     /// The command to print when hardware and model differ.
@@ -127,6 +138,8 @@ impl Session {
         let kind = queries.first().map_or(Kind::Nearest, Query::kind);
         let encode = |(index, query): (usize, &Query)| query.encode(&self.config, self.reuse, index);
         let queries = queries.par_iter().enumerate().map(encode).collect::<Result<Vec<_>, Error>>()?;
+        let order = interleaved(queries.len(), self.runs);
+        let queries: Vec<_> = order.iter().map(|query| queries[*query]).collect();
         let work = Work {
             config: &self.config,
             tree: &self.tree,
@@ -136,10 +149,14 @@ impl Session {
             memory: self.memory,
         };
         let runner = Runner { work, stall: self.stall, seed: self.seed, progress, reproduce: &self.reproduce };
-        match (self.engine, &self.library) {
+        let mut outcome = match (self.engine, &self.library) {
             (Engine::Hardware, Some(library)) => runner.hardware(library, None),
             (Engine::Lockstep, Some(library)) => runner.lockstep(&self.core, library),
             _ => runner.golden(&self.core),
-        }
+        }?;
+        let mut neighbors = vec![Vec::new(); order.len()];
+        order.into_iter().zip(outcome.neighbors).for_each(|(query, found)| neighbors[query] = found);
+        outcome.neighbors = neighbors;
+        Ok(outcome)
     }
 }

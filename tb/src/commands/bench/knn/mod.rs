@@ -87,11 +87,13 @@ struct Setting<'a> {
     splitting: Splitting,
     engine: Engine,
     reuse: Reuse,
+    /// Runs of queries that take turns.
+    runs: usize,
 }
 
 impl<'a> Setting<'a> {
     const fn new(config: &'a Config, splitting: Splitting, engine: Engine) -> Self {
-        Self { config, splitting, engine, reuse: Reuse { epsilon: 0.0, alpha: 1.0 } }
+        Self { config, splitting, engine, reuse: Reuse { epsilon: 0.0, alpha: 1.0 }, runs: 1 }
     }
 
     /// On the golden model, which lockstep has shown equal.
@@ -102,11 +104,11 @@ impl<'a> Setting<'a> {
 
 /// Searches among a cloud's points.
 fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run, Failure> {
-    let Setting { config, splitting, engine, reuse } = setting;
+    let Setting { config, splitting, engine, reuse, runs } = setting;
     let tree = Tree::build(config, &cloud.points, splitting)?;
     let (statistics, beat_bytes) = (tree.statistics(), tree.beat_bytes());
     let memory = MemorySettings { latency_cycles: LATENCY_CYCLES, ..MemorySettings::default() };
-    let session = Session::open(config.clone(), tree, memory, engine)?.reusing(reuse)?;
+    let session = Session::open(config.clone(), tree, memory, engine)?.reusing(reuse)?.interleaved(runs);
     let outcome = session.search(queries)?;
     let report = Report::new(&Measured {
         points: &cloud.source.to_string(),

@@ -3,7 +3,7 @@
 use super::page::{Line, Page};
 use super::{Cloud, FOUR_LANES, Figures, Setting, search};
 use crate::commands::Failure;
-use pointcore::core_b::{Neighbor, Order, Query, Reuse, check, interleave};
+use pointcore::core_b::{Neighbor, Order, Query, Reuse, check};
 use pointcore_spec::core_b::Config;
 
 /// Neighbors of a query, and in a ball around a point.
@@ -49,11 +49,9 @@ fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result
     let searched = queries.first().map_or(0, |query| query.k + u32::from(query.radius.is_none()));
     let config = FOUR_LANES.config(cloud.points.points().len(), searched);
     let config = Config { neighbor_cache: entries as u32, threads: THREADS, ..config };
-    let queries = interleave(queries, entries);
-    let setting = Setting { reuse, ..Setting::golden(&config, FOUR_LANES.splitting) };
-    let found = search(cloud, setting, &queries)?;
-    let checked =
-        check(&cloud.points, &queries, &found.outcome.neighbors, reuse.epsilon).map_err(Failure::Neighbors)?;
+    let setting = Setting { reuse, runs: entries, ..Setting::golden(&config, FOUR_LANES.splitting) };
+    let found = search(cloud, setting, queries)?;
+    let checked = check(&cloud.points, queries, &found.outcome.neighbors, reuse.epsilon).map_err(Failure::Neighbors)?;
     let hits = found.outcome.counters.event("event_cache_hit");
     Ok(Saved {
         saved: hits as f64 / queries.len() as f64,
