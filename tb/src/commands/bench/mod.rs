@@ -36,7 +36,7 @@ pub struct Arguments {
 enum Part {
     /// Core A: frames and simulation speed.
     Splat,
-    /// Core B: neighbor search; its charts and tables go to a folder `knn` beside the output.
+    /// Core B: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
     Knn,
     /// Floating-point operators.
     Operators,
@@ -69,7 +69,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         splat::figures(scan, &mut figures)?;
     }
     if measures(Part::Knn) {
-        let folder = arguments.output.with_file_name("knn");
+        let folder = arguments.output.with_file_name("knn-bench");
         knn::figures(scan, &arguments.models, &folder, &mut figures)?;
     }
     if measures(Part::Operators) {
