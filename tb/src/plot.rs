@@ -96,9 +96,15 @@ impl Chart {
             .configure_series_labels()
             .background_style(WHITE.mix(0.8))
             .border_style(BLACK.mix(0.2))
-            .position(SeriesLabelPosition::UpperRight)
+            .position(self.free_corner())
             .draw()?;
         area.present()
+    }
+
+    /// Where lines that fall, or lines that rise, leave room on the right.
+    fn free_corner(&self) -> SeriesLabelPosition {
+        let rises = |series: &Series| series.values.first() < series.values.last();
+        if self.series.iter().any(rises) { SeriesLabelPosition::LowerRight } else { SeriesLabelPosition::UpperRight }
     }
 
     /// The category at a tick; ticks between categories stay bare.

@@ -50,7 +50,7 @@ impl Default for Config {
             tree_depth: 14,
             bucket: 16,
             index_bits: 24,
-            leaves_in_flight: 2,
+            leaves_in_flight: 1,
             sieve_depth: 16,
             point_cache: 64,
             tree_cache: 0,
