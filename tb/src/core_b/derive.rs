@@ -6,6 +6,8 @@ use pointcore_spec::core_b::Config;
 
 /// Points a cycle: with fewer, distances bound a search for ten neighbors; with more, nodes do.
 const LANES: u32 = 4;
+/// Leaves that a thread has under way: with as many lanes, latency counts for more than a few needless visits.
+const LEAVES_IN_FLIGHT: u32 = 2;
 /// Levels that a tree of mid-points may be deeper than a full one: its leaves are not evenly filled.
 const MIDPOINT_SPARE_LEVELS: u32 = 1;
 /// The largest `neighbors`.
@@ -20,6 +22,7 @@ pub fn config_for(points: usize, k: u32, splitting: Splitting) -> Config {
     let spare = if splitting == Splitting::Midpoint { MIDPOINT_SPARE_LEVELS } else { 0 };
     Config {
         lanes: LANES,
+        leaves_in_flight: LEAVES_IN_FLIGHT,
         neighbors: k.clamp(default.neighbors, NEIGHBORS_LIMIT),
         tree_depth: (depth_for(points, default.bucket) + spare).min(DEPTH_LIMIT),
         ..default
