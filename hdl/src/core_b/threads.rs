@@ -9,16 +9,17 @@ use crate::rtl::{Expr, Module, Reg, lit};
 use crate::units::records::{QueueOut, Record, event_out, pulse_in, queue_out, registered_pulse_out, stream_in};
 
 /// Pushes the first thread from a pointer on that has a wish, and moves the pointer behind it; returns whose wish is
-/// granted.
+/// granted. The pointer is a set, those behind the thread granted last: no decoding lies between it and the choice.
 fn grant(m: &mut Module, name: &str, wishes: &Reg, queue: QueueOut, thread_bits: usize) -> Expr {
     let threads = wishes.width();
-    let next = m.reg_reset(&format!("next_{name}"), thread_bits, 0);
-    let from_next = wishes.expr() & (!lit(threads, 0)).shl_by(&next);
-    let first = m.wire(&format!("first_{name}"), &lowest(&from_next.any().mux(&from_next, wishes)));
-    let thread = m.wire(&format!("{name}_choice"), &index_of(&first, thread_bits));
+    let behind = m.reg_reset(&format!("behind_{name}"), threads, 0);
+    let next = wishes & &behind;
+    let choice = m.wire(&format!("{name}_choice"), &next.any().mux(&next, wishes));
+    let below = m.wire(&format!("{name}_below"), &(&choice - lit(threads, 1)));
+    let first = m.wire(&format!("first_{name}"), &(&choice & !&below));
     let push = m.wire(&format!("{name}_push"), &(&queue.room & wishes.any()));
-    let last = thread.eq_lit(threads as u128 - 1);
-    m.next_if(&next, &push, &last.mux(&lit(thread_bits, 0), &thread.add_lit(1)));
+    m.next_if(&behind, &push, &!(&choice ^ &below));
+    let thread = index_of(&first, thread_bits);
     queue.push(m, &push, |_| thread.clone());
     m.wire(&format!("granted_{name}"), &(&first & push.repeat(threads)))
 }

@@ -2,7 +2,7 @@
 
 use pointcore_spec::core_a::Field;
 
-use crate::rtl::{Expr, Instance, Module, Stream, StreamIn, cat, lit};
+use crate::rtl::{Expr, Instance, Module, Stream, StreamIn, bit, cat, lit};
 use crate::stream::skid;
 
 /// A value for every field of a record, in order.
@@ -164,11 +164,11 @@ pub(crate) fn pulse_out(m: &mut Module, name: &str, valid: &Expr, record: &Recor
     record.output(m, &format!("{name}_"));
 }
 
-/// A pulse that goes out in the cycle after `valid`.
+/// A pulse that goes out in the cycle after `valid`. Its fields follow every cycle: who decides on `valid` need not reach them.
 pub(crate) fn registered_pulse_out(m: &mut Module, name: &str, valid: &Expr, record: &Record) -> Pulse {
     let shown = m.reg_reset(&format!("{name}_valid"), 1, 0);
     m.next(&shown, valid);
-    let record = record.register(m, &format!("{name}_"), valid);
+    let record = record.register(m, &format!("{name}_"), &bit(true));
     pulse_out(m, name, &shown, &record);
     Pulse { valid: shown.expr(), record }
 }
