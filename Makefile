@@ -1,7 +1,11 @@
 # pointcore: everything a user, a developer or CI runs. `make help` lists it.
 SHELL := /bin/bash
 SCENE ?= scenes/knot.toml
-POINTS ?= surface:100000
+# The scans that figures are measured on, where they lie beside the project.
+SCANS = ../shared/data
+SCAN ?= $(wildcard $(SCANS)/igea.ply)
+MODELS ?= $(wildcard $(SCANS)/stanford-bunny.obj $(SCANS)/dragon.ply)
+POINTS ?= $(firstword $(SCAN) surface:100000)
 
 .DEFAULT_GOAL := help
 .PHONY: help setup setup-tests setup-formal setup-fpga run run-scan knn plan gen test formal check bench synth doc clean
