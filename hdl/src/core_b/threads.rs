@@ -63,7 +63,7 @@ pub fn module(config: &Config) -> Module {
     });
     let leaf_ended = m.wire("leaf_ended", &(&leaf_done | &skipped));
     let count_bits = index_bits(config.leaves_in_flight + 1) as usize;
-    let (mut below, mut none) = (vec![], vec![]);
+    let (mut below, mut none, mut early) = (vec![], vec![], vec![]);
     for thread in 0..threads {
         let outstanding = m.reg_reset(&format!("outstanding_{thread}"), count_bits, 0);
         let [more, done, skip] = [&reached, &leaf_done, &skipped].map(|event| event.bit(thread).zext(count_bits));
@@ -71,8 +71,10 @@ pub fn module(config: &Config) -> Module {
         m.next(&outstanding, &next);
         below.push(next.lt_lit(config.leaves_in_flight.into()));
         none.push(next.is_zero());
+        early.push(leaf_ended.bit(thread) & !(outstanding.any() | reached.bit(thread)));
     }
     let (below, none) = (set(&below), set(&none));
+    m.assert("leaves_are_reached_before_they_end", &!set(&early).any());
 
     let kept = m.wire("kept", &!released);
     let taken = free & take.repeat(threads);
