@@ -11,7 +11,7 @@ use super::pipe::{self, Operator, Pipe};
 use super::product::{product, product_delays};
 use super::shift::{add_or_subtract, shift_right_sticky};
 use crate::rtl::{cat, lit};
-use pointcore_spec::Format;
+use pointcore_spec::{Format, Subnormals};
 
 /// Guard, round and sticky bit.
 const EXTRA: usize = 3;
@@ -31,8 +31,12 @@ fn field_width(format: Format) -> usize {
 
 fn delays(format: Format) -> Vec<u32> {
     let (p, field) = (format.mantissa + 1, field_width(format) as u32);
-    let exponents = 2 * delay::adder(format.exponent) + 2 * delay::LEVEL;
-    let mut delays = vec![exponents];
+    let zero = match format.subnormals {
+        Subnormals::Keep => delay::reduction(p),
+        Subnormals::Flush => 0,
+    };
+    let factors = delay::adder(format.exponent) + delay::LEVEL;
+    let mut delays = vec![factors.max(zero + 2 * delay::LEVEL), factors + delay::LEVEL];
     delays.extend(product_delays(p, p));
     delays.extend(normalize_sum_delays(format, field, delay::adder(field) + delay::LEVEL));
     delays
@@ -69,15 +73,25 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let lead = (p + EXTRA) as i32 - format.bias();
     let addend_exponent = c.exponent.zext(bits);
     let factors = a.exponent.zext(bits) + b.exponent.zext(bits);
-    let distance = &factors + (signed(bits, lead) - &addend_exponent);
+    let below_lead = signed(bits, lead) - &addend_exponent;
+    let [factors, below_lead, addend_exponent, product_zero, left, right, addend] = pipe.cut([
+        ("factors", &factors),
+        ("below_lead", &below_lead),
+        ("addend_exponent", &addend_exponent),
+        ("product_zero", &product_zero),
+        ("left", &a.significand),
+        ("right", &b.significand),
+        ("addend", &c.significand),
+    ]);
+    let distance = &factors + below_lead;
     let addend_leads = pipe.module.wire("addend_leads", &(product_zero | distance.msb()));
     let limit = addend_leads.mux(&addend_exponent.sub_lit(1), &(factors + signed(bits, lead - 1))).trunc(bits - 1);
     let mut limit = pipe.carry("limit", &limit);
     let [distance, left, right, addend] = pipe.cut([
         ("distance", &(distance & !addend_leads.repeat(bits)).trunc(bits - 1)),
-        ("left", &a.significand),
-        ("right", &b.significand),
-        ("addend", &c.significand),
+        ("left", &left),
+        ("right", &right),
+        ("addend", &addend),
     ]);
 
     let stop = stop(&mut pipe, format, &mut limit, field);
