@@ -32,6 +32,7 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         (&["--stalls", "1"], ["--stalls 1", "expected"]),
         (&["--interleave", "0"], ["--interleave 0", "expected"]),
         (&["--cache", "33"], ["`neighbor_cache` = 33", "0 to 32"]),
+        (&["--cache", "0", "--epsilon", "0.1"], ["--cache 0", "1 to 32"]),
         (&["--cache", "8", "--k", "64"], ["needs one more", "ask for fewer"]),
         (&["--cache", "8", "--epsilon", "nan"], ["epsilon is NaN", "0 to 10"]),
         (&["--cache", "8", "--alpha", "0.5"], ["alpha is 0.5", "1 to 10"]),

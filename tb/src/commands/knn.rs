@@ -145,6 +145,11 @@ impl Arguments {
         if self.model == Model::Golden && self.no_lockstep {
             return usage("--no-lockstep goes with --model rtl".to_owned());
         }
+        if self.cache == Some(0) && self.wants_reuse() {
+            return usage(
+                "--cache 0: --epsilon and --alpha go with a neighbor cache of 1 to 32 neighborhoods".to_owned(),
+            );
+        }
         self.memory().validate()?;
         self.reuse().validate()?;
         Ok(())
@@ -164,10 +169,14 @@ impl Arguments {
         Reuse { epsilon: self.epsilon.unwrap_or(epsilon), alpha: self.alpha.unwrap_or(alpha) }
     }
 
+    /// Whether something is said that only a neighbor cache heeds.
+    const fn wants_reuse(&self) -> bool {
+        self.epsilon.is_some() || self.alpha.is_some()
+    }
+
     /// Neighborhoods in the neighbor cache, where no configuration says.
     fn cache(&self) -> u32 {
-        let wanted = self.epsilon.is_some() || self.alpha.is_some();
-        self.cache.unwrap_or(if wanted { CACHE_ENTRIES } else { 0 })
+        self.cache.unwrap_or(if self.wants_reuse() { CACHE_ENTRIES } else { 0 })
     }
 
     const fn engine(&self) -> (Engine, &'static str, Option<u64>) {
@@ -183,7 +192,7 @@ impl Arguments {
     fn hardware(&self) -> Result<(Config, PointSet), Failure> {
         if let Some(path) = &self.config {
             let config = configuration::parse_core_b(path, &configuration::read_text(path)?)?;
-            if config.neighbor_cache == 0 && (self.epsilon.is_some() || self.alpha.is_some()) {
+            if config.neighbor_cache == 0 && self.wants_reuse() {
                 let message = "--epsilon and --alpha go with a neighbor cache: set `neighbor_cache` in";
                 return Err(Failure::Usage(format!("{message} {}", path.display())));
             }
