@@ -4,6 +4,7 @@ pub mod cache;
 pub mod core_a;
 pub mod core_b;
 pub mod float_check;
+pub mod generated;
 pub mod inspect;
 pub mod lockstep;
 pub mod picture;

@@ -10,9 +10,9 @@ pub mod plan;
 pub mod progress;
 pub mod run;
 
-use pointcore::core_a::GenerateError;
 use pointcore::core_b::{Difference, Error as SearchError};
 use pointcore::float_check::FloatCheckError;
+use pointcore::generated::GenerateError;
 use pointcore::lockstep::LockstepError;
 use pointcore::picture::PictureError;
 use pointcore::plan::{Plan, PlanError};

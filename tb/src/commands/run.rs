@@ -2,7 +2,8 @@
 
 use super::progress::{with_progress, with_spinner};
 use super::{Failure, Output, generate, load, scene_name, write};
-use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble, verilate};
+use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble};
+use pointcore::generated::verilate;
 use pointcore::lockstep::Stall;
 use pointcore::shading::shade;
 use pointcore::verilated::Trace;
@@ -75,7 +76,8 @@ impl Arguments {
             return Ok((outcome, "golden", None));
         }
         let trace = if self.trace { Trace::On } else { Trace::Off };
-        let library = with_spinner("verilating and compiling (cached for the next time)", || verilate(core, trace))?;
+        let library =
+            with_spinner("verilating and compiling (cached for the next time)", || verilate(&core.design, trace))?;
         if self.trace || self.no_lockstep {
             let waveform = self.trace.then(|| folder.join("frame.fst"));
             let run = |progress: &(dyn Fn(u64, f64) + Sync)| {

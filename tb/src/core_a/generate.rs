@@ -1,22 +1,12 @@
 //! From a configuration to core A's Verilog.
 
+use crate::generated::GenerateError;
 use pointcore_golden::core_a::Latencies;
-use pointcore_hdl::compiler::{CompileError, Manifest, Options};
+use pointcore_hdl::compiler::{Manifest, Options};
 use pointcore_hdl::core_a::top;
-use pointcore_hdl::rtl::{Design, ElaborationError, elaborate};
+use pointcore_hdl::rtl::{Design, elaborate};
 use pointcore_spec::core_a::Config;
 use std::collections::BTreeMap;
-
-/// The hardware could not be built: a fault of the generator, not of its input.
-#[derive(Debug, thiserror::Error)]
-pub enum GenerateError {
-    /// A datapath.
-    #[error(transparent)]
-    Compile(#[from] CompileError),
-    /// The module hierarchy.
-    #[error(transparent)]
-    Elaborate(#[from] ElaborationError),
-}
 
 /// A generated core.
 pub struct Core {

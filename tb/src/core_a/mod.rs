@@ -12,7 +12,7 @@ mod run;
 
 pub use encode::Frame as EncodedFrame;
 pub use frame::assemble;
-pub use generate::{Core, GenerateError};
+pub use generate::Core;
 pub use host::{Counters, Host, Progress};
 pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, Measured, ROUNDING_LIMIT, Report};
-pub use run::{Outcome, Runner, verilate};
+pub use run::{Outcome, Runner};

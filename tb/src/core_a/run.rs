@@ -5,7 +5,7 @@ use super::generate::Core;
 use super::host::{Counters, Host, Progress};
 use super::mask::end_records;
 use crate::lockstep::{Flow, Lockstep, LockstepError, Stall, Stalls, Stimulus};
-use crate::verilated::{Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
+use crate::verilated::{Library, VerilatedError};
 use pointcore_golden::core_a::Top;
 use pointcore_golden::unit::{Ported, Unit};
 use pointcore_spec::core_a::{Config, ports};
@@ -45,14 +45,6 @@ pub struct Runner<'a> {
     pub progress: Progress<'a>,
     /// Cut the run off after so many cycles, for timing.
     pub stop_after: Option<u64>,
-}
-
-/// Verilates the core, for speed.
-///
-/// # Errors
-/// The tools are missing or fail.
-pub fn verilate(core: &Core, trace: Trace) -> Result<Arc<Library>, VerilatedError> {
-    Builder::new()?.build(&Source::from(&core.design), Options { optimization: Optimization::Full, trace })
 }
 
 impl<'a> Runner<'a> {

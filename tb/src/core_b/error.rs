@@ -1,6 +1,6 @@
 //! What can be wrong with points, trees and queries.
 
-use crate::core_a::GenerateError;
+use crate::generated::GenerateError;
 use crate::lockstep::LockstepError;
 use crate::scene::SceneError;
 use crate::verilated::VerilatedError;

@@ -1,6 +1,6 @@
 //! From a configuration to core B's Verilog.
 
-use crate::core_a::GenerateError;
+use crate::generated::GenerateError;
 use pointcore_golden::core_b::{CacheLatencies, Latencies};
 use pointcore_hdl::compiler::{Manifest, Options};
 use pointcore_hdl::core_b::top;

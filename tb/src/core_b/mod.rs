@@ -30,5 +30,5 @@ pub use points::{PointSet, Source, decode, encode};
 pub use query::{Neighbor, Query};
 pub use report::{Bound, HitRate, Measured, Report};
 pub use reuse::{Kind, Reuse};
-pub use run::{Outcome, verilate};
+pub use run::Outcome;
 pub use session::{Engine, Session};

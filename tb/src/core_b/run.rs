@@ -6,7 +6,7 @@ use super::host::{Counters, End, Host, Work};
 use super::query::Neighbor;
 use crate::core_a::Progress;
 use crate::lockstep::{Flow, Lockstep, RESET_CYCLES, Stall, Stalls, Stimulus};
-use crate::verilated::{Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
+use crate::verilated::Library;
 use pointcore_golden::core_b::Top;
 use pointcore_golden::core_b::top::Out;
 use pointcore_golden::unit::{Model, Ported, Unit};
@@ -40,14 +40,6 @@ pub struct Runner<'a> {
     pub progress: Progress<'a>,
     /// The command that makes this run, printed with a failure.
     pub reproduce: &'a str,
-}
-
-/// Verilates the core, for speed.
-///
-/// # Errors
-/// The tools are missing or fail.
-pub fn verilate(core: &Core, trace: Trace) -> Result<Arc<Library>, VerilatedError> {
-    Builder::new()?.build(&Source::from(&core.design), Options { optimization: Optimization::Full, trace })
 }
 
 impl<'a> Runner<'a> {

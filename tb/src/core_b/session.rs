@@ -6,9 +6,10 @@ use super::memory::MemorySettings;
 use super::order::interleaved;
 use super::query::{Query, check_alike};
 use super::reuse::{Kind, Reuse};
-use super::run::{Outcome, Runner, verilate};
+use super::run::{Outcome, Runner};
 use super::{Error, Tree};
 use crate::core_a::Progress;
+use crate::generated::verilate;
 use crate::lockstep::Stall;
 use crate::verilated::{Library, Trace};
 use pointcore_spec::core_b::Config;
@@ -72,7 +73,7 @@ impl Session {
         memory.validate()?;
         tree.check(&config)?;
         let core = Core::generate(&config)?;
-        let library = if engine == Engine::Golden { None } else { Some(verilate(&core, Trace::Off)?) };
+        let library = if engine == Engine::Golden { None } else { Some(verilate(&core.design, Trace::Off)?) };
         let (reuse, runs, stall, seed, reproduce) = (Reuse::default(), 1, Stall::Never, 1, String::new());
         Ok(Self { config, tree, memory, core, library, engine, reuse, runs, stall, seed, reproduce })
     }

@@ -17,7 +17,7 @@ pub use timing::Timing;
 pub use units::{GROUPS, Group, Unit, all, known, standard};
 
 use crate::cache::{Cache, FileError, file, key};
-use crate::core_a::GenerateError;
+use crate::generated::GenerateError;
 use rayon::prelude::*;
 use serde::Serialize;
 use shell::Shelled;

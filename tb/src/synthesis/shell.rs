@@ -1,7 +1,7 @@
 //! A unit between registers, behind few pins: so its own logic is what is timed, and units with more ports than a package
 //! has pins can be placed.
 
-use crate::core_a::GenerateError;
+use crate::generated::GenerateError;
 use pointcore_hdl::rtl::{Direction, Expr, Module, cat, elaborate};
 use std::rc::Rc;
 

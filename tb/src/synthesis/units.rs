@@ -1,6 +1,6 @@
 //! What can be synthesized by name: every operator, and every unit of the cores at the default configuration.
 
-use crate::core_a::GenerateError;
+use crate::generated::GenerateError;
 use pointcore_hdl::compiler::{CompileError, Datapath, Options};
 use pointcore_hdl::float::{self, Operator};
 use pointcore_hdl::rtl::Module;

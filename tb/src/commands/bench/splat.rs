@@ -2,7 +2,8 @@
 
 use super::{Figures, median};
 use crate::commands::{Failure, load, scene_name};
-use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, area, assemble, verilate};
+use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, area, assemble};
+use pointcore::generated::verilate;
 use pointcore::lockstep::Stall;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
@@ -55,7 +56,7 @@ impl Prepared {
 
     fn on(name: String, scene: Scene, plan: Plan) -> Result<Self, Failure> {
         let core = Core::generate(&plan.config)?;
-        let library = verilate(&core, Trace::Off)?;
+        let library = verilate(&core.design, Trace::Off)?;
         let frame = EncodedFrame::new(&scene, &plan);
         Ok(Self { name, scene, plan, core, library, frame })
     }
