@@ -83,6 +83,7 @@ impl Page {
         let series = lines.into_iter().map(|Line { name, values }| Series { name, values }).collect();
         let [title, x, y] = [title, x, y].map(str::to_owned);
         let chart = Chart { title, x, y, categories: categories.to_vec(), series };
+        // The page so far: a run that is interrupted leaves what it has.
         write(&self.folder.join("README.md"), &self.text)?;
         Ok(chart.save_svg(&self.folder.join(format!("{file}.svg")))?)
     }
