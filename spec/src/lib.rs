@@ -1,6 +1,7 @@
 //! The contract between the golden models and the hardware descriptions: number formats, configurations and record
 //! layouts. Nothing here computes a result of the hardware.
 
+pub mod bus;
 pub mod camera;
 pub mod core_a;
 pub mod core_b;

@@ -1,6 +1,6 @@
 //! `Config`: every parameter of core A, with the ranges the hardware holds.
 
-use crate::Format;
+use crate::{Format, bus};
 use serde::{Deserialize, Serialize};
 
 /// Edge of a tile in pixels (thesis 5.5.1).
@@ -84,6 +84,8 @@ pub struct Config {
     pub setup_interval: u32,
     /// Pipeline registers of an accumulator's adder; at least the two of the depth test.
     pub accumulate_stages: u32,
+    /// Widths of the bus around the core.
+    pub bus: bus::Config,
 }
 
 impl Default for Config {
@@ -104,6 +106,7 @@ impl Default for Config {
             transform_interval: 2,
             setup_interval: 4,
             accumulate_stages: 2,
+            bus: bus::Config::default(),
         }
     }
 }
@@ -136,6 +139,9 @@ pub enum ConfigError {
         /// What would be right.
         expected: &'static str,
     },
+    /// A width that no bus has.
+    #[error(transparent)]
+    Bus(#[from] bus::ConfigError),
 }
 
 impl Config {
@@ -172,7 +178,7 @@ impl Config {
             let expected = "f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (the projection needs an 8-bit exponent)";
             return Err(ConfigError::Format { key: "geometry", format: self.geometry, expected });
         }
-        Ok(())
+        Ok(self.bus.validate()?)
     }
 
     /// Attributes of both kinds.

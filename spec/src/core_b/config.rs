@@ -1,7 +1,7 @@
 //! `Config`: every parameter of core B's neighbor search, with the ranges the hardware holds.
 
-use crate::Format;
 use crate::core_a::config::index_bits;
+use crate::{Format, bus};
 use serde::{Deserialize, Serialize};
 
 /// Bits of a split dimension: x, y, z.
@@ -38,6 +38,8 @@ pub struct Config {
     pub tree_cache: u32,
     /// Neighborhoods that the coherent neighbor cache holds; 0 leaves it out.
     pub neighbor_cache: u32,
+    /// Widths of the bus around the core.
+    pub bus: bus::Config,
 }
 
 impl Default for Config {
@@ -55,6 +57,7 @@ impl Default for Config {
             point_cache: 64,
             tree_cache: 0,
             neighbor_cache: 0,
+            bus: bus::Config::default(),
         }
     }
 }
@@ -92,6 +95,9 @@ pub enum ConfigError {
     /// A format the operators cannot compute in.
     #[error("`geometry` = \"{0}\": expected f32, f24, f32-ftz or f24-ftz")]
     Format(Format),
+    /// A width that no bus has.
+    #[error(transparent)]
+    Bus(#[from] bus::ConfigError),
 }
 
 impl Config {
@@ -129,7 +135,7 @@ impl Config {
         if self.geometry.exponent != 8 || self.geometry.mantissa < 15 {
             return Err(ConfigError::Format(self.geometry));
         }
-        Ok(())
+        Ok(self.bus.validate()?)
     }
 
     /// Bits of a thread's number.
