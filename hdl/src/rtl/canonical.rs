@@ -64,7 +64,11 @@ impl<'a> Graph<'a> {
                 graph.root(value);
             }
         }
-        module.children.iter().flat_map(|child| child.inputs.iter().flatten()).for_each(|input| graph.root(input));
+        module
+            .children
+            .iter()
+            .flat_map(|child| child.reset.iter().chain(child.inputs.iter().flatten()))
+            .for_each(|input| graph.root(input));
         graph.follow();
         graph.hardware_nodes = graph.nodes.len();
         graph.need = Need::Assertions;

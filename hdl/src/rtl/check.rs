@@ -79,6 +79,7 @@ fn expressions(module: &Module) -> Vec<(String, &Expr)> {
         }
     }
     for child in &module.children {
+        all.extend(child.reset.iter().map(|reset| (format!("`{}.rst`", child.name), reset)));
         for (port, driver) in child.module.ports.iter().zip(&child.inputs) {
             let name = port.shape(&child.module).0;
             all.extend(driver.iter().map(|driver| (format!("`{}.{name}`", child.name), driver)));

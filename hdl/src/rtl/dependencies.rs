@@ -53,7 +53,10 @@ fn followed(module: &Module, signal: usize, children: &[Rc<Reach>]) -> BTreeSet<
             let mut found = BTreeSet::new();
             for &input in children[*child].get(port).into_iter().flatten() {
                 if input == RESET {
-                    found.insert(RESET);
+                    match &instance.reset {
+                        Some(condition) => found.extend(leaves(module, condition)),
+                        None => _ = found.insert(RESET),
+                    }
                 } else if let Some(driver) = instance.driver_of(input) {
                     found.extend(leaves(module, driver));
                 }

@@ -82,9 +82,6 @@ impl Emitter<'_> {
         let assigns = self.output_assignments();
         let instances = self.instances(children_have_state);
         let clocked = self.writer.clocked(Need::Hardware);
-        if children_have_state.contains(&true) {
-            self.writer.read_all("rst");
-        }
         if children_have_state.contains(&true) || !clocked.is_empty() {
             self.writer.read_all("clk");
         }
@@ -175,7 +172,11 @@ impl Emitter<'_> {
         for (child, &stateful) in module.children.iter().zip(children_have_state) {
             let mut connections = vec![];
             if stateful {
-                connections.extend([("clk".into(), "clk".into()), ("rst".into(), "rst".into())]);
+                let reset = match &child.reset {
+                    Some(condition) => self.writer.expression(condition),
+                    None => self.writer.read_all("rst"),
+                };
+                connections.extend([("clk".into(), "clk".into()), ("rst".into(), reset)]);
             }
             for (index, port) in child.module.ports.iter().enumerate() {
                 let value = match (&child.inputs[index], child.outputs[index]) {

@@ -26,6 +26,8 @@ impl Instance {
 pub(super) struct Child {
     pub name: String,
     pub module: Rc<Module>,
+    /// What resets it, where that is not its parent's reset.
+    pub reset: Option<Expr>,
     /// By port of the child: what drives it, for inputs.
     pub inputs: Vec<Option<Expr>>,
     /// By port of the child: the signal that shows it here, for outputs.
@@ -57,7 +59,7 @@ impl Module {
         let module = module.into();
         let outputs = (0..module.ports.len()).map(|port| self.child_output(name, &module, port)).collect();
         let inputs = module.ports.iter().map(|_| None).collect();
-        self.children.push(Child { name: name.into(), module, inputs, outputs });
+        self.children.push(Child { name: name.into(), module, reset: None, inputs, outputs });
         Instance { module: self.identity, index: self.children.len() - 1, name: name.into() }
     }
 
@@ -82,6 +84,19 @@ impl Module {
         match &mut self.children[instance.index].inputs[index] {
             slot @ None => *slot = Some(value.clone()),
             Some(_) => self.faults.push(FaultKind::DoublyDriven(name)),
+        }
+    }
+
+    /// Resets a child by a condition of its own, which holds wherever the parent's reset does.
+    pub fn reset_by(&mut self, instance: &Instance, condition: &Expr) {
+        if instance.module != self.identity {
+            self.faults.push(FaultKind::ForeignHandle(instance.name.clone()));
+            return;
+        }
+        let condition = self.rst() | condition.as_condition("reset");
+        match &mut self.children[instance.index].reset {
+            slot @ None => *slot = Some(condition),
+            Some(_) => self.faults.push(FaultKind::DoublyDriven(format!("{}.rst", instance.name))),
         }
     }
 
