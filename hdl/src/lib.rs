@@ -1,5 +1,6 @@
 //! Hardware descriptions: from a configuration to Verilog.
 
+pub mod bus;
 pub mod compiler;
 pub mod core_a;
 pub mod core_b;

@@ -1,0 +1,52 @@
+//! The cores on AXI: units between a core's streams and the bus, and the tops. `docs/interfaces.md` states what each does.
+
+pub mod packet_in;
+pub mod packet_out;
+pub mod reader;
+pub mod window;
+pub mod writer;
+
+mod beats;
+mod spread;
+
+use crate::rtl::{Expr, Module, Wire, lit};
+use crate::units::records::Record;
+use pointcore_spec::bus::config;
+
+/// Bits of a byte address in memory.
+const ADDRESS_BITS: usize = config::ADDRESS_BITS as usize;
+/// Bits of a burst's length, which is one less than its beats.
+const LENGTH_BITS: usize = 8;
+/// Bits of a response.
+const RESPONSE_BITS: usize = 2;
+/// `burst` of one whose addresses go up.
+const INCREMENTING: Code = Code(1);
+/// `resp` where all is well.
+const OKAY: Code = Code(0);
+/// `resp` of what the unit refuses.
+const SLAVE_ERROR: Code = Code(2);
+
+/// A code of two bits.
+struct Code(u128);
+
+impl Code {
+    fn expr(&self) -> Expr {
+        lit(2, self.0)
+    }
+}
+
+/// `size` of beats of so many bytes.
+fn size_of(beat_bytes: u32) -> Expr {
+    lit(3, beat_bytes.ilog2().into())
+}
+
+/// Declares the ports of a stream that shows a record, and drives `taken` with its `ready`.
+fn stream_out(m: &mut Module, name: &str, valid: &Expr, record: &Record, taken: &Wire) {
+    m.output(&format!("{name}_valid"), valid);
+    let ready = m.input(&format!("{name}_ready"), 1);
+    record.output(m, &format!("{name}_"));
+    m.drive(taken, &ready);
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,50 @@
+//! What holds of every bus unit's ports, at every width.
+
+use super::*;
+use crate::units::testing::check;
+use pointcore_spec::bus::{config::WIDTHS, packets, ports};
+use pointcore_spec::core_a::Field;
+use pointcore_spec::{core_a, core_b};
+
+/// Few and many fields, with and without a field `end`.
+fn packets() -> Vec<Vec<Field>> {
+    let small = core_a::Config { continuous: 1, ..core_a::Config::default() };
+    let large = core_a::Config { continuous: 13, cardinal: 1, ..small.clone() };
+    let [query, result] = packets::query_and_result(&core_b::Config::default());
+    let [cached_query, cached_result] =
+        packets::query_and_result(&core_b::Config { neighbor_cache: 2, ..core_b::Config::default() });
+    let records = [small, large].map(|config| packets::core_a(&config).into_iter().map(|packet| packet.fields));
+    records.into_iter().flatten().chain([query, result, cached_query, cached_result]).collect()
+}
+
+fn range_of(fields: &[Field], name: &'static str) -> Option<packets::FieldRange> {
+    fields.iter().any(|(field, _)| field == name).then_some(packets::FieldRange { name, low: 1, high: 1 })
+}
+
+#[test]
+fn packet_units_have_the_specified_ports() {
+    for fields in packets() {
+        for bits in WIDTHS {
+            check(&packet_in::module(&fields, bits, None), ports::packet_in(&fields, bits));
+            if let Some(range) = ["k", "end"].into_iter().find_map(|name| range_of(&fields, name)) {
+                check(&packet_in::module(&fields, bits, Some(&range)), ports::packet_in(&fields, bits));
+            }
+            check(&packet_out::module(&fields, bits), ports::packet_out(&fields, bits));
+        }
+    }
+}
+
+#[test]
+fn memory_units_have_the_specified_ports() {
+    for fields in packets() {
+        for bits in WIDTHS {
+            for records in [1, 3, 64] {
+                check(&reader::module(&fields, bits, records), ports::reader(&fields, bits, records));
+            }
+            check(&writer::module(&fields, bits), ports::writer(&fields, bits));
+        }
+    }
+    for index_bits in [2, 8, 9, 15, 21] {
+        check(&window::module(index_bits), ports::window(index_bits));
+    }
+}

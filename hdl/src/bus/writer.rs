@@ -1,0 +1,58 @@
+//! Write half of an AXI4 master (`docs/interfaces.md`): records to bursts of a stride each; golden twin:
+//! `pointcore_golden::bus::writer`.
+
+use pointcore_spec::bus::Layout;
+use pointcore_spec::bus::config::{ID_BITS, WRITES_MAX};
+use pointcore_spec::core_a::Field;
+
+use super::beats::Beats;
+use super::reader::address_out;
+use super::spread::spread;
+use super::{ADDRESS_BITS, LENGTH_BITS, RESPONSE_BITS};
+use crate::rtl::{Module, address_width, bit, lit};
+use crate::stream::skid;
+use crate::units::records::{Record, event_out, stream_in};
+
+/// The unit for records of these fields; ports as in `spec::bus::ports::writer`.
+#[must_use]
+pub fn module(fields: &[Field], memory_bits: u32) -> Module {
+    let beats = Beats::memory(fields, memory_bits);
+    let stride = Layout::of(fields).stride(memory_bits).ilog2() as usize;
+    let mut m = Module::new("bus_writer", "Writes records to memory, each in a burst.");
+    m.parameter("beats", beats.count);
+    m.parameter("width", memory_bits);
+    let mut input_fields = vec![("address".to_owned(), ADDRESS_BITS as u32)];
+    input_fields.extend_from_slice(fields);
+    let input = stream_in(&mut m, "in", &input_fields);
+
+    let unanswered = m.reg_reset("unanswered", address_width(WRITES_MAX as usize + 1), 0);
+    let below_limit = m.wire("below_limit", &!unanswered.eq_lit(WRITES_MAX.into()));
+    let queue = m.instance("address_queue", skid(&[("address", ADDRESS_BITS - stride), ("length", LENGTH_BITS)]));
+    let room = m.out(&queue, "in_ready");
+    let accepts = m.wire("accepts", &(&room & &below_limit));
+    let words = spread(&mut m, &beats, &input.valid, &Record::from(&input).only(fields), &accepts);
+    m.ready(&input, &words.ready);
+    let accepted = m.wire("accepted", &(&input.valid & &words.ready));
+    m.connect(&queue, "in_valid", &accepted);
+    m.connect(&queue, "in_address", &input.field("address").bits(ADDRESS_BITS - 1, stride));
+    m.connect(&queue, "in_length", &lit(LENGTH_BITS, beats.count as u128 - 1));
+    let burst = m.stream_from(&queue, "out");
+    address_out(&mut m, "m_axi_aw", &burst, stride, memory_bits / 8);
+
+    m.output("m_axi_wvalid", &words.out.valid);
+    let wready = m.input("m_axi_wready", 1);
+    m.ready(&words.out, &wready);
+    m.output("m_axi_wdata", &words.out.field("data"));
+    m.output("m_axi_wstrb", &bit(true).repeat(memory_bits as usize / 8));
+    m.output("m_axi_wlast", &words.out.field("last"));
+
+    let bvalid = m.input("m_axi_bvalid", 1);
+    m.output("m_axi_bready", &bit(true));
+    m.input("m_axi_bid", ID_BITS as usize);
+    let bresp = m.input("m_axi_bresp", RESPONSE_BITS);
+    let width = unanswered.width();
+    m.next(&unanswered, &(&unanswered + accepted.zext(width) - bvalid.zext(width)));
+    event_out(&mut m, "error", &(&bvalid & bresp.any()));
+    m.output("idle", &unanswered.is_zero());
+    m
+}
