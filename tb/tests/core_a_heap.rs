@@ -28,7 +28,18 @@ fn sorted(mut entries: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
 /// column of tiles and many.
 #[test]
 fn it_agrees_with_the_model_at_every_size() {
-    for (heap_levels, sequence_bits, width) in [(2, 2, 8), (3, 3, 61), (4, 2, 61), (5, 4, 130), (3, 6, 61)] {
+    for (heap_levels, sequence_bits, width) in [
+        (2, 2, 8),
+        (3, 3, 61),
+        (4, 2, 61),
+        (4, 7, 61),
+        (5, 4, 130),
+        (3, 6, 61),
+        (5, 7, 61),
+        (6, 8, 61),
+        (7, 9, 61),
+        (10, 12, 61),
+    ] {
         let config = Config { heap_levels, sequence_bits, width, height: 37, ..Config::default() };
         let device = Device::new(&heap::module(&config), ports::heap(&config));
         let entries = entries(&config);

@@ -57,7 +57,7 @@ pub struct Heap {
     current: u32,
     /// Entries of the even and of the odd epoch.
     alive: [u32; 2],
-    /// An operation takes two cycles.
+    /// Operations begin in every second cycle, and this is the other one.
     resting: bool,
     out: Skid<HeapEntry>,
 }
@@ -134,7 +134,7 @@ impl Model for Heap {
         if let Some(entry) = pushed {
             self.push(entry);
         }
-        self.resting = pushed.is_some() || popped.is_some();
+        self.resting = !self.resting;
         self.out.step(popped, inputs.out_ready);
     }
 }

@@ -14,8 +14,8 @@ pub mod top;
 pub mod transform;
 pub mod weighting;
 
-mod heap_level;
 mod heap_order;
+mod heap_stage;
 mod tile_directory;
 
 #[cfg(test)]
