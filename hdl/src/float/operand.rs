@@ -54,21 +54,22 @@ impl Operand {
         let field = module.wire(&format!("{name}_field"), &encoded.bits(width(format) - 2, mantissa));
         let fraction = module.wire(&format!("{name}_fraction"), &encoded.trunc(mantissa));
         let normal = field.any();
-        let (zero, lowest, fraction) = match format.subnormals {
-            Subnormals::Keep => (!(&normal | fraction.any()), field.bit(0) | !&normal, fraction),
+        // Of a full exponent field nothing is flushed.
+        let (infinite, nan) = (field.all() & fraction.is_zero(), field.all() & fraction.any());
+        let (zero, lowest, significant) = match format.subnormals {
+            Subnormals::Keep => (!(&normal | fraction.any()), field.bit(0) | !&normal, fraction.clone()),
             Subnormals::Flush => (!&normal, field.bit(0), &fraction & normal.repeat(mantissa)),
         };
-        let full = field.all();
         let exponent = cat(&[&field.bits(field.width() - 1, 1), &lowest]);
         Self {
             name,
             sign: encoded.msb(),
             magnitude: encoded.trunc(width(format) - 1),
             exponent: exponent.zext(exponent_width(format)),
-            significand: cat(&[&normal, &fraction]),
+            significand: cat(&[&normal, &significant]),
             zero,
-            infinite: &full & fraction.is_zero(),
-            nan: &full & fraction.any(),
+            infinite,
+            nan,
         }
     }
 }
