@@ -20,7 +20,8 @@ pub fn stages(format: Format) -> u32 {
 fn delays(format: Format) -> Vec<u32> {
     let p = format.mantissa + 1;
     let mut delays = normalize_delays(format, delay::LEVEL);
-    delays.extend((1..=p).map(|digits| delay::adder(digits + 3) + delay::LEVEL));
+    // The digit chooses among all bits of the remainder, from one end of a carry chain.
+    delays.extend((1..=p).map(|digits| delay::adder(digits + 3) + 2 * delay::LEVEL));
     delays.extend(round_delays(format, Underflow::Impossible, delay::reduction(p)));
     delays
 }
