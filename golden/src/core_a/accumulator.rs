@@ -72,9 +72,11 @@ pub struct Accumulator {
     shape: Shape,
     attribute: Format,
     input: Fifo<WeightedSample>,
+    /// The sample that issues next.
+    head: Option<WeightedSample>,
     /// The pixels of all slots.
     pixels: Vec<Pixel>,
-    /// Front: the sample issued last. As many as the adders have stages, and one that writes.
+    /// Front: the sample issued last. As many as a sum takes, and one that writes.
     stages: VecDeque<Option<Stage>>,
     retire: Option<Slot>,
     frame_end: bool,
@@ -90,6 +92,7 @@ impl Accumulator {
             shape: Shape::new(config),
             attribute: config.attribute,
             input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
+            head: None,
             pixels: vec![Pixel::default(); (config.tile_slots * TILE_PIXELS) as usize],
             stages: vec![None; config.accumulate_stages as usize + 1].into(),
             retire: None,
@@ -99,7 +102,7 @@ impl Accumulator {
         }
     }
 
-    /// Whether the sample at the head of the queue waits, and for what.
+    /// Whether the sample at the head waits, and for what.
     fn stall(&self, sample: &WeightedSample, slot_ready: u64) -> Events {
         let place = &sample.place;
         let index = index(place.slot, place.pixel);
@@ -171,7 +174,7 @@ impl Model for Accumulator {
         self.events = Events::default();
         let mut issued = false;
         let mut started = None;
-        if let Some(sample) = self.input.out() {
+        if let Some(sample) = &self.head {
             if sample.place.end {
                 issued = self.stages.iter().all(Option::is_none);
                 self.frame_end = issued;
@@ -194,7 +197,11 @@ impl Model for Accumulator {
         if let Some(Fill { place, value }) = inputs.fill {
             self.pixels[index(place.slot, place.pixel)] = value;
         }
-        self.input.step(inputs.input, issued);
+        let taken = issued || self.head.is_none();
+        if taken {
+            self.head = self.input.out().copied();
+        }
+        self.input.step(inputs.input, taken);
     }
 }
 
@@ -262,20 +269,20 @@ mod tests {
     }
 
     fn config() -> Config {
-        Config { continuous: 1, cardinal: 1, accumulate_stages: 3, ..Config::default() }
+        Config { continuous: 1, cardinal: 1, accumulate_stages: 4, ..Config::default() }
     }
 
     #[test]
     fn other_pixels_follow_at_once_and_the_same_pixel_waits() {
         let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(2, 5, 1000)], 0);
-        // Two cycles to the queue's output, issue, E + 1 stages, then the register.
-        assert_eq!(retired, [7, 8]);
+        // Two cycles to the queue's output, one to the head, issue, E + 1 stages, then the register.
+        assert_eq!(retired, [9, 10]);
         assert!(!seen.hazard && !seen.slot_wait);
         let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(1, 5, 1000)], 0);
-        assert_eq!(retired, [7, 12], "issued in the cycle after stage E + 1 wrote");
+        assert_eq!(retired, [9, 15], "issued in the cycle after stage E + 1 wrote");
         assert!(seen.hazard && !seen.slot_wait);
         let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000)], 50);
-        assert_eq!(retired, [55]);
+        assert_eq!(retired, [56]);
         assert!(seen.slot_wait);
     }
 
@@ -317,6 +324,6 @@ mod tests {
             let input = [Some(sample(1, 5, 1000)), Some(end)].get(cycle).copied().flatten();
             unit.clock(&In { input, slot_ready: 2, fill: None, drain: None });
         }
-        assert_eq!((retired, ended), (Some(7), Some(8)), "all stages are empty when the last sample retires");
+        assert_eq!((retired, ended), (Some(9), Some(10)), "all stages are empty when the last sample retires");
     }
 }

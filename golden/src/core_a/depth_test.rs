@@ -20,7 +20,7 @@ pub struct In {
     pub depth_high: u32,
 }
 
-/// What the unit shows of the inputs two cycles before.
+/// What the unit shows of the inputs three cycles before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Out {
     /// The stored surface hides the sample.
@@ -36,10 +36,11 @@ pub fn test(inputs: &In) -> Out {
     Out { fail: inputs.depth < limit(inputs.depth_low), pass: inputs.depth > limit(inputs.depth_high) }
 }
 
-/// The depth test: a pipeline of two stages that never stops.
+/// The depth test: a pipeline of three stages that never stops.
 #[derive(Clone, Debug)]
 pub struct DepthTest {
     shape: Shape,
+    partial: In,
     products: In,
     result: Out,
 }
@@ -48,7 +49,7 @@ impl DepthTest {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        Self { shape: Shape::new(config), products: In::default(), result: Out::default() }
+        Self { shape: Shape::new(config), partial: In::default(), products: In::default(), result: Out::default() }
     }
 }
 
@@ -67,7 +68,7 @@ impl Model for DepthTest {
 
     fn clock(&mut self, inputs: &In) {
         self.result = test(&self.products);
-        self.products = *inputs;
+        self.products = std::mem::replace(&mut self.partial, *inputs);
     }
 }
 
@@ -102,16 +103,16 @@ mod tests {
     }
 
     #[test]
-    fn takes_two_cycles() {
+    fn takes_three_cycles() {
         let mut unit = DepthTest::new(&Config::default());
         let hidden = In { weight: 1, depth: 0, depth_low: 1, depth_high: 1 };
-        let shown: Vec<_> = (0..4)
+        let shown: Vec<_> = (0..5)
             .map(|cycle| {
                 let out = unit.outputs();
                 unit.clock(&if cycle == 0 { hidden } else { In::default() });
                 out.fail
             })
             .collect();
-        assert_eq!(shown, [false, false, true, false]);
+        assert_eq!(shown, [false, false, false, true, false]);
     }
 }

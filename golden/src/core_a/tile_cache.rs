@@ -29,17 +29,19 @@ struct Entry {
     in_flight: u8,
 }
 
-/// Progress of reading a slot: each pixel shows a cycle after its request and stays until the next.
+/// Progress of reading a slot: each pixel shows a cycle after its request and stays until the next, and is held in a
+/// register until it is taken.
 #[derive(Clone, Copy, Debug, Default)]
 struct Drain {
     next: u8,
     showing: Option<u8>,
+    held: Option<(u8, Pixel)>,
 }
 
 impl Drain {
-    /// Whether the pixel that shows, if any, moves on.
+    /// Whether the pixels that are held and shown, if any, move on.
     const fn steps(&self, room: bool) -> bool {
-        self.showing.is_none() || room
+        self.held.is_none() || room
     }
 
     fn request(&self, room: bool) -> Option<u8> {
@@ -47,14 +49,16 @@ impl Drain {
     }
 
     const fn is_done(&self) -> bool {
-        self.next == PIXELS && self.showing.is_none()
+        self.next == PIXELS && self.showing.is_none() && self.held.is_none()
     }
 
-    /// One clock edge; returns the pixel whose value is taken.
-    fn clock(&mut self, room: bool) -> Option<u8> {
-        let taken = self.showing.filter(|_| room);
+    /// One clock edge, while the slot shows `drained`; returns the pixel that is taken and its value.
+    fn clock(&mut self, room: bool, drained: Pixel) -> Option<(u8, Pixel)> {
+        let taken = self.held.filter(|_| room);
         if self.steps(room) {
-            self.showing = self.request(room);
+            let requested = self.request(room);
+            self.held = self.showing.map(|pixel| (pixel, drained));
+            self.showing = requested;
             self.next += u8::from(self.showing.is_some());
         }
         taken
@@ -130,6 +134,8 @@ pub struct TileCache {
     read: Option<Tile>,
     fill: Option<Fill>,
     input: Skid<SplatCopy>,
+    /// The copy that is placed next.
+    head: Option<SplatCopy>,
     out: Skid<PlacedCopy>,
     write: Skid<PlacedPixel>,
     pixel: Skid<FinishedPixel>,
@@ -150,6 +156,7 @@ impl TileCache {
             read: None,
             fill: None,
             input: Skid::default(),
+            head: None,
             out: Skid::default(),
             write: Skid::default(),
             pixel: Skid::default(),
@@ -180,9 +187,9 @@ impl TileCache {
         self.slots.iter().rev().fold(0, |bits, entry| bits << 1 | u64::from(entry.ready))
     }
 
-    /// Mode *run*: returns the copy at the head of the input queue if it is passed on; a miss starts a job instead.
+    /// Mode *run*: returns the copy at the head if it is passed on; a miss starts a job instead.
     fn run(&mut self) -> Option<PlacedCopy> {
-        let copy = *self.input.out()?;
+        let copy = self.head?;
         if copy.end {
             return self.out.in_ready().then(|| {
                 self.mode = Mode::Wait;
@@ -226,8 +233,8 @@ impl TileCache {
                     return None;
                 }
                 if let Some(tile) = job.evicted {
-                    let taken = drain.clock(self.write.in_ready());
-                    written = taken.map(|pixel| PlacedPixel { tile, pixel, value: drained });
+                    let taken = drain.clock(self.write.in_ready(), drained);
+                    written = taken.map(|(pixel, value)| PlacedPixel { tile, pixel, value });
                 }
                 let value = if *load { data } else { may_fill.then(Pixel::default) };
                 if let Some(value) = value {
@@ -268,7 +275,7 @@ impl TileCache {
             }
             FlushStep::FromSlot(_, drain) if drain.is_done() => next_tile,
             FlushStep::FromSlot(slot, mut drain) => {
-                pushed = drain.clock(room).and_then(|pixel| finished(pixel, drained));
+                pushed = drain.clock(room, drained).and_then(|(pixel, value)| finished(pixel, value));
                 Mode::Flush(code, FlushStep::FromSlot(slot, drain))
             }
             FlushStep::FromMemory(PIXELS) => next_tile,
@@ -338,7 +345,11 @@ impl Model for TileCache {
         }
         self.frame_ended |= inputs.frame_end;
 
-        self.input.step(inputs.input, passed.is_some());
+        let taken = passed.is_some() || self.head.is_none();
+        if taken {
+            self.head = self.input.out().copied();
+        }
+        self.input.step(inputs.input, taken);
         self.out.step(passed, inputs.out_ready);
         self.write.step(written, inputs.write_ready);
         self.pixel.step(pixel, inputs.pixel_ready);

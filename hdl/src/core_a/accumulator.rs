@@ -1,18 +1,18 @@
 //! Accumulates samples in the pixels of the tile slots (thesis 5.5.3, eq. 5.8 to 5.12), one a cycle unless an earlier
 //! sample of the same pixel is on its way; golden twin: `pointcore_golden::core_a::accumulator`.
 //!
-//! A sample reads its pixel when it issues, has it in stage 1, and writes it from stage `accumulate_stages + 1`.
+//! A sample reads its pixel in every slot's memory when it issues, chooses its slot's in stage 1, and writes it from stage
+//! `accumulate_stages + 1`.
 
-use pointcore_spec::core_a::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, WEIGHT_SUM_BITS};
+use pointcore_spec::core_a::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_spec::core_a::ports::EVENTS;
 use pointcore_spec::core_a::records::PIXEL_BITS;
 use pointcore_spec::core_a::{Config, records};
 
-use super::depth_test;
-use crate::float::add;
-use crate::rtl::{Expr, Module, Reg, Stream, bit, select};
+use super::blend::blend;
+use crate::rtl::{Expr, Module, Reg, bit, cat, select};
 use crate::stream::fifo;
-use crate::units::records::{Record, layout, stream_in, width};
+use crate::units::records::{Head, Record, layout, stream_in, width};
 
 /// What travels with a sample through every stage.
 struct Stage {
@@ -35,11 +35,11 @@ impl Stage {
     }
 
     /// Takes a sample that issues.
-    fn enter(&self, m: &mut Module, head: &Stream, issue: &Issue) {
+    fn enter(&self, m: &mut Module, head: &Head, issue: &Issue) {
         m.next(&self.valid, &issue.sample);
         m.next(&self.inside, &issue.inside);
         for (register, name) in [(&self.last, "last"), (&self.slot, "slot"), (&self.pixel, "pixel")] {
-            m.next(register, &head.field(name));
+            m.next(register, &head.record.get(name));
         }
     }
 
@@ -53,7 +53,24 @@ impl Stage {
     }
 }
 
-/// What becomes of the sample at the head of the queue.
+/// A bit for each stage that holds an inside sample of the head's pixel, known without comparing in the cycle in which the head
+/// issues or waits: compared when the sample came in, shifted as the stages move.
+fn collisions(m: &mut Module, head: &Head, stages: &[Stage]) -> Expr {
+    let place = |record: &Record| cat(&[&record.get("slot"), &record.get("pixel")]);
+    let arriving = place(&head.arriving);
+    let inside = &head.valid & (&head.record.get("inside") & !&head.record.get("end"));
+    // Bit i: what will be in stage i + 1 in the next cycle.
+    let mut collide = vec![inside & arriving.eq(&place(&head.record))];
+    let moving = &stages[..stages.len() - 1];
+    collide.extend(moving.iter().map(|stage| &stage.inside & arriving.eq(&cat(&[&stage.slot, &stage.pixel]))));
+    let collide = cat(&collide.iter().rev().collect::<Vec<_>>());
+    let collisions = m.reg("collisions", stages.len());
+    // A head that stays sees the others move on, and none follow.
+    m.next(&collisions, &head.takes.mux(&collide, &collisions.shl(1)));
+    collisions.expr()
+}
+
+/// What becomes of the sample at the head.
 struct Issue {
     /// A sample enters stage 1.
     sample: Expr,
@@ -65,18 +82,16 @@ struct Issue {
 }
 
 impl Issue {
-    fn new(m: &mut Module, head: &Stream, slot_ready: &Expr, stages: &[Stage]) -> Self {
-        let (slot, pixel) = (head.field("slot"), head.field("pixel"));
-        let on_the_way = stages
-            .iter()
-            .fold(bit(false), |any, stage| any | (&stage.inside & (stage.slot.eq(&slot) & stage.pixel.eq(&pixel))));
+    fn new(m: &mut Module, head: &Head, slot_ready: &Expr, stages: &[Stage]) -> Self {
+        let slot = head.record.get("slot");
+        let on_the_way = collisions(m, head, stages).any();
         let on_the_way = m.wire("on_the_way", &on_the_way);
         let occupied = stages.iter().fold(bit(false), |any, stage| any | &stage.valid);
         let arrived = m.wire("arrived", &slot_ready.shr_by(&slot).bit(0));
 
-        let end = &head.valid & head.field("end");
-        let sample = &head.valid & !head.field("end");
-        let inside = m.wire("head_inside", &(&sample & head.field("inside")));
+        let end = &head.valid & head.record.get("end");
+        let sample = &head.valid & !head.record.get("end");
+        let inside = m.wire("may_issue_inside", &(&sample & head.record.get("inside")));
         let slot_wait = m.wire("slot_wait", &(&inside & !&arrived));
         let hazard = m.wire("hazard", &(&inside & (&arrived & &on_the_way)));
         let inside = m.wire("issue_inside", &(&inside & (&arrived & !&on_the_way)));
@@ -130,80 +145,6 @@ fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses
     (0..config.tile_slots).map(&mut slot).collect()
 }
 
-/// A value from stage 1 as it is in stage `1 + count`.
-fn delay(m: &mut Module, name: &str, value: &Expr, count: u32) -> Expr {
-    (0..count).fold(value.clone(), |value, index| {
-        let register = m.reg(&format!("{name}_{}", index + 2), value.width());
-        m.next(&register, &value);
-        register.expr()
-    })
-}
-
-/// The pixel that a sample leaves behind, in the last stage.
-struct Blend {
-    /// The sample changes the pixel.
-    writes: Expr,
-    pixel: Record,
-}
-
-/// Compares and adds: `sample` and `stored` are those of stage 1.
-fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &Record) -> Blend {
-    let cycles = config.accumulate_stages;
-    let test = m.instance("depth_test", depth_test::module(config));
-    m.connect(&test, "weight", &stored.get("weight"));
-    m.connect(&test, "depth", &stored.get("depth"));
-    for name in ["depth_low", "depth_high"] {
-        m.connect(&test, name, &sample.get(name));
-    }
-    let [fail, pass] = ["fail", "pass"].map(|name| {
-        let outcome = m.out(&test, name);
-        delay(m, &format!("late_{name}"), &outcome, cycles - depth_test::LATENCY)
-    });
-
-    let weight_bits = WEIGHT_SUM_BITS as usize;
-    let weight = sample.get("weight");
-    let weight_sum = stored.get("weight").add_carry(&weight.zext(weight_bits));
-    let weight_sum = delay(m, "weight_sum", &weight_sum, cycles);
-    let late_weight = delay(m, "weight", &weight, cycles);
-    let weighted_depth = sample.get("weighted_depth");
-    let depth_sum = stored.get("depth") + weighted_depth.zext(stored.get("depth").width());
-    let depth_sum = delay(m, "depth_sum", &depth_sum, cycles);
-    let late_depth = delay(m, "depth", &weighted_depth, cycles);
-    let stronger = match config.cardinal {
-        0 => pass.clone(),
-        _ => {
-            let stronger = delay(m, "stronger", &stored.get("peak").lt(&weight), cycles);
-            m.wire("selected", &(&pass | &stronger))
-        }
-    };
-
-    let adder = add::module(config.attribute, cycles);
-    let pixel = Record::new(&records::pixel(config), |name| match name {
-        "weight" => pass.mux(&late_weight.zext(weight_bits), &weight_sum.trunc(weight_bits)),
-        "depth" => pass.mux(&late_depth.zext(depth_sum.width()), &depth_sum),
-        "peak" => {
-            let late_peak = delay(m, "peak", &stored.get("peak"), cycles);
-            stronger.mux(&late_weight, &late_peak)
-        }
-        attribute => {
-            let late = delay(m, attribute, &sample.get(attribute), cycles);
-            if attribute.starts_with("cardinal") {
-                let late_stored = delay(m, &format!("stored_{attribute}"), &stored.get(attribute), cycles);
-                return stronger.mux(&late, &late_stored);
-            }
-            let add = m.instance(&format!("add_{attribute}"), adder.module.clone());
-            m.connect(&add, "enable", &bit(true));
-            m.connect(&add, "a", &stored.get(attribute));
-            m.connect(&add, "b", &sample.get(attribute));
-            let sum = m.out(&add, "y");
-            let sum = delay(m, &format!("sum_of_{attribute}"), &sum, cycles - adder.latency);
-            pass.mux(&late, &sum)
-        }
-    });
-    let overflows = weight_sum.msb();
-    Blend { writes: !fail & (&pass | !overflows), pixel }
-}
-
 /// The unit; ports as in `spec::core_a::ports::accumulator`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
@@ -215,7 +156,7 @@ pub fn module(config: &Config) -> Module {
     let input = stream_in(&mut m, "in", &sample_fields);
     let queue = m.instance("samples", fifo(SAMPLE_QUEUE_DEPTH as usize, &layout(&sample_fields)));
     m.stream_into(&queue, "in", &input);
-    let head = m.stream_from(&queue, "out");
+    let queued = m.stream_from(&queue, "out");
 
     let ready = m.input("slot_ready", config.tile_slots as usize);
     let retire_valid = m.reg_reset("retire_valid", 1, 0);
@@ -236,8 +177,9 @@ pub fn module(config: &Config) -> Module {
     };
 
     let stages: Vec<_> = (1..=config.accumulate_stages + 1).map(|number| Stage::new(&mut m, config, number)).collect();
+    let head = Head::new(&mut m, &queued);
     let issue = Issue::new(&mut m, &head, &ports.ready, &stages);
-    m.ready(&head, &(&issue.sample | &issue.end));
+    head.leaves(&mut m, &(&issue.sample | &issue.end));
     m.next(&frame_end, &issue.end);
     stages[0].enter(&mut m, &head, &issue);
     for pair in stages.windows(2) {
@@ -251,8 +193,8 @@ pub fn module(config: &Config) -> Module {
     let writes = m.forward("writes", 1);
     let accesses = Accesses {
         read: &issue.inside,
-        read_slot: &head.field("slot"),
-        read_pixel: &head.field("pixel"),
+        read_slot: &head.record.get("slot"),
+        read_pixel: &head.record.get("pixel"),
         write: &writes,
         write_slot: &last_stage.slot,
         write_pixel: &last_stage.pixel,
@@ -260,7 +202,8 @@ pub fn module(config: &Config) -> Module {
     };
     let read = slots(&mut m, config, &ports, &accesses);
     let read: Vec<_> = read.iter().collect();
-    let stored = m.wire("stored", &select(&stages[0].slot, &read));
+    let stored = m.reg("stored", width(&pixel_fields));
+    m.next(&stored, &select(&stages[0].slot, &read));
     let drained_slot = m.reg("drained_slot", slot_bits);
     m.next_if(&drained_slot, &ports.drain_enable, &ports.drain_slot);
     let drained = m.wire("drained", &select(&drained_slot, &read));
@@ -270,7 +213,8 @@ pub fn module(config: &Config) -> Module {
         .into_iter()
         .filter(|(name, _)| !["end", "last", "inside", "slot", "pixel"].contains(&name.as_str()))
         .collect();
-    let sample = Record::from(&head).only(&carried).register(&mut m, "sample_", &issue.inside);
+    let sample = head.record.only(&carried).register(&mut m, "sample_1_", &bit(true));
+    let sample = sample.register(&mut m, "sample_2_", &bit(true));
     let blend = blend(&mut m, config, &sample, &Record::unpack(&pixel_fields, &stored));
     m.drive(&writes, &(&last_stage.inside & blend.writes));
     m.drive(&result, &blend.pixel.pack());

@@ -14,9 +14,11 @@ pub mod top;
 pub mod transform;
 pub mod weighting;
 
+mod blend;
 mod heap_order;
 mod heap_stage;
 mod tile_directory;
+mod tile_moves;
 
 #[cfg(test)]
 mod tests {

@@ -4,16 +4,17 @@
 use pointcore_spec::core_a::records::PIXEL_BITS;
 use pointcore_spec::core_a::{Config, Field, records};
 
-use super::tile_directory::{Changes, Directory};
-use crate::rtl::{Expr, Module, Reg, Stream, address_width, lit};
-use crate::units::records::{QueueOut, Record, queue_in, queue_out, stream_in};
+use super::tile_directory::{Changes, Directory, Hit, Lookup};
+use super::tile_moves::{exchange, fill_ports, push_pixels};
+use crate::rtl::{Expr, Module, Reg, address_width, lit};
+use crate::units::records::{Head, QueueOut, Record, queue_in, queue_out, stream_in};
 
 /// Bits of a number of pixels of a tile, all of them included; the top bit says that all are done.
-const COUNT_BITS: usize = PIXEL_BITS as usize + 1;
+pub(super) const COUNT_BITS: usize = PIXEL_BITS as usize + 1;
 
 /// What the unit is about.
 #[derive(Clone, Copy)]
-enum Mode {
+pub(super) enum Mode {
     /// Clears the memory of touched tiles after reset.
     Clear,
     /// Places copies.
@@ -33,28 +34,31 @@ enum Mode {
 }
 
 /// Registers of the unit.
-struct State {
-    mode: Reg,
-    frame_ended: Reg,
+pub(super) struct State {
+    pub mode: Reg,
+    pub frame_ended: Reg,
     /// The tile code that is cleared or sent.
-    code: Reg,
+    pub code: Reg,
     /// The job of a tile that was missed: first a look at whether the tile was touched, then the exchange.
-    looking: Reg,
-    moving: Reg,
-    slot: Reg,
-    tile: Reg,
-    read_valid: Reg,
+    pub looking: Reg,
+    pub moving: Reg,
+    pub slot: Reg,
+    pub tile: Reg,
+    pub read_valid: Reg,
     /// The slot holds a tile that has to be written back first.
-    evict: Reg,
-    evict_tile: Reg,
+    pub evict: Reg,
+    pub evict_tile: Reg,
     /// The tile comes from the reconstruction buffer; otherwise it is new and starts with zeros.
-    load: Reg,
+    pub load: Reg,
     /// Pixels read from the slot, or from the reconstruction buffer when the frame is sent.
-    drained: Reg,
+    pub drained: Reg,
     /// A pixel is shown at the drain port, and which.
-    showing: Reg,
-    shown_pixel: Reg,
-    filled: Reg,
+    pub showing: Reg,
+    pub shown_pixel: Reg,
+    /// A pixel that was shown is held, and which.
+    pub holding: Reg,
+    pub held_pixel: Reg,
+    pub filled: Reg,
 }
 
 impl State {
@@ -75,16 +79,23 @@ impl State {
             drained: m.reg("drained", COUNT_BITS),
             showing: m.reg_reset("showing", 1, 0),
             shown_pixel: m.reg("shown_pixel", PIXEL_BITS as usize),
+            holding: m.reg_reset("holding", 1, 0),
+            held_pixel: m.reg("held_pixel", PIXEL_BITS as usize),
             filled: m.reg("filled", COUNT_BITS),
         }
     }
 
-    fn is(&self, mode: Mode) -> Expr {
+    pub fn is(&self, mode: Mode) -> Expr {
         self.mode.eq_lit(mode as u128)
     }
 
-    fn all_drained(&self) -> Expr {
+    pub fn all_drained(&self) -> Expr {
         self.drained.msb()
+    }
+
+    /// Pixels that were read are on their way.
+    pub fn holds_pixels(&self) -> Expr {
+        &self.showing | &self.holding
     }
 
     fn no_job(&self) -> Expr {
@@ -92,7 +103,7 @@ impl State {
     }
 }
 
-/// What happens to the copy at the head of the input queue.
+/// What happens to the copy at the head.
 struct Placement {
     send: Expr,
     send_end: Expr,
@@ -100,65 +111,17 @@ struct Placement {
 }
 
 /// Sends the head with its slot on a hit, starts a job on a miss.
-fn place(m: &mut Module, state: &State, directory: &Directory, head: &Stream, out: QueueOut) -> Placement {
+fn place(m: &mut Module, state: &State, directory: &Directory, head: &Head, out: QueueOut) -> Placement {
     let ready = m.wire("head_waits", &(state.is(Mode::Run) & &head.valid));
-    let end = head.field("end");
+    let end = head.record.get("end");
     let send_end = m.wire("send_end", &(&ready & (&end & &out.room)));
     let copy = &ready & !&end;
-    let send = m.wire("send", &(&copy & (&directory.hit & (&out.room & &directory.hit_has_room))));
-    let start = m.wire("start", &(&copy & (!&directory.hit & (state.no_job() & &directory.next_idle))));
+    let send = m.wire("send", &(&copy & (&directory.copy.found & (&out.room & &directory.has_room))));
+    let start = m.wire("start", &(&copy & (!&directory.copy.found & (state.no_job() & &directory.next_idle))));
     let sent = &send | &send_end;
-    m.ready(head, &sent);
-    out.push(m, &sent, |name| if name == "slot" { directory.hit_slot.clone() } else { head.field(name) });
+    head.leaves(m, &sent);
+    out.push(m, &sent, |name| if name == "slot" { directory.copy.slot.clone() } else { head.record.get(name) });
     Placement { send, send_end, start }
-}
-
-/// Moves of pixels between slot, reconstruction buffer and output.
-struct Moves {
-    /// A pixel at the drain port is pushed to the queue it is for.
-    shown: Expr,
-    drain_enable: Expr,
-    /// A beat of the data stream is taken.
-    beat: Expr,
-    fill: Expr,
-    /// The job is done.
-    done: Expr,
-}
-
-/// Drains a slot, for eviction or for the frame, and fills it.
-fn exchange(
-    m: &mut Module,
-    state: &State,
-    data: &Stream,
-    write: &QueueOut,
-    pixel: &QueueOut,
-    fill_valid: &Reg,
-) -> Moves {
-    let (from_slot, from_memory) = (state.is(Mode::FromSlot), state.is(Mode::FromMemory));
-    let draining = m.wire("draining", &(&from_slot | (&state.moving & &state.evict)));
-    let room = from_slot.mux(&pixel.room, &write.room);
-    let step = m.wire("drain_step", &(&draining & (!&state.showing | &room)));
-    let drain_enable = m.wire("drain_next", &(&step & !state.all_drained()));
-    m.next_if(&state.showing, &step, &drain_enable);
-    m.next_if(&state.shown_pixel, &drain_enable, &state.drained.trunc(PIXEL_BITS as usize));
-    let shown = m.wire("shown", &(&state.showing & &step));
-
-    let vacated = !&state.evict | state.filled.lt(&state.drained);
-    let may_fill = m.wire("may_fill", &(&state.moving & (!state.filled.msb() & vacated)));
-    let memory_step = &from_memory & (&pixel.room & !state.all_drained());
-    let data_ready = m.wire("take_data", &((&may_fill & &state.load) | &memory_step));
-    m.ready(data, &data_ready);
-    let beat = m.wire("beat", &(&data_ready & &data.valid));
-    let fill = m.wire("fill", &(&may_fill & (!&state.load | &data.valid)));
-
-    let evicted = !&state.evict | (state.all_drained() & !(&state.showing | &write.holds));
-    let done = m.wire("done", &(&state.moving & (&state.filled.msb() & (!fill_valid & evicted))));
-    let begin = &state.looking | state.is(Mode::Check);
-    let zero = lit(COUNT_BITS, 0);
-    let drains = &drain_enable | (&from_memory & &beat);
-    m.next_if(&state.drained, &(&begin | drains), &begin.mux(&zero, &state.drained.add_lit(1)));
-    m.next_if(&state.filled, &(&begin | &fill), &begin.mux(&zero, &state.filled.add_lit(1)));
-    Moves { shown, drain_enable, beat, fill, done }
 }
 
 /// Steps through the modes; returns the cycles in which the frame starts to be sent and in which it is closed.
@@ -167,13 +130,13 @@ fn sequence(
     state: &State,
     placement: &Placement,
     touched: &Expr,
-    hit: &Expr,
+    sent: &Hit,
     room: &Expr,
 ) -> (Expr, Expr) {
     let mode = |mode: Mode| lit(state.mode.width(), mode as u128);
     let finish = m.wire("finish", &(state.is(Mode::Wait) & (&state.frame_ended & state.no_job())));
     let close = m.wire("close", &(state.is(Mode::Close) & room));
-    let slot_sent = state.is(Mode::FromSlot) & (state.all_drained() & !&state.showing);
+    let slot_sent = state.is(Mode::FromSlot) & (state.all_drained() & !state.holds_pixels());
     let memory_sent = state.is(Mode::FromMemory) & state.all_drained();
     let skipped = state.is(Mode::Check) & !touched;
     let next_tile = m.wire("next_tile", &(slot_sent | memory_sent | skipped));
@@ -181,7 +144,7 @@ fn sequence(
     let last = m.wire("last_code", &state.code.all());
     m.next_if(&state.code, &(&clear | &next_tile), &state.code.add_lit(1));
 
-    let source = hit.mux(&mode(Mode::FromSlot), &mode(Mode::FromMemory));
+    let source = sent.found.mux(&mode(Mode::FromSlot), &mode(Mode::FromMemory));
     let following = last.mux(&mode(Mode::Close), &mode(Mode::Look));
     let changes = [
         ((&clear & &last) | &close, mode(Mode::Run)),
@@ -197,56 +160,22 @@ fn sequence(
 }
 
 /// Keeps what the job, or the tile that is sent, is about.
-fn follow_job(m: &mut Module, state: &State, start: &Expr, done: &Expr, touched: &Expr, directory: &Directory) {
+fn follow_job(
+    m: &mut Module,
+    state: &State,
+    [start, done]: [&Expr; 2],
+    touched: &Expr,
+    directory: &Directory,
+    tile: &Expr,
+) {
     m.next(&state.looking, start);
     m.next_if(&state.moving, &(&state.looking | done), &state.looking);
     m.next_if(&state.load, &state.looking, touched);
     m.next_if(&state.evict, start, &directory.next_resident);
     m.next_if(&state.evict_tile, start, &directory.next_tile);
     let check = state.is(Mode::Check);
-    m.next_if(&state.slot, &(start | &check), &check.mux(&directory.hit_slot, &directory.next_slot()));
-    m.next_if(&state.tile, &(start | &check), &directory.sought);
-}
-
-/// The ports that write the slot, a cycle after a pixel came.
-fn fill_ports(m: &mut Module, state: &State, fill: &Expr, fill_valid: &Reg, data: &Record, fields: &[Field]) {
-    let fill_pixel = m.reg("fill_pixel", PIXEL_BITS as usize);
-    m.next(fill_valid, fill);
-    m.next_if(&fill_pixel, fill, &state.filled.trunc(PIXEL_BITS as usize));
-    let filling = data.mux(&state.load, &Record::zeros(fields)).register(m, "fill_", fill);
-    m.output("fill_valid", fill_valid);
-    m.output("fill_slot", &state.slot);
-    m.output("fill_pixel", &fill_pixel);
-    filling.output(m, "fill_");
-}
-
-/// Pushes pixels to the reconstruction buffer and, at the end of the frame, those that are visible to the output.
-fn push_pixels(
-    m: &mut Module,
-    state: &State,
-    moves: &Moves,
-    close: &Expr,
-    shown: &Record,
-    data: &Record,
-    [write, pixel]: [QueueOut; 2],
-) {
-    let evicted = &state.moving & &moves.shown;
-    write.push(m, &evicted, |name| match name {
-        "tile" => state.evict_tile.expr(),
-        "pixel" => state.shown_pixel.expr(),
-        field => shown.get(field),
-    });
-    let from_slot = state.is(Mode::FromSlot);
-    let sent_pixel = from_slot.mux(&state.shown_pixel, &state.drained.trunc(PIXEL_BITS as usize));
-    let sent = shown.mux(&from_slot, data);
-    let sends = (&from_slot & &moves.shown) | (state.is(Mode::FromMemory) & &moves.beat);
-    let visible = m.wire("visible", &sent.get("weight").any());
-    pixel.push(m, &(close | (sends & visible)), |name| match name {
-        "end" => close.clone(),
-        "tile" => state.code.expr(),
-        "pixel" => sent_pixel.clone(),
-        field => sent.get(field),
-    });
+    m.next_if(&state.slot, &(start | &check), &check.mux(&directory.sent.slot, &directory.next_slot()));
+    m.next_if(&state.tile, &(start | &check), &check.mux(&state.code, tile));
 }
 
 fn with_place(config: &Config, pixel: Vec<Field>) -> Vec<Field> {
@@ -262,7 +191,9 @@ pub fn module(config: &Config) -> Module {
     let mut m =
         Module::new("core_a_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
     m.parameter("slots", config.tile_slots);
-    let head = queue_in(&mut m, "in", &records::copy(config));
+    let queued = queue_in(&mut m, "in", &records::copy(config));
+    let head = Head::new(&mut m, &queued);
+    let tile = head.record.get("tile");
     let out = queue_out(&mut m, "out", &records::placed_copy(config));
     let state = State::new(&mut m, config);
     let read_ready = m.stream_out("read", &state.read_valid, &[("tile", &*state.tile)]);
@@ -270,27 +201,26 @@ pub fn module(config: &Config) -> Module {
     let write = queue_out(&mut m, "write", &with_place(config, pixel_fields.clone()));
     let pixel = queue_out(&mut m, "pixel", &records::finished_pixel(config));
 
-    let check = state.is(Mode::Check);
-    let sought = m.wire("sought", &check.mux(&state.code, &head.field("tile")));
-    let directory = Directory::new(&mut m, config, &sought);
+    let directory = Directory::new(&mut m, config);
     m.output("slot_ready", &directory.ready());
     let retire = m.input("retire_valid", 1);
     let retire_slot = m.input("retire_slot", slot_bits);
     let frame_end = m.input("frame_end", 1);
 
     let touched_tiles = m.memory("touched_tiles", 1 << tile_bits, 1);
-    let look_at = state.is(Mode::Look).mux(&state.code, &head.field("tile"));
+    let look_at = state.is(Mode::Look).mux(&state.code, &tile);
     let touched = m.read(&touched_tiles, "touched", &look_at);
+    let check = state.is(Mode::Check);
     let touch = &state.looking | (state.is(Mode::Clear) | (&check & &touched));
     m.write(&touched_tiles, &touch, &state.looking.mux(&state.tile, &state.code), &state.looking);
 
     let placement = place(&mut m, &state, &directory, &head, out);
     let fill_valid = m.reg_reset("fill_valid", 1, 0);
     let moves = exchange(&mut m, &state, &data, &write, &pixel, &fill_valid);
-    let (finish, close) = sequence(&mut m, &state, &placement, &touched, &directory.hit, &pixel.room);
+    let (finish, close) = sequence(&mut m, &state, &placement, &touched, &directory.sent, &pixel.room);
     m.next_if(&state.frame_ended, &(&frame_end | &finish), &frame_end);
-    follow_job(&mut m, &state, &placement.start, &moves.done, &touched, &directory);
-    let raise_read = &touched & (&state.looking | (&check & !&directory.hit));
+    follow_job(&mut m, &state, [&placement.start, &moves.done], &touched, &directory, &tile);
+    let raise_read = &touched & (&state.looking | (&check & !&directory.sent.found));
     m.next_if(&state.read_valid, &(&raise_read | &read_ready), &raise_read);
 
     let arriving = Record::from(&data);
@@ -298,8 +228,8 @@ pub fn module(config: &Config) -> Module {
     m.output("drain_enable", &moves.drain_enable);
     m.output("drain_slot", &state.slot);
     m.output("drain_pixel", &state.drained.trunc(PIXEL_BITS as usize));
-    let shown = Record::input(&mut m, "drain_", &pixel_fields);
-    push_pixels(&mut m, &state, &moves, &close, &shown, &arriving, [write, pixel]);
+    let held = Record::input(&mut m, "drain_", &pixel_fields).register(&mut m, "held_", &moves.step);
+    push_pixels(&mut m, &state, &moves, &close, &held, &arriving, [write, pixel]);
 
     let changes = Changes {
         allocate: &placement.start,
@@ -311,6 +241,7 @@ pub fn module(config: &Config) -> Module {
         close: &finish,
         clear: &close,
     };
-    directory.update(&mut m, &changes);
+    let lookup = Lookup { copy: &tile, takes: &head.takes, arriving: &head.arriving.get("tile"), code: &state.code };
+    directory.update(&mut m, &lookup, &changes);
     m
 }

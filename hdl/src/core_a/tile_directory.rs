@@ -13,20 +13,40 @@ struct Slot {
     in_flight: Reg,
     /// It is the next to be allocated.
     is_next: Expr,
+    /// Its tile is that of the copy to be placed, and that of the frame's tile to be sent.
+    is_of_copy: Reg,
+    is_of_code: Reg,
 }
 
-/// The directory's registers and what they say about one tile.
+/// The slot that holds a tile.
+pub(super) struct Hit {
+    /// Some slot does.
+    pub found: Expr,
+    /// Which, or 0.
+    pub slot: Expr,
+}
+
+/// The tiles that are looked up, a cycle before it matters where they are.
+pub(super) struct Lookup<'a> {
+    /// The tile of the copy to be placed.
+    pub copy: &'a Expr,
+    /// A copy with tile `arriving` takes its place.
+    pub takes: &'a Expr,
+    pub arriving: &'a Expr,
+    /// The tile to be sent.
+    pub code: &'a Expr,
+}
+
+/// The directory's registers and what they say about the tiles looked up.
 pub(super) struct Directory {
     slots: Vec<Slot>,
     next: Reg,
-    /// The tile that is looked up.
-    pub sought: Expr,
-    /// Some slot holds it.
-    pub hit: Expr,
-    /// That slot, or 0.
-    pub hit_slot: Expr,
+    /// Where the copy's tile is.
+    pub copy: Hit,
     /// That slot can take one more copy.
-    pub hit_has_room: Expr,
+    pub has_room: Expr,
+    /// Where the tile to be sent is.
+    pub sent: Hit,
     /// The tile in the slot to be allocated next, if `next_resident`.
     pub next_tile: Expr,
     pub next_resident: Expr,
@@ -36,9 +56,9 @@ pub(super) struct Directory {
 
 /// What changes the directory in a cycle.
 pub(super) struct Changes<'a> {
-    /// The next slot is given to the tile that is looked up.
+    /// The next slot is given to the tile of the copy.
     pub allocate: &'a Expr,
-    /// A copy enters slot [`Directory::hit_slot`].
+    /// The copy enters its slot.
     pub enter: &'a Expr,
     /// A copy of `retire_slot` is done.
     pub retire: &'a Expr,
@@ -57,9 +77,18 @@ fn pick<'a>(width: usize, choices: impl Iterator<Item = (Expr, &'a Expr)>) -> Ex
     choices.fold(lit(width, 0), |all, (condition, value)| all | (condition.repeat(width) & value))
 }
 
+impl Hit {
+    fn new(m: &mut Module, name: &str, width: usize, hits: &[Expr]) -> Self {
+        let found = m.wire(&format!("{name}_hit"), &cat(&hits.iter().collect::<Vec<_>>()).any());
+        let numbers: Vec<_> = (0..hits.len()).map(|slot| lit(width, slot as u128)).collect();
+        let slot = pick(width, hits.iter().cloned().zip(&numbers));
+        Self { found, slot: m.wire(&format!("{name}_slot"), &slot) }
+    }
+}
+
 impl Directory {
-    /// Declares the registers and looks `sought` up.
-    pub fn new(m: &mut Module, config: &Config, sought: &Expr) -> Self {
+    /// Declares the registers.
+    pub fn new(m: &mut Module, config: &Config) -> Self {
         let (tile_bits, slot_bits) = (config.tile_bits() as usize, config.slot_bits() as usize);
         let next = m.reg_reset("next", slot_bits, 0);
         let slots: Vec<_> = (0..config.tile_slots)
@@ -69,24 +98,24 @@ impl Directory {
                 ready: m.reg_reset(&format!("ready_{slot}"), 1, 0),
                 in_flight: m.reg_reset(&format!("in_flight_{slot}"), IN_FLIGHT_BITS as usize, 0),
                 is_next: next.eq_lit(slot.into()),
+                is_of_copy: m.reg(&format!("is_of_copy_{slot}"), 1),
+                is_of_code: m.reg(&format!("is_of_code_{slot}"), 1),
             })
             .collect();
-        let hits: Vec<_> = slots.iter().map(|slot| &slot.resident & slot.tile.eq(sought)).collect();
-        let hit = cat(&hits.iter().collect::<Vec<_>>()).any();
-        let hit = m.wire("hit", &hit);
-        let numbers: Vec<_> = (0..slots.len()).map(|slot| lit(slot_bits, slot as u128)).collect();
-        let hit_slot = pick(slot_bits, hits.iter().cloned().zip(&numbers));
-        let hit_slot = m.wire("hit_slot", &hit_slot);
+        let holds_copy: Vec<_> = slots.iter().map(|slot| &slot.resident & &slot.is_of_copy).collect();
+        let holds_code: Vec<_> = slots.iter().map(|slot| &slot.resident & &slot.is_of_code).collect();
+        let copy = Hit::new(m, "copy", slot_bits, &holds_copy);
+        let sent = Hit::new(m, "sent", slot_bits, &holds_code);
         let full: Vec<_> = slots.iter().map(|slot| slot.in_flight.all()).collect();
-        let hit_full = pick(1, hits.into_iter().zip(&full));
+        let has_room = !pick(1, holds_copy.into_iter().zip(&full));
+        let idle: Vec<_> = slots.iter().map(|slot| slot.in_flight.is_zero()).collect();
+        let next_idle = pick(1, slots.iter().map(|slot| slot.is_next.clone()).zip(&idle));
         let of_next = |width, value: fn(&Slot) -> &Expr| {
             pick(width, slots.iter().map(|slot| (slot.is_next.clone(), value(slot))))
         };
         let next_tile = of_next(tile_bits, |slot| &slot.tile);
         let next_resident = of_next(1, |slot| &slot.resident);
-        let next_idle = of_next(IN_FLIGHT_BITS as usize, |slot| &slot.in_flight).is_zero();
-        let hit_has_room = !hit_full;
-        Self { slots, next, sought: sought.clone(), hit, hit_slot, hit_has_room, next_tile, next_resident, next_idle }
+        Self { slots, next, copy, has_room, sent, next_tile, next_resident, next_idle }
     }
 
     /// The slot to be allocated next.
@@ -101,18 +130,22 @@ impl Directory {
     }
 
     /// States how the registers change.
-    pub fn update(self, m: &mut Module, changes: &Changes<'_>) {
+    pub fn update(self, m: &mut Module, lookup: &Lookup<'_>, changes: &Changes<'_>) {
         let last = self.next.eq_lit(self.slots.len() as u128 - 1) | changes.clear;
         let next = last.mux(&lit(self.next.width(), 0), &self.next.add_lit(1));
         m.next_if(&self.next, &(changes.allocate | changes.clear), &next);
         for (number, slot) in self.slots.iter().enumerate() {
             let is = |other: &Expr| other.eq_lit(number as u128);
             let allocated = changes.allocate & &slot.is_next;
-            m.next_if(&slot.tile, &allocated, &self.sought);
+            m.next_if(&slot.tile, &allocated, lookup.copy);
+            // A slot is given to a copy that stays.
+            let is_of_copy = lookup.takes.mux(&slot.tile.eq(lookup.arriving), &(&slot.is_of_copy | &allocated));
+            m.next(&slot.is_of_copy, &is_of_copy);
+            m.next(&slot.is_of_code, &slot.tile.eq(lookup.code));
             m.next_if(&slot.resident, &(&allocated | changes.clear), &allocated);
             let filled = changes.filled & is(changes.filled_slot);
             m.next_if(&slot.ready, &(&filled | &allocated | changes.close), &filled);
-            let enters = changes.enter & is(&self.hit_slot);
+            let enters = changes.enter & is(&self.copy.slot);
             let leaves = changes.retire & is(changes.retire_slot);
             let count = enters.mux(&slot.in_flight.add_lit(1), &slot.in_flight.sub_lit(1));
             m.next_if(&slot.in_flight, &(&enters ^ &leaves), &count);

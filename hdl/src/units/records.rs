@@ -2,7 +2,7 @@
 
 use pointcore_spec::core_a::Field;
 
-use crate::rtl::{Expr, Instance, Module, Stream, StreamIn, bit, cat, lit};
+use crate::rtl::{Expr, Instance, Module, Reg, Stream, StreamIn, Wire, bit, cat, lit};
 use crate::stream::skid;
 
 /// A value for every field of a record, in order.
@@ -113,6 +113,36 @@ pub(crate) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
     let queue = m.instance(&format!("{name}_queue"), skid(&layout(fields)));
     m.stream_into(&queue, "in", &ports);
     m.stream_from(&queue, "out")
+}
+
+/// A register behind a queue: what is decided about its record starts from flip-flops, and can be prepared while it comes in.
+pub(crate) struct Head {
+    /// It holds a record.
+    pub valid: Reg,
+    /// That record.
+    pub record: Record,
+    /// It takes what the queue shows.
+    pub takes: Wire,
+    /// That record.
+    pub arriving: Record,
+}
+
+impl Head {
+    /// Puts the register behind `queue`.
+    pub fn new(m: &mut Module, queue: &Stream) -> Self {
+        let takes = m.forward("head_takes", 1);
+        let valid = m.reg_reset("head_valid", 1, 0);
+        m.next_if(&valid, &takes, &queue.valid);
+        m.ready(queue, &takes);
+        let arriving = Record::from(queue);
+        let record = arriving.register(m, "head_", &takes);
+        Self { valid, record, takes, arriving }
+    }
+
+    /// States when the record leaves; to be called once.
+    pub fn leaves(&self, m: &mut Module, leaves: &Expr) {
+        m.drive(&self.takes, &(!&*self.valid | leaves));
+    }
 }
 
 /// A queue of two whose head is a stream that goes out.

@@ -82,7 +82,8 @@ pub struct Config {
     pub transform_interval: u32,
     /// Cycles a splat takes in the setup unit (initiation interval).
     pub setup_interval: u32,
-    /// Pipeline registers of an accumulator's adder; at least the two of the depth test.
+    /// Cycles from a stored pixel to its new value: one to choose the slot, the others for test and sums, at least the
+    /// three of the depth test.
     pub accumulate_stages: u32,
     /// Widths of the bus around the core.
     pub bus: bus::Config,
@@ -105,7 +106,7 @@ impl Default for Config {
             kernel_gamma: 2.0,
             transform_interval: 2,
             setup_interval: 4,
-            accumulate_stages: 2,
+            accumulate_stages: 6,
             bus: bus::Config::default(),
         }
     }
@@ -158,7 +159,7 @@ impl Config {
             ("tile_slots", self.tile_slots, 2, 64),
             ("transform_interval", self.transform_interval, 1, 16),
             ("setup_interval", self.setup_interval, 1, 16),
-            ("accumulate_stages", self.accumulate_stages, 2, 8),
+            ("accumulate_stages", self.accumulate_stages, 4, 12),
         ];
         for (key, value, low, high) in ranges {
             if !(low..=high).contains(&value) {

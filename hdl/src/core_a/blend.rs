@@ -1,0 +1,87 @@
+//! What the accumulator makes of a pixel and a sample: depth test, sums, and the choice among them (eq. 5.8 to 5.12).
+
+use pointcore_spec::core_a::config::WEIGHT_SUM_BITS;
+use pointcore_spec::core_a::{Config, records};
+
+use super::depth_test;
+use crate::float::add;
+use crate::rtl::{Expr, Module, bit};
+use crate::units::records::Record;
+
+/// Cycles in which a sample's slot is chosen.
+const CHOICE: u32 = 1;
+
+/// A value from stage 2 as it is in stage `2 + count`.
+fn delay(m: &mut Module, name: &str, value: &Expr, count: u32) -> Expr {
+    (0..count).fold(value.clone(), |value, index| {
+        let register = m.reg(&format!("{name}_{}", index + 3), value.width());
+        m.next(&register, &value);
+        register.expr()
+    })
+}
+
+/// The pixel that a sample leaves behind, in the last stage.
+pub(super) struct Blend {
+    /// The sample changes the pixel.
+    pub writes: Expr,
+    /// Its new value.
+    pub pixel: Record,
+}
+
+/// Compares and adds: `sample` and `stored` are those of stage 2.
+pub(super) fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &Record) -> Blend {
+    let cycles = config.accumulate_stages - CHOICE;
+    let test = m.instance("depth_test", depth_test::module(config));
+    m.connect(&test, "weight", &stored.get("weight"));
+    m.connect(&test, "depth", &stored.get("depth"));
+    for name in ["depth_low", "depth_high"] {
+        m.connect(&test, name, &sample.get(name));
+    }
+    let [fail, pass] = ["fail", "pass"].map(|name| {
+        let outcome = m.out(&test, name);
+        delay(m, &format!("late_{name}"), &outcome, cycles - depth_test::LATENCY)
+    });
+
+    let weight_bits = WEIGHT_SUM_BITS as usize;
+    let weight = sample.get("weight");
+    let weight_sum = stored.get("weight").add_carry(&weight.zext(weight_bits));
+    let weight_sum = delay(m, "weight_sum", &weight_sum, cycles);
+    let late_weight = delay(m, "weight", &weight, cycles);
+    let weighted_depth = sample.get("weighted_depth");
+    let depth_sum = stored.get("depth") + weighted_depth.zext(stored.get("depth").width());
+    let depth_sum = delay(m, "depth_sum", &depth_sum, cycles);
+    let late_depth = delay(m, "depth", &weighted_depth, cycles);
+    let stronger = match config.cardinal {
+        0 => pass.clone(),
+        _ => {
+            let stronger = delay(m, "stronger", &stored.get("peak").lt(&weight), cycles);
+            m.wire("selected", &(&pass | &stronger))
+        }
+    };
+
+    let adder = add::module(config.attribute, cycles);
+    let pixel = Record::new(&records::pixel(config), |name| match name {
+        "weight" => pass.mux(&late_weight.zext(weight_bits), &weight_sum.trunc(weight_bits)),
+        "depth" => pass.mux(&late_depth.zext(depth_sum.width()), &depth_sum),
+        "peak" => {
+            let late_peak = delay(m, "peak", &stored.get("peak"), cycles);
+            stronger.mux(&late_weight, &late_peak)
+        }
+        attribute => {
+            let late = delay(m, attribute, &sample.get(attribute), cycles);
+            if attribute.starts_with("cardinal") {
+                let late_stored = delay(m, &format!("stored_{attribute}"), &stored.get(attribute), cycles);
+                return stronger.mux(&late, &late_stored);
+            }
+            let add = m.instance(&format!("add_{attribute}"), adder.module.clone());
+            m.connect(&add, "enable", &bit(true));
+            m.connect(&add, "a", &stored.get(attribute));
+            m.connect(&add, "b", &sample.get(attribute));
+            let sum = m.out(&add, "y");
+            let sum = delay(m, &format!("sum_of_{attribute}"), &sum, cycles - adder.latency);
+            pass.mux(&late, &sum)
+        }
+    });
+    let overflows = weight_sum.msb();
+    Blend { writes: !fail & (&pass | !overflows), pixel }
+}
