@@ -86,12 +86,10 @@ pub struct Threads {
     shape: Shape,
     leaves_in_flight: u8,
     states: Vec<State>,
-    next_pop: usize,
-    next_finish: usize,
+    popping: Turns,
+    finishing: Turns,
     start: Option<Start>,
     descend: Skid<Descent>,
-    pop: Skid<Thread>,
-    finish: Skid<Thread>,
     event_thread_wait: bool,
 }
 
@@ -103,12 +101,10 @@ impl Threads {
             shape: Shape::new(config),
             leaves_in_flight: config.leaves_in_flight as u8,
             states: vec![State::default(); config.threads as usize],
-            next_pop: 0,
-            next_finish: 0,
+            popping: Turns::default(),
+            finishing: Turns::default(),
             start: None,
             descend: Skid::default(),
-            pop: Skid::default(),
-            finish: Skid::default(),
             event_thread_wait: false,
         }
     }
@@ -138,13 +134,31 @@ impl Threads {
     }
 }
 
-/// Grants the first wish from `next` on, cyclically.
-fn grant(states: &mut [State], next: &mut usize, wish: impl Fn(&mut State) -> &mut bool) -> Option<Thread> {
-    let (before, after) = (0..*next, *next..states.len());
-    let index = after.chain(before).find(|index| *wish(&mut states[*index]))?;
-    *wish(&mut states[index]) = false;
-    *next = (index + 1) % states.len();
-    Some(Thread { thread: index as u8 })
+/// Wishes of one kind, granted in turn.
+#[derive(Clone, Debug, Default)]
+struct Turns {
+    /// Who comes first.
+    next: usize,
+    /// Who has been chosen and is shown.
+    chosen: Option<Thread>,
+}
+
+impl Turns {
+    /// Chooses the next one when the one before is taken.
+    fn step(&mut self, ready: bool, states: &mut [State], wish: impl Fn(&mut State) -> &mut bool) {
+        if ready || self.chosen.is_none() {
+            self.chosen = self.grant(states, wish);
+        }
+    }
+
+    /// Grants the first wish from `next` on, cyclically.
+    fn grant(&mut self, states: &mut [State], wish: impl Fn(&mut State) -> &mut bool) -> Option<Thread> {
+        let (before, after) = (0..self.next, self.next..states.len());
+        let index = after.chain(before).find(|index| *wish(&mut states[*index]))?;
+        *wish(&mut states[index]) = false;
+        self.next = (index + 1) % states.len();
+        Some(Thread { thread: index as u8 })
+    }
 }
 
 impl Model for Threads {
@@ -161,8 +175,8 @@ impl Model for Threads {
             query_ready: self.query_ready(),
             start: self.start,
             descend: self.descend.out().copied(),
-            pop: self.pop.out().copied(),
-            finish: self.finish.out().copied(),
+            pop: self.popping.chosen,
+            finish: self.finishing.chosen,
             event_thread_wait: self.event_thread_wait,
         }
     }
@@ -173,22 +187,12 @@ impl Model for Threads {
         self.event_thread_wait = inputs.query.is_some() && free.is_none();
 
         // Wishes are granted as they stand before this cycle's pulses.
-        let popped = if self.pop.in_ready() {
-            grant(&mut self.states, &mut self.next_pop, |state| &mut state.wants_pop)
-        } else {
-            None
-        };
-        let finished = if self.finish.in_ready() {
-            grant(&mut self.states, &mut self.next_finish, |state| &mut state.wants_finish)
-        } else {
-            None
-        };
+        self.popping.step(inputs.pop_ready, &mut self.states, |state| &mut state.wants_pop);
+        self.finishing.step(inputs.finish_ready, &mut self.states, |state| &mut state.wants_finish);
         self.note_progress(inputs);
 
         let descent = self.start.map(|start| Descent { thread: start.thread, node: ROOT });
         self.descend.step(descent, inputs.descend_ready);
-        self.pop.step(popped, inputs.pop_ready);
-        self.finish.step(finished, inputs.finish_ready);
         self.start = free.zip(query).map(|(thread, query)| Start { thread, query });
         if let Some(start) = self.start {
             self.states[start.thread.index()].busy = true;
@@ -315,10 +319,10 @@ mod tests {
     #[test]
     fn wishes_are_granted_in_turn() {
         let mut states = [State { wants_pop: true, ..State::default() }; 3];
-        let mut next = 1;
+        let mut turns = Turns { next: 1, chosen: None };
         let mut granted = Vec::new();
         for _ in 0..6 {
-            granted.extend(grant(&mut states, &mut next, |state| &mut state.wants_pop).map(|thread| thread.thread));
+            granted.extend(turns.grant(&mut states, |state| &mut state.wants_pop).map(|thread| thread.thread));
             states[2].wants_pop = true;
         }
         assert_eq!(granted, [1, 2, 0, 2, 2, 2]);

@@ -6,22 +6,31 @@ use pointcore_spec::core_b::{Config, records};
 
 use super::sets::{decode, index_of, lowest, set};
 use crate::rtl::{Expr, Module, Reg, lit};
-use crate::units::records::{QueueOut, Record, event_out, pulse_in, queue_out, registered_pulse_out, stream_in};
+use crate::units::records::{Record, event_out, pulse_in, queue_out, registered_pulse_out, stream_in};
 
-/// Pushes the first thread from a pointer on that has a wish, and moves the pointer behind it; returns whose wish is
-/// granted. The pointer is a set, those behind the thread granted last: no decoding lies between it and the choice.
-fn grant(m: &mut Module, name: &str, wishes: &Reg, queue: QueueOut, thread_bits: usize) -> Expr {
+/// Shows a thread and, when it is taken, chooses the next: the first from a pointer on that has a wish, behind which the pointer
+/// moves; returns whose wish is granted. Choice and pointer are sets, the pointer's those behind the thread granted last: a
+/// thread's number is encoded on its way out.
+fn grant(m: &mut Module, name: &str, wishes: &Reg, thread_bits: usize) -> Expr {
     let threads = wishes.width();
     let behind = m.reg_reset(&format!("behind_{name}"), threads, 0);
-    let next = wishes & &behind;
-    let choice = m.wire(&format!("{name}_choice"), &next.any().mux(&next, wishes));
-    let below = m.wire(&format!("{name}_below"), &(&choice - lit(threads, 1)));
-    let first = m.wire(&format!("first_{name}"), &(&choice & !&below));
-    let push = m.wire(&format!("{name}_push"), &(&queue.room & wishes.any()));
-    m.next_if(&behind, &push, &!(&choice ^ &below));
-    let thread = index_of(&first, thread_bits);
-    queue.push(m, &push, |_| thread.clone());
-    m.wire(&format!("granted_{name}"), &(&first & push.repeat(threads)))
+    let chosen = m.reg_reset(&format!("chosen_{name}"), threads, 0);
+    let shown = m.reg_reset(&format!("{name}_shown"), 1, 0);
+    let ready = m.stream_out(name, &shown, &[("thread", &index_of(&chosen, thread_bits))]);
+    let advance = m.wire(&format!("{name}_advance"), &(ready | !&shown));
+    m.next_if(&shown, &advance, &wishes.any());
+
+    // The first of those behind and the first of all are sought side by side.
+    let next = m.wire(&format!("{name}_next"), &(wishes & &behind));
+    let [below_next, below_any] = [("next", &next), ("any", &wishes.expr())]
+        .map(|(which, set)| m.wire(&format!("{name}_below_{which}"), &(set - lit(threads, 1))));
+    let from_next = m.wire(&format!("{name}_from_next"), &next.any());
+    let first = from_next.mux(&(&next & !&below_next), &(wishes & !&below_any));
+    let first = m.wire(&format!("first_{name}"), &first);
+    m.next_if(&chosen, &advance, &first);
+    let after = from_next.mux(&(&next ^ &below_next), &(wishes ^ &below_any));
+    m.next_if(&behind, &(&advance & wishes.any()), &!after);
+    m.wire(&format!("granted_{name}"), &(&first & advance.repeat(threads)))
 }
 
 /// The unit; ports as in `spec::core_b::ports::threads`.
@@ -51,10 +60,8 @@ pub fn module(config: &Config) -> Module {
         field => start.record.get(field),
     });
 
-    let pop = queue_out(&mut m, "pop", &thread_only);
-    let popped = grant(&mut m, "pop", &wants_pop, pop, thread_bits);
-    let finish = queue_out(&mut m, "finish", &thread_only);
-    let finished = grant(&mut m, "finish", &wants_finish, finish, thread_bits);
+    let popped = grant(&mut m, "pop", &wants_pop, thread_bits);
+    let finished = grant(&mut m, "finish", &wants_finish, thread_bits);
 
     let pulses = ["reached", "leaf_done", "skipped", "empty", "released"];
     let [reached, leaf_done, skipped, empty, released] = pulses.map(|name| {
