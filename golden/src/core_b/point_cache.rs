@@ -184,8 +184,8 @@ impl Model for PointCache {
         let takes_request = self.looked_up.is_none() || hit.is_some() || missed.is_some();
         let requested = self.fetch.out().copied().filter(|_| takes_request);
         // A run is no concern: while there is one, no leaf from memory begins.
-        let claimed =
-            [self.looked_up.map(|request| request.fetch), requested].map(|fetch| Some(self.slot(fetch?.address)));
+        let next = self.fetch.out().copied();
+        let claimed = [self.looked_up.map(|request| request.fetch), next].map(|fetch| Some(self.slot(fetch?.address)));
         if takes_request {
             self.looked_up = requested.map(|fetch| self.look_up(fetch));
         }

@@ -10,7 +10,11 @@ use pointcore_spec::core_b::{Config, records};
 
 use super::sets::{contains, decode};
 use crate::rtl::{Expr, Memory, Module, Reg, Stream, cat, lit};
-use crate::units::records::{Record, event_out, queue_in, queue_out, width};
+use crate::stream::skid;
+use crate::units::records::{Record, event_out, layout, queue_out, stream_in, width};
+
+/// The field beside a record's own that holds its slot.
+const SLOT: &str = "slot";
 
 /// The slot of a leaf, by its first beat's address: all its bits have a say.
 fn slot_of(config: &Config, address: &Expr) -> Expr {
@@ -41,6 +45,26 @@ fn point_fields(config: &Config) -> Vec<Field> {
     records::beat(config).into_iter().filter(|field| !is_place(field)).collect()
 }
 
+/// A stream of records with the address of a leaf's beat, in a queue of two that holds that beat's slot as well: it is there
+/// when the head is.
+fn queue_with_slot(m: &mut Module, config: &Config, name: &str, record: &[Field]) -> Stream {
+    let ports = stream_in(m, name, record);
+    let fields = with_slot(config, record);
+    let queue = m.instance(&format!("{name}_queue"), skid(&layout(&fields)));
+    m.connect(&queue, "in_valid", &ports.valid);
+    let room = m.out(&queue, "in_ready");
+    m.ready(&ports, &room);
+    let slot = slot_of(config, &ports.field("address"));
+    let item = Record::new(&fields, |name| if name == SLOT { slot.clone() } else { ports.field(name) });
+    item.connect(m, &queue, "in_");
+    m.stream_from(&queue, "out")
+}
+
+/// A record's fields and its slot.
+fn with_slot(config: &Config, record: &[Field]) -> Vec<Field> {
+    [record, &[(SLOT.to_owned(), index_bits(config.point_cache))]].concat()
+}
+
 /// A leaf that is looked up or read.
 struct Leaf {
     valid: Reg,
@@ -50,11 +74,10 @@ struct Leaf {
 
 impl Leaf {
     /// Takes a request where `enable` is set; `valid` is left to be driven.
-    fn new(m: &mut Module, config: &Config, name: &str, enable: &Expr, request: &Record) -> Self {
+    fn new(m: &mut Module, name: &str, enable: &Expr, request: &Record) -> Self {
         let valid = m.reg_reset(&format!("{name}_valid"), 1, 0);
         let request = request.register(m, &format!("{name}_"), enable);
-        let slot = m.wire(&format!("{name}_slot"), &slot_of(config, &request.get("address")));
-        Self { valid, request, slot }
+        Self { valid, slot: request.get(SLOT), request }
     }
 }
 
@@ -71,11 +94,10 @@ struct Fill {
 
 impl Fill {
     fn new(m: &mut Module, config: &Config) -> Self {
-        let head = queue_in(m, "fill", &records::beat(config));
+        let head = queue_with_slot(m, config, "fill", &records::beat(config));
         let under_way = m.reg_reset("fill_under_way", 1, 0);
-        let first_slot = m.wire("fill_first_slot", &slot_of(config, &head.field("address")));
-        let slot_before = m.reg("fill_slot_before", first_slot.width());
-        let slot = m.wire("fill_slot", &under_way.mux(&slot_before, &first_slot));
+        let slot_before = m.reg("fill_slot_before", index_bits(config.point_cache) as usize);
+        let slot = m.wire("fill_slot", &under_way.mux(&slot_before, &head.field(SLOT)));
         m.next(&slot_before, &slot);
         let count = m.reg_reset("fill_count", config.beats_bits() as usize, 0);
         Self { head, under_way, slot, count, kept_before: m.reg("fill_kept_before", 1) }
@@ -115,19 +137,20 @@ pub fn module(config: &Config) -> Module {
     let mut m = Module::new("core_b_point_cache", "Keeps the points of leaves in front of the memory.");
     m.parameter("slots", config.point_cache);
     m.parameter("slot_beats", slot_beats(config));
-    let fetch = queue_in(&mut m, "fetch", &records::fetch(config));
+    let fetch = queue_with_slot(&mut m, config, "fetch", &records::fetch(config));
     let miss = queue_out(&mut m, "miss", &records::fetch(config));
     let beat = queue_out(&mut m, "beat", &records::beat(config));
     let fill = Fill::new(&mut m, config);
 
     let [advance_l, advance_r, enter] = ["advance_l", "advance_r", "enter"].map(|name| m.forward(name, 1));
     m.ready(&fetch, &advance_l);
-    let l = Leaf::new(&mut m, config, "l", &advance_l, &Record::from(&fetch));
-    let run = Leaf::new(&mut m, config, "run", &enter, &l.request);
-    let fetch_slot = m.wire("fetch_slot", &slot_of(config, &fetch.field("address")));
-    let in_lookup = &l.valid & l.slot.eq(&fill.slot);
-    let looked_up = fetch.transfer() & fetch_slot.eq(&fill.slot);
-    let may_keep = m.wire("may_keep", &!(in_lookup | looked_up));
+    let l = Leaf::new(&mut m, "l", &advance_l, &Record::from(&fetch));
+    let run = Leaf::new(&mut m, "run", &enter, &l.request);
+    // Asked of the first beat of a leaf only.
+    let (fetch_slot, fill_slot) = (fetch.field(SLOT), fill.head.field(SLOT));
+    let in_lookup = &l.valid & l.slot.eq(&fill_slot);
+    let in_head = &fetch.valid & fetch_slot.eq(&fill_slot);
+    let may_keep = m.wire("may_keep", &!(in_lookup | in_head));
     let runs = m.wire("runs", &(&run.valid & !&fill.under_way));
     let (points, tags, present) = fill.store(&mut m, config, &(&advance_r & !&runs), &may_keep);
 
