@@ -111,7 +111,8 @@ pub struct TreeCache {
     node: Fifo<Descent>,
     leaf: Fifo<LeafVisit>,
     fill: Skid<TreeRecord>,
-    /// The stage c.
+    /// The stages b and c.
+    reading: Option<LookedUp>,
     looked_up: Option<LookedUp>,
     record: Skid<NodeRecord>,
     fetch: Skid<Fetch>,
@@ -132,6 +133,7 @@ impl TreeCache {
             node: Fifo::new(nodes.max(2) as usize),
             leaf: Fifo::new(leaves.max(2) as usize),
             fill: Skid::default(),
+            reading: None,
             looked_up: None,
             record: Skid::default(),
             fetch: Skid::default(),
@@ -221,10 +223,12 @@ impl Model for TreeCache {
                 Answer::Fetch(answer) => fetch = Some(answer),
             }
         }
-        let advances = is_clear && (self.looked_up.is_none() || served.is_some() || missed.is_some());
-        let takes_node = advances && self.leaf.out().is_none();
+        let advances = self.looked_up.is_none() || served.is_some() || missed.is_some();
+        let takes_leaf = advances && is_clear;
+        let takes_node = takes_leaf && self.leaf.out().is_none();
         if advances {
-            self.looked_up = self.look_up();
+            self.looked_up = self.reading.take();
+            self.reading = if is_clear { self.look_up() } else { None };
         }
         if let Some(TreeRecord { lookup: Lookup { address, .. }, node, bucket }) = fill {
             let line = self.line(address);
@@ -234,7 +238,7 @@ impl Model for TreeCache {
         self.fetch.step(fetch, inputs.fetch_ready);
         self.lookup.step(missed, inputs.lookup_ready);
         self.node.step(inputs.node, takes_node);
-        self.leaf.step(inputs.leaf, advances);
+        self.leaf.step(inputs.leaf, takes_leaf);
         self.fill.step(inputs.fill, fill.is_some());
     }
 }

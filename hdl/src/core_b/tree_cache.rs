@@ -91,8 +91,9 @@ pub fn module(config: &Config) -> Module {
 
     // A lookup, leaves first.
     let advance = m.forward("advance", 1);
-    let c_valid = m.reg_reset("c_valid", 1, 0);
-    m.next_if(&c_valid, &advance, &(&cleared & (&leaf.valid | &node.valid)));
+    let [b_valid, c_valid] = ["b_valid", "c_valid"].map(|name| m.reg_reset(name, 1, 0));
+    m.next_if(&b_valid, &advance, &(&cleared & (&leaf.valid | &node.valid)));
+    m.next_if(&c_valid, &advance, &b_valid);
     m.ready(&leaf, &(&advance & &cleared));
     m.ready(&node, &(&advance & (&cleared & !&leaf.valid)));
     let sought = leaf.valid.mux(&cat(&[&bit(true), &leaf.field("leaf")]), &node.field("node"));
@@ -100,11 +101,13 @@ pub fn module(config: &Config) -> Module {
         "thread" => leaf.valid.mux(&leaf.field("thread"), &node.field("thread")),
         _ => sought.clone(),
     });
-    let c = sought.register(&mut m, "c_", &advance);
-    let c_is_leaf = m.reg("c_is_leaf", 1);
-    m.next_if(&c_is_leaf, &advance, &leaf.valid);
-    let line = m.read_if(&lines, "line", &advance, &line_of(config, &sought.get("address")));
-    let line = Record::unpack(&line_fields, &line);
+    let b = sought.register(&mut m, "b_", &advance);
+    let c = b.register(&mut m, "c_", &advance);
+    let [b_is_leaf, c_is_leaf] = ["b_is_leaf", "c_is_leaf"].map(|name| m.reg(name, 1));
+    m.next_if(&b_is_leaf, &advance, &leaf.valid);
+    m.next_if(&c_is_leaf, &advance, &b_is_leaf);
+    let line = m.read_if(&lines, "b_line", &advance, &line_of(config, &sought.get("address")));
+    let line = Record::unpack(&line_fields, &line).register(&mut m, "line_", &advance);
 
     // Nobody looks at the record of a node of the deepest level.
     let address = c.get("address");
