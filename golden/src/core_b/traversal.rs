@@ -1,7 +1,7 @@
 //! Node traversal: descends to the leaf on the query's side and remembers the other side of every plane it passes (thesis
 //! 6.6.2).
 //!
-//! Threads share a ring of two stages. A query on a plane goes to the right. A leaf is sent off as soon as it is found; that it is
+//! Threads share a ring of two stages: a node is fetched, then visited. A query on a plane goes to the right. A leaf is sent off as soon as it is found; that it is
 //! reached follows the thread's paths through their datapath, so that the thread pops none before they are pushed. A path's
 //! squared distance is that of the query to its plane, `(c − split)²`, each operation rounded.
 
@@ -70,6 +70,24 @@ enum Decision {
     Inner { near: Descent, far: u32, coordinate: u32, split: u32 },
 }
 
+impl Decision {
+    /// The leaf that is found.
+    const fn leaf(self) -> Option<LeafVisit> {
+        match self {
+            Self::Leaf(leaf) => Some(leaf),
+            Self::Inner { .. } => None,
+        }
+    }
+
+    /// Where the descent goes on.
+    const fn near(self) -> Option<Descent> {
+        match self {
+            Self::Leaf(_) => None,
+            Self::Inner { near, .. } => Some(near),
+        }
+    }
+}
+
 /// What leaves the path datapath.
 #[derive(Clone, Copy, Debug)]
 enum Step {
@@ -87,8 +105,10 @@ pub struct Traversal {
     points: Vec<Point>,
     descend: Skid<Descent>,
     resume: Skid<Descent>,
-    /// The ring's stages t1 and t2.
-    read: Option<Visit>,
+    /// The ring's stages f and v.
+    fetched: Option<Descent>,
+    visited: Option<Visit>,
+    /// What v held before, on its way to the path pipeline: s.
     decided: Option<Decision>,
     path: Datapath<Step>,
     leaf: Skid<LeafVisit>,
@@ -107,7 +127,8 @@ impl Traversal {
             points: vec![Point::default(); config.threads as usize],
             descend: Skid::default(),
             resume: Skid::default(),
-            read: None,
+            fetched: None,
+            visited: None,
             decided: None,
             path: Datapath::new(latency, 1),
             leaf: Skid::default(),
@@ -174,32 +195,28 @@ impl Model for Traversal {
     }
 
     fn clock(&mut self, inputs: &In) {
-        let found = match self.decided {
-            Some(Decision::Leaf(leaf)) => Some(leaf),
-            _ => None,
-        };
+        let decision = self.visited.map(|visit| self.decide(visit));
+        let found = decision.and_then(Decision::leaf);
         let leaf_has_room = found.is_none() || self.leaf.in_ready();
         let advances = self.path.in_ready() && self.nodes.has_room() && leaf_has_room;
         let decided = self.decided.filter(|_| advances);
         self.path.step(decided.map(|decision| self.step(decision)), true);
         self.leaf.step(found.filter(|_| advances), inputs.leaf_ready);
-        self.event_node = decided.is_some();
+        self.event_node = advances && decision.is_some();
 
-        let child = match decided {
-            Some(Decision::Inner { near, .. }) => Some(near),
-            _ => None,
-        };
+        let child = decision.and_then(Decision::near);
         let takes_resume = advances && child.is_none();
         let takes_descend = takes_resume && self.resume.out().is_none();
-        let next = child.or(self.resume.out().copied()).or(self.descend.out().copied());
+        let wanted = self.fetched;
         if advances {
-            self.decided = self.read.map(|visit| self.decide(visit));
-            self.read = self.nodes.read(next).map(|NodeRecord { descent, node }| {
+            self.decided = decision;
+            self.visited = self.nodes.read(wanted).map(|NodeRecord { descent, node }| {
                 let point = self.points[descent.thread.index()];
                 Visit { descent, node, point }
             });
+            self.fetched = child.or(self.resume.out().copied()).or(self.descend.out().copied());
         }
-        self.nodes.step(next, advances, inputs);
+        self.nodes.step(wanted, advances, inputs);
         self.resume.step(inputs.resume, takes_resume);
         self.descend.step(inputs.descend, takes_descend);
 

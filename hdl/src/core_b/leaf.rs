@@ -4,7 +4,7 @@
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
-use super::coordinates::coordinates;
+use super::coordinates::{AXES, coordinates};
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::rtl::Module;
 use crate::units::datapath::{Inputs, dot};
@@ -44,17 +44,20 @@ fn request_points(m: &mut Module, config: &Config) {
     let table = m.memory("leaves", 1 << config.tree_depth, width(&entry));
     let writes = &tree.valid & tree.record.get("is_leaf");
     m.write(&table, &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
-    let table_valid = m.reg_reset("table_valid", 1, 0);
-    let table_advance = m.wire("table_advance", &(!&table_valid | &fetch.room));
-    m.ready(&leaf, &table_advance);
-    m.next_if(&table_valid, &table_advance, &leaf.valid);
-    let table_thread = m.reg("table_thread", config.thread_bits() as usize);
-    m.next_if(&table_thread, &table_advance, &leaf.field("thread"));
-    let found = m.read_if(&table, "found", &table_advance, &leaf.field("leaf"));
-    let found = Record::unpack(&entry, &found);
-    let request = &table_valid & &fetch.room;
+    // f0: the table shows the entry; f1: it is in a register, for a block RAM is slow to show it.
+    let [f0_valid, f1_valid] = ["f0_valid", "f1_valid"].map(|name| m.reg_reset(name, 1, 0));
+    let [f0_thread, f1_thread] = ["f0_thread", "f1_thread"].map(|name| m.reg(name, config.thread_bits() as usize));
+    let advance = m.wire("table_advance", &(!&f1_valid | &fetch.room));
+    m.ready(&leaf, &advance);
+    m.next_if(&f0_valid, &advance, &leaf.valid);
+    m.next_if(&f1_valid, &advance, &f0_valid);
+    m.next_if(&f0_thread, &advance, &leaf.field("thread"));
+    m.next_if(&f1_thread, &advance, &f0_thread);
+    let found = m.read_if(&table, "f0_found", &advance, &leaf.field("leaf"));
+    let found = Record::unpack(&entry, &found).register(m, "f1_", &advance);
+    let request = &f1_valid & &fetch.room;
     fetch.push(m, &request, |name| match name {
-        "thread" => table_thread.expr(),
+        "thread" => f1_thread.expr(),
         "address" => found.get("begin"),
         field => found.get(field),
     });
@@ -86,8 +89,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let query = coordinates(&mut m, config, &start, &query_advance, &beat.field("thread"));
     m.connect(&distance, "in_valid", &query_valid);
     points.connect(&mut m, &distance, "in_");
-    for (name, coordinate) in QUERY.iter().zip(&query) {
-        m.connect(&distance, &format!("in_{name}"), coordinate);
+    for (name, axis) in QUERY.iter().zip(AXES) {
+        m.connect(&distance, &format!("in_{name}"), &query.get(axis));
     }
     let candidates = m.stream_from(&distance, "out");
     m.stream_export("candidates", &candidates);

@@ -39,12 +39,22 @@ impl Token {
     }
 }
 
-/// What stands before `t1`.
+/// What stands between the stages `f` and `v`.
 pub(super) enum Nodes {
-    /// A memory of nodes.
-    Memory(Memory),
+    /// Memories of the even and the odd nodes: siblings are read together.
+    Memories([Memory; 2]),
     /// Nodes are sent out and their records come back.
     Cache { node: QueueOut, record: Stream },
+}
+
+/// Bits of a pair of siblings' address; a memory has two words at least.
+const fn pair_bits(config: &Config) -> usize {
+    if config.tree_depth > 1 { config.tree_depth as usize - 1 } else { 1 }
+}
+
+/// The address of the pair that a node is of.
+fn pair(config: &Config, node: &Expr) -> Expr {
+    node.bits(node.width() - 1, 1).resize(pair_bits(config))
 }
 
 impl Nodes {
@@ -56,38 +66,47 @@ impl Nodes {
         }
         let tree = pulse_in(m, "tree", &records::tree_write(config));
         let fields = records::node(config);
-        let nodes = m.memory("nodes", 1 << config.tree_depth, width(&fields));
+        let address = tree.record.get("address");
         let writes = &tree.valid & !tree.record.get("is_leaf");
-        m.write(&nodes, &writes, &tree.record.get("address"), &tree.record.only(&fields).pack());
-        Self::Memory(nodes)
+        let written = pair(config, &address.resize(config.node_bits() as usize));
+        let is_odd = address.bit(0);
+        Self::Memories([("even", !&is_odd), ("odd", is_odd)].map(|(name, is_here)| {
+            let memory = m.memory(&format!("{name}_nodes"), 1 << pair_bits(config), width(&fields));
+            m.write(&memory, &(&writes & is_here), &written, &tree.record.only(&fields).pack());
+            memory
+        }))
     }
 
     /// What is to be read can be taken in this cycle.
     pub fn room(&self) -> Expr {
         match self {
-            Self::Memory(_) => bit(true),
+            Self::Memories(_) => bit(true),
             Self::Cache { node, .. } => node.room.clone(),
         }
     }
 
-    /// Takes what is to be read on `advance`; returns what goes into `t1` on it, and its node as it is in `t1`.
-    pub fn read(self, m: &mut Module, config: &Config, advance: &Expr, next: Place) -> (Place, Record) {
+    /// On `advance`, `next` goes into `f` without its lowest bit; what is in `f`, which is known by now, goes into `v`: returns
+    /// its place and, as it is in `v`, its node.
+    pub fn fetch(self, m: &mut Module, config: &Config, advance: &Expr, next: &Expr, wanted: Place) -> (Place, Record) {
         let fields = records::node(config);
         match self {
-            Self::Memory(nodes) => {
-                let address = next.node.trunc(config.tree_depth as usize);
-                let record = m.read_if(&nodes, "t1_record", advance, &address);
-                (next, Record::unpack(&fields, &record))
+            Self::Memories(memories) => {
+                let address = pair(config, next);
+                let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
+                    Record::unpack(&fields, &m.read_if(memory, &format!("{name}_node"), advance, &address))
+                });
+                let record = odd.mux(&wanted.node.bit(0), &even);
+                (wanted, record.register(m, "v_", advance))
             }
             Self::Cache { node, record } => {
-                node.push(m, &(advance & &next.valid), |name| match name {
-                    "thread" => next.thread.clone(),
-                    _ => next.node.clone(),
+                node.push(m, &(advance & &wanted.valid), |name| match name {
+                    "thread" => wanted.thread.clone(),
+                    _ => wanted.node.clone(),
                 });
                 m.ready(&record, advance);
                 let [thread, node] = ["thread", "node"].map(|name| record.field(name));
                 let place = Place { valid: record.valid.clone(), thread, node };
-                (place, Record::from(&record).only(&fields).register(m, "t1_", advance))
+                (place, Record::from(&record).only(&fields).register(m, "v_", advance))
             }
         }
     }

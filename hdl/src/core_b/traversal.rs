@@ -1,13 +1,14 @@
 //! Node traversal (thesis 6.5.2, listing 6.2): descends from a node to a leaf and stacks the paths not taken; golden
 //! twin: `pointcore_golden::core_b::traversal`.
 //!
-//! Tokens go round through two stages: `t1` has node and coordinates, `t2` has the decision. With a tree cache, nodes go
-//! through it on their way from `t2` to `t1`.
+//! Tokens go round through two stages: in `f` the memories show a node and its sibling, in `v` a node is visited. Which of two
+//! children is the near one is known when they are there already, in `s`. With a tree cache, nodes go through it on their way
+//! from `f` to `v`.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
-use super::coordinates::coordinates;
+use super::coordinates::{AXES, coordinates};
 use super::nodes::{Nodes, Place, Token};
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
 use crate::float::compare;
@@ -66,59 +67,73 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let Datapath { module, manifest } = distance(config, options)?;
     let path = m.instance("path", module);
     let nodes = Nodes::new(&mut m, config);
-    let [t1, t2] = ["t1", "t2"].map(|stage| Token::new(&mut m, config, stage));
-    let t2_at_leaf = m.reg("t2_at_leaf", 1);
-    let [t2_coordinate, t2_split] = ["t2_coordinate", "t2_split"].map(|name| m.reg(name, coordinate_bits));
+    let [f, v, s] = ["f", "v", "s"].map(|stage| Token::new(&mut m, config, stage));
+    let [f_is_child, s_at_leaf] = ["f_is_child", "s_at_leaf"].map(|name| m.reg(name, 1));
+    let [s_coordinate, s_split] = ["s_coordinate", "s_split"].map(|name| m.reg(name, coordinate_bits));
     let less = m.instance("less", compare::lt(config.geometry, 1).module);
     let left = m.out(&less, "y");
 
-    // t2: the leaf goes out, the near child round; the far child, or that the leaf is reached, through the path datapath.
-    let reaches = m.wire("reaches", &(&t2.valid & &t2_at_leaf));
-    let proceeds = m.wire("proceeds", &(nodes.room() & (!&reaches | &leaf.room)));
     let accepts = m.out(&path, "in_ready");
-    let advance = m.wire("advance", &(accepts & &proceeds));
-    let number = leaf_number(&t2.node);
+    let advance = m.forward("advance", 1);
+
+    // f → v: a child's lowest bit says on which side of its parent's plane the query is.
+    let low = f_is_child.mux(&!&left, &f.node.bit(0));
+    let node = cat(&[&f.node.bits(tree_depth, 1), &low]);
+    let wanted = Place { valid: f.valid.expr(), thread: f.thread.expr(), node };
+    let next_node = m.forward("next_node", tree_depth + 1);
+    let nodes_room = nodes.room();
+    let (entering, node) = nodes.fetch(&mut m, config, &advance, &next_node, wanted);
+    v.take(&mut m, &advance, &entering);
+    let point = coordinates(&mut m, config, &start, &advance, &entering.thread);
+
+    // v: a leaf goes out, the children of another node are fetched, else a newcomer.
+    let at_leaf = m.wire("at_leaf", &(v.node.msb() | node.get("internal_leaf")));
+    let reaches = m.wire("reaches", &(&v.valid & &at_leaf));
+    let proceeds = m.wire("proceeds", &(nodes_room & (!&reaches | &leaf.room)));
+    m.drive(&advance, &(accepts & &proceeds));
+    let number = leaf_number(&v.node);
     leaf.push(&mut m, &(&advance & &reaches), |name| match name {
-        "thread" => t2.thread.expr(),
+        "thread" => v.thread.expr(),
         _ => number.clone(),
     });
-    let above = t2.node.trunc(tree_depth);
-    let (near, far) = (cat(&[&above, &!&left]), cat(&[&above, &left]));
-    let step = Record::new(&steps(config), |name| match name {
-        "is_leaf" => t2_at_leaf.expr(),
-        "thread" => t2.thread.expr(),
-        "node" => far.clone(),
-        "coordinate" => t2_coordinate.expr(),
-        _ => t2_split.expr(),
-    });
-    m.connect(&path, "in_valid", &(&t2.valid & proceeds));
-    step.connect(&mut m, &path, "in_");
-    event_out(&mut m, "event_node", &(&advance & &t2.valid));
-
-    // t2 → t1: the near child, else a newcomer; node and query are read.
-    let descends = m.wire("descends", &(&t2.valid & !&t2_at_leaf));
+    event_out(&mut m, "event_node", &(&advance & &v.valid));
+    let descends = m.wire("descends", &(&v.valid & !&at_leaf));
     let resumes = m.wire("resumes", &(&resume.valid & !&descends));
     let newcomer = |name: &str| resume.valid.mux(&resume.field(name), &descend.field(name));
+    let child = cat(&[&v.node.trunc(tree_depth), &bit(false)]);
+    m.drive(&next_node, &descends.mux(&child, &newcomer("node")));
     let next = Place {
         valid: &descends | (&resume.valid | &descend.valid),
-        thread: descends.mux(&t2.thread, &newcomer("thread")),
-        node: descends.mux(&near, &newcomer("node")),
+        thread: descends.mux(&v.thread, &newcomer("thread")),
+        node: next_node.expr(),
     };
+    f.take(&mut m, &advance, &next);
+    m.next_if(&f_is_child, &advance, &descends);
     m.ready(&resume, &(&advance & !&descends));
     m.ready(&descend, &(&advance & !(&descends | resumes)));
-    let (entering, node) = nodes.read(&mut m, config, &advance, next);
-    t1.take(&mut m, &advance, &entering);
-    let axes = coordinates(&mut m, config, &start, &advance, &entering.thread);
 
-    // t1 → t2: the decision.
-    t2.take(&mut m, &advance, &t1.place());
-    m.next_if(&t2_at_leaf, &advance, &(t1.node.msb() | node.get("internal_leaf")));
+    // v → s: the decision.
+    s.take(&mut m, &advance, &v.place());
+    m.next_if(&s_at_leaf, &advance, &at_leaf);
+    let axes = AXES.map(|axis| point.get(axis));
     let coordinate = m.wire("coordinate", &select(&node.get("dimension"), &axes.each_ref()));
-    m.next_if(&t2_coordinate, &advance, &coordinate);
-    m.next_if(&t2_split, &advance, &node.get("split"));
+    m.next_if(&s_coordinate, &advance, &coordinate);
+    m.next_if(&s_split, &advance, &node.get("split"));
     m.connect(&less, "enable", &advance);
     m.connect(&less, "a", &coordinate);
     m.connect(&less, "b", &node.get("split"));
+
+    // s: the far child, or that the leaf is reached, goes through the path datapath.
+    let far = cat(&[&s.node.trunc(tree_depth), &left]);
+    let step = Record::new(&steps(config), |name| match name {
+        "is_leaf" => s_at_leaf.expr(),
+        "thread" => s.thread.expr(),
+        "node" => far.clone(),
+        "coordinate" => s_coordinate.expr(),
+        _ => s_split.expr(),
+    });
+    m.connect(&path, "in_valid", &(&s.valid & proceeds));
+    step.connect(&mut m, &path, "in_");
 
     // What leaves the datapath is always taken.
     let out = m.stream_from(&path, "out");

@@ -10,8 +10,9 @@ use pointcore_spec::core_b::Config;
 pub struct Table {
     buckets: Vec<Bucket>,
     leaf: Skid<LeafVisit>,
-    /// The entry of a leaf that was taken.
+    /// The entry of a leaf that was taken, as the memory shows it and a cycle later: stages f0 and f1.
     looked_up: Option<Fetch>,
+    held: Option<Fetch>,
     fetch: Skid<Fetch>,
 }
 
@@ -21,6 +22,7 @@ impl Table {
             buckets: vec![Bucket::default(); 1 << config.tree_depth],
             leaf: Skid::default(),
             looked_up: None,
+            held: None,
             fetch: Skid::default(),
         }
     }
@@ -39,13 +41,14 @@ impl Table {
     }
 
     pub fn step(&mut self, inputs: &In) {
-        let fetched = self.looked_up.filter(|_| self.fetch.in_ready());
-        let takes_leaf = self.looked_up.is_none() || fetched.is_some();
-        if takes_leaf {
+        let advances = self.held.is_none() || self.fetch.in_ready();
+        let fetched = self.held.filter(|_| advances);
+        if advances {
+            self.held = self.looked_up.take();
             self.looked_up = self.leaf.out().map(|visit| self.look_up(*visit));
         }
         self.fetch.step(fetched, inputs.fetch_ready);
-        self.leaf.step(inputs.leaf, takes_leaf);
+        self.leaf.step(inputs.leaf, advances);
         if let Some(write) = inputs.tree.filter(|write| write.is_leaf) {
             self.buckets[write.address as usize] = write.bucket;
         }

@@ -31,10 +31,10 @@ impl Nodes {
         }
     }
 
-    /// The node that enters the ring when it moves on and asks for `next`.
-    pub fn read(&self, next: Option<Descent>) -> Option<NodeRecord> {
+    /// The node that is visited next when the ring moves on and asks for `wanted`.
+    pub fn read(&self, wanted: Option<Descent>) -> Option<NodeRecord> {
         match self {
-            Self::OnChip(memory) => next.map(|descent| {
+            Self::OnChip(memory) => wanted.map(|descent| {
                 // A node of the deepest level reads what does not matter.
                 let address = descent.node as usize & (memory.len() - 1);
                 NodeRecord { descent, node: memory[address] }
@@ -59,8 +59,8 @@ impl Nodes {
         }
     }
 
-    /// The clock edge; `next` is what the ring asks for if it moves on.
-    pub fn step(&mut self, next: Option<Descent>, advances: bool, inputs: &In) {
+    /// The clock edge; `wanted` is what the ring asks for if it moves on.
+    pub fn step(&mut self, wanted: Option<Descent>, advances: bool, inputs: &In) {
         match self {
             Self::OnChip(memory) => {
                 if let Some(write) = inputs.tree.filter(|write| !write.is_leaf) {
@@ -68,7 +68,7 @@ impl Nodes {
                 }
             }
             Self::Cached { node, record } => {
-                node.step(next.filter(|_| advances), inputs.node_ready);
+                node.step(wanted.filter(|_| advances), inputs.node_ready);
                 record.step(inputs.record, advances);
             }
         }

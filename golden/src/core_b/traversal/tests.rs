@@ -90,8 +90,8 @@ fn a_descent_takes_two_cycles_a_level_and_its_leaf_does_not_wait_for_the_paths()
         reached = reached.or(out.reached.map(|_| cycle));
         traversal.clock(&In { leaf_ready: true, ..In::default() });
     }
-    // In t1 from cycle 2 on; four nodes, then the queue; the path datapath has two stages besides its queue.
-    assert_eq!((leaf, reached), (Some(10), Some(12)));
+    // In f from cycle 2 on; four nodes, then the queue; what v held goes through s and the path datapath's two stages and queue.
+    assert_eq!((leaf, reached), (Some(10), Some(13)));
 }
 
 #[test]
