@@ -3,6 +3,9 @@
 //! A row a thread, of which one at a time is worked on. A row's last entry is its farthest neighbor or, while there are fewer
 //! than k, a placeholder at the query's radius; when k is smaller than a row, sentinels of distance 0 fill its front.
 //!
+//! Three stages: a beat chooses its candidates by the radius of the thread's last leaf, the row comes from memory, the
+//! candidate is inserted if it is still nearer than the farthest neighbor.
+//!
 //! Distances are compared as unsigned integers. Of points at equal distance the first to come stays, and stays in front.
 
 mod ports;
@@ -35,6 +38,13 @@ struct Search {
 }
 
 impl Search {
+    /// The search as its row is read; it is fresh no longer.
+    fn take_up(&mut self) -> Self {
+        let before = *self;
+        self.fresh = false;
+        before
+    }
+
     /// The row before the first candidate.
     fn fill(&self, row: &mut [Entry]) {
         let (sentinels, placeholders) = row.split_at_mut(row.len() - self.k);
@@ -43,12 +53,34 @@ impl Search {
     }
 }
 
-/// The beat that is worked on.
+/// The beat that chooses its candidates: stage b.
 #[derive(Clone, Copy, Debug)]
 struct Work {
     candidates: Candidates,
-    first: bool,
+    /// The thread's row has to be read from memory.
+    reads: bool,
+    /// Only what is nearer counts.
+    limit: u32,
     pending: [bool; LANES_MAX],
+}
+
+/// A candidate on its way to its row: stage c.
+#[derive(Clone, Copy, Debug)]
+struct Item {
+    thread: Thread,
+    /// The search whose row is read from memory, if the working row is another's.
+    row: Option<Search>,
+    /// Of a leaf.
+    last: bool,
+    neighbor: Option<Entry>,
+}
+
+/// A candidate at its row, the working row: stage d.
+#[derive(Clone, Copy, Debug)]
+struct Insertion {
+    thread: Thread,
+    last: bool,
+    neighbor: Option<Entry>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -83,7 +115,13 @@ pub struct Queue {
     /// The thread whose row is worked on.
     owner: Option<Thread>,
     working: Vec<Entry>,
+    /// The squared radii of the threads' last leaves.
+    limits: Vec<u32>,
     work: Option<Work>,
+    item: Option<Item>,
+    insertion: Option<Insertion>,
+    /// The farthest neighbor of the working row as it was a cycle ago, unless that was another row: stage e.
+    farthest: Option<Radius>,
     candidates: Skid<Candidates>,
     finish: Skid<Thread>,
     readout: Readout,
@@ -108,7 +146,11 @@ impl Queue {
             read: row.clone(),
             owner: None,
             working: row.clone(),
+            limits: vec![0; threads],
             work: None,
+            item: None,
+            insertion: None,
+            farthest: None,
             candidates: Skid::default(),
             finish: Skid::default(),
             readout: Readout::Idle,
@@ -127,8 +169,12 @@ impl Queue {
 
     /// The thread whose row returns to memory in this cycle.
     fn written_back(&self) -> Option<Thread> {
-        let work = self.work.as_ref().filter(|work| work.first)?;
-        self.owner.filter(|owner| *owner != work.candidates.place.thread)
+        self.owner.filter(|_| self.item.is_some_and(|item| item.row.is_some()))
+    }
+
+    /// The thread whose row will be the working row when what is in stage c has passed.
+    fn next_owner(&self) -> Option<Thread> {
+        self.item.map(|item| item.thread).or(self.owner)
     }
 
     /// The entry shown closes its query.
@@ -157,54 +203,77 @@ impl Queue {
         self.released = Some(thread);
     }
 
-    /// Makes the row of a new beat's thread the working row.
-    fn take_up(&mut self, thread: Thread) {
+    /// Makes the row of an item's thread the working row.
+    fn take_up(&mut self, thread: Thread, search: Search) {
         if let Some(owner) = self.written_back() {
             let row = self.row(owner);
             self.rows[row].copy_from_slice(&self.working);
         }
-        let search = &mut self.searches[thread.index()];
-        if std::mem::take(&mut search.fresh) {
+        if search.fresh {
             search.fill(&mut self.working);
-        } else if self.owner != Some(thread) {
+        } else {
             self.working.copy_from_slice(&self.read);
         }
         self.owner = Some(thread);
     }
 
-    fn farthest(&self) -> u32 {
+    fn last_distance(&self) -> u32 {
         self.working[self.neighbors - 1].distance2
     }
 
-    fn insert(&mut self, entry: Entry) {
+    /// Inserts a neighbor if it is nearer than the farthest.
+    fn insert(&mut self, entry: Entry) -> bool {
         let place = self.working.partition_point(|other| other.distance2 <= entry.distance2);
-        self.working.copy_within(place..self.neighbors - 1, place + 1);
-        self.working[place] = entry;
+        let is_nearer = place < self.neighbors;
+        if is_nearer {
+            self.working.copy_within(place..self.neighbors - 1, place + 1);
+            self.working[place] = entry;
+        }
+        is_nearer
     }
 
-    /// One insertion of a beat; returns what is left of it.
-    fn work_on(&mut self, mut work: Work) -> Option<Work> {
-        let place = work.candidates.place;
-        if work.first {
-            self.take_up(place.thread);
-            work.first = false;
+    /// Stage d.
+    fn finish_insertion(&mut self) {
+        let Some(Insertion { thread, last, neighbor }) = self.insertion.take() else { return };
+        self.events.insert = neighbor.is_some_and(|neighbor| self.insert(neighbor));
+        self.radius = last.then(|| Radius { thread, radius2: self.last_distance() });
+    }
+
+    /// Stage c.
+    fn pass_item(&mut self) {
+        let Some(Item { thread, row, last, neighbor }) = self.item else { return };
+        if let Some(search) = row {
+            self.take_up(thread, search);
         }
-        let farthest = self.farthest();
+        self.item = None;
+        self.insertion = Some(Insertion { thread, last, neighbor });
+    }
+
+    /// Stage b: the nearest lane of a beat goes on; returns what is left of it.
+    fn choose(&mut self, mut work: Work, farthest: Option<Radius>) -> Option<Work> {
+        let place = work.candidates.place;
+        let known = farthest.filter(|farthest| farthest.thread == place.thread && !work.reads);
+        let limit = known.map_or(work.limit, |farthest| work.limit.min(farthest.radius2));
         let distances = work.candidates.distances;
         for (pending, distance) in work.pending.iter_mut().zip(distances) {
-            *pending &= distance < farthest;
+            *pending &= distance < limit;
         }
-        let nearest_lane = work.pending[..self.shape.lanes].iter().position(|pending| *pending);
-        if let Some(lane) = nearest_lane {
-            let index = place.address << self.shape.lanes.ilog2() | lane as u32;
-            self.insert(Entry { found: true, index, distance2: distances[lane] });
+        let lanes = self.shape.lanes;
+        let chosen = work.pending[..lanes].iter().position(|pending| *pending);
+        let neighbor = chosen.map(|lane| {
             work.pending[lane] = false;
-        }
-        let stays = work.pending[..self.shape.lanes].contains(&true);
-        self.events = Events { beat: !stays, insert: nearest_lane.is_some(), insert_wait: stays };
-        if !stays && place.last {
-            self.radius = Some(Radius { thread: place.thread, radius2: self.farthest() });
-        }
+            let index = place.address << lanes.ilog2() | lane as u32;
+            Entry { found: true, index, distance2: distances[lane] }
+        });
+        let stays = work.pending[..lanes].contains(&true);
+        let row = work.reads.then(|| {
+            self.read_row(place.thread);
+            self.searches[place.thread.index()].take_up()
+        });
+        self.item = Some(Item { thread: place.thread, row, last: place.last && !stays, neighbor });
+        work.reads = false;
+        self.events.beat = !stays;
+        self.events.insert_wait = stays;
         stays.then_some(work)
     }
 
@@ -235,7 +304,7 @@ impl Model for Queue {
     }
 
     fn clock(&mut self, inputs: &In) {
-        self.radius = None;
+        let shown_radius = self.radius.take();
         self.released = None;
         self.events = Events::default();
         let written_back = self.written_back();
@@ -250,14 +319,30 @@ impl Model for Queue {
             }
             Readout::Send(_) => {}
         }
-        self.work = self.work.and_then(|work| self.work_on(work));
+        self.finish_insertion();
+        // What a beat reads and whose row it displaces is judged by the stages as they were.
+        let next_owner = self.next_owner();
+        let reads = self.item.is_some_and(|item| item.row.is_some());
+        let farthest = self.farthest.filter(|_| !reads);
+        self.farthest = self.owner.filter(|_| !reads).map(|thread| Radius { thread, radius2: self.last_distance() });
+        self.pass_item();
+        let waits = is_idle && self.finish.out().is_some() && self.work.is_some_and(|work| work.reads);
+        let before = self.work.map(|work| work.candidates.place.thread);
+        if !waits {
+            self.work = self.work.and_then(|work| self.choose(work, farthest));
+        }
 
-        let is_free = self.work.is_none() && finished.is_none();
         let next = self.candidates.out().copied();
-        let taken = next.filter(|next| is_free && Some(next.place.thread) != written_back);
+        // The row that the beat before drives out is not in memory yet.
+        let is_driven_out = |thread| before.is_some_and(|before| before != thread) && next_owner == Some(thread);
+        let is_free = self.work.is_none();
+        let taken = next.filter(|next| is_free && !is_driven_out(next.place.thread));
         if let Some(candidates) = taken {
-            self.read_row(candidates.place.thread);
-            self.work = Some(Work { candidates, first: true, pending: [true; LANES_MAX] });
+            let thread = candidates.place.thread;
+            let begins = before.is_none() && self.searches[thread.index()].fresh;
+            let reads = begins || before.or(next_owner) != Some(thread);
+            let limit = self.limits[thread.index()];
+            self.work = Some(Work { candidates, reads, limit, pending: [true; LANES_MAX] });
         }
         if let Some(thread) = finished {
             self.read_row(thread);
@@ -266,7 +351,11 @@ impl Model for Queue {
         self.candidates.step(inputs.candidates, taken.is_some());
         self.finish.step(inputs.finish, finished.is_some());
 
+        if let Some(Radius { thread, radius2 }) = shown_radius {
+            self.limits[thread.index()] = radius2;
+        }
         if let Some(Start { thread, query }) = inputs.start {
+            self.limits[thread.index()] = query.radius2;
             let (k, number, radius2) = (usize::from(query.k), query.number, query.radius2);
             self.searches[thread.index()] = Search { fresh: true, k, number, radius2 };
         }

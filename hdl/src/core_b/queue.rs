@@ -1,23 +1,25 @@
 //! Priority queues (thesis 6.5.2, 6.6.2): a sorted row of neighbors for each thread, an insertion a cycle; golden twin:
 //! `pointcore_golden::core_b::queue`.
 //!
-//! The row of the thread whose points came last, its owner, is in a register; the others are in a memory.
+//! The row of the thread whose points came last, its owner, is in a register; the others are in a memory. Three stages: a beat
+//! `b` chooses a candidate, whose place in its row is found in `c`, and which is moved there in `d`.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
 use super::queue_readout::{Readout, Rows};
-use super::queue_row::{entries, entry_fields, initial, insert, row_bits};
+use super::queue_row::{entries, entry_fields, initial, insert, is_sentinel, row, row_bits};
+use super::radii::radii;
 use super::sets::{contains, decode, index_of, lowest, set};
 use crate::rtl::{Expr, Module, Reg, bit, cat, lit};
 use crate::units::records::{Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, width};
 
-/// The beat of candidates at work.
+/// The beat that chooses its candidates.
 struct Beat {
     valid: Reg,
-    /// Nothing of it has been looked at.
-    first: Reg,
-    /// Lanes that may still be inserted.
+    /// Its thread's row has to be read from memory.
+    reads: Reg,
+    /// Lanes that may still be chosen.
     pending: Reg,
     record: Record,
 }
@@ -30,17 +32,22 @@ impl Beat {
 
 /// What becomes of the beat in this cycle.
 struct Choice {
-    /// The lanes that are nearer than the farthest neighbor, but for the one inserted.
+    /// The lanes that are nearer than the limit, but for the one chosen.
     rest: Expr,
-    inserts: Expr,
+    any: Expr,
     stays: Expr,
     neighbor: Record,
 }
 
 impl Choice {
-    fn new(m: &mut Module, config: &Config, beat: &Beat, farthest: &Expr) -> Self {
-        let nearer: Vec<_> = (0..config.lanes).map(|lane| beat.lane_distance(lane).lt(farthest)).collect();
-        let candidates = m.wire("nearer", &(&beat.pending & set(&nearer)));
+    /// Chooses among the lanes that are nearer than each of the limits that counts.
+    fn new(m: &mut Module, config: &Config, beat: &Beat, limits: &[(Expr, Expr)]) -> Self {
+        let is_near = |distance: &Expr| {
+            let within = limits.iter().map(|(counts, limit)| !counts | distance.lt(limit));
+            within.fold(bit(true), |all, one| all & one)
+        };
+        let nearer: Vec<_> = (0..config.lanes).map(|lane| is_near(&beat.lane_distance(lane))).collect();
+        let candidates = m.wire("candidate_lanes", &(&beat.pending & set(&nearer)));
         let chosen = m.wire("chosen", &lowest(&candidates));
         let rest = m.wire("rest", &(&candidates & !&chosen));
         let nearest_lane = (1..config.lanes).rev().fold(beat.lane_distance(config.lanes - 1), |other, lane| {
@@ -56,9 +63,65 @@ impl Choice {
             "index" => index.clone(),
             _ => nearest_lane.clone(),
         });
-        let inserts = m.wire("inserts", &(&beat.valid & candidates.any()));
         let stays = m.wire("stays", &(&beat.valid & rest.any()));
-        Self { rest, inserts, stays, neighbor }
+        Self { any: candidates.any(), rest, stays, neighbor }
+    }
+}
+
+/// A candidate, or none of a beat, on its way to its thread's row.
+struct Item {
+    valid: Reg,
+    /// Its row is being read from memory.
+    reads: Reg,
+    /// That row holds nothing of its search yet.
+    fresh: Reg,
+    inserts: Reg,
+    last: Reg,
+    thread: Reg,
+}
+
+impl Item {
+    fn new(m: &mut Module, config: &Config) -> Self {
+        let mut flag = |name: &str| m.reg_reset(&format!("item_{name}"), 1, 0);
+        let [valid, reads, inserts, last] = ["valid", "reads", "inserts", "last"].map(&mut flag);
+        let thread = m.reg("item_thread", config.thread_bits() as usize);
+        Self { valid, reads, fresh: m.reg("item_fresh", 1), inserts, last, thread }
+    }
+}
+
+/// A candidate at the working row.
+struct Insertion {
+    /// The entries that it is nearer than: none where it is not to be inserted.
+    nearer: Reg,
+    fields: Vec<Reg>,
+    neighbor: Record,
+    last: Reg,
+    thread: Reg,
+}
+
+impl Insertion {
+    fn new(m: &mut Module, config: &Config) -> Self {
+        let names = entry_fields(config);
+        let fields: Vec<_> = names.iter().map(|(name, width)| m.reg(&format!("new_{name}"), *width as usize)).collect();
+        let mut values = fields.iter();
+        let neighbor = Record::new(&names, |_| values.next().expect("a register for every field").expr());
+        Self {
+            nearer: m.reg_reset("nearer", config.neighbors as usize, 0),
+            fields,
+            neighbor,
+            last: m.reg_reset("new_last", 1, 0),
+            thread: m.reg("new_thread", config.thread_bits() as usize),
+        }
+    }
+
+    /// Takes an item's candidate, which is `nearer` than some entries.
+    fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: &Expr, candidate: &Record) {
+        m.next(&self.nearer, &(nearer & item.inserts.repeat(self.nearer.width())));
+        for ((name, _), register) in entry_fields(config).iter().zip(&self.fields) {
+            m.next(register, &candidate.get(name));
+        }
+        m.next(&self.last, &item.last);
+        m.next(&self.thread, &item.thread);
     }
 }
 
@@ -98,58 +161,98 @@ pub fn module(config: &Config) -> Module {
     let take = m.forward("take", 1);
     let beat = Beat {
         valid: m.reg_reset("beat_valid", 1, 0),
-        first: m.reg("beat_first", 1),
+        reads: m.reg_reset("beat_reads", 1, 0),
         pending: m.reg("beat_pending", lanes),
         record: Record::from(&head).register(&mut m, "beat_", &take),
     };
     let thread = beat.record.get("thread");
-    let begins = m.wire("begins", &(&beat.valid & &beat.first));
-    let owns = m.wire("owns", &(&owned & owner.eq(&thread)));
-    let write_back = m.wire("write_back", &(&begins & (&owned & !&owns)));
+    let item = Item::new(&mut m, config);
+    let write_back = m.wire("write_back", &(&item.reads & &owned));
 
-    // Rows and queries are read for a beat that is taken or for a readout that starts, never for both.
+    // d: the neighbor is moved to its place in the working row.
+    let insertion = Insertion::new(&mut m, config);
+    let working_entries = entries(config, &working);
+    let inserted = insert(&working_entries, &insertion.nearer, &insertion.neighbor, |here, a, b| a.mux(here, b));
+    let inserted_row = m.wire("inserted_row", &row(&inserted));
+    let radius = Record::new(&records::radius(config), |name| match name {
+        "thread" => insertion.thread.expr(),
+        _ => inserted[inserted.len() - 1].get("distance2"),
+    });
+    let radius = registered_pulse_out(&mut m, "radius", &insertion.last, &radius);
+    event_out(&mut m, "event_insert", &insertion.nearer.msb());
+
+    // e: the farthest neighbor of the row that was the working row a cycle ago and still is.
+    let farthest = m.reg("farthest", config.geometry.width() as usize);
+    let farthest_thread = m.reg("farthest_thread", thread_bits);
+    let farthest_valid = m.reg_reset("farthest_valid", 1, 0);
+    m.next(&farthest, &inserted[inserted.len() - 1].get("distance2"));
+    m.next(&farthest_thread, &owner);
+    m.next(&farthest_valid, &(&owned & !&item.reads));
+    let still = &farthest_valid & farthest_thread.eq(&thread);
+    let is_known = m.wire("farthest_is_known", &(still & !(&beat.reads | &item.reads)));
+
+    // Rows and queries are read for a beat that moves on or for a readout that may start, never for both.
     let readout = Readout::new(&mut m, config, &finish, &(&write_back & owner.eq(&finish.field("thread"))));
-    let read_thread = m.wire("read_thread", &readout.starts.mux(&finish.field("thread"), &head_thread));
+    let waits = m.wire("waits", &(&beat.reads & &readout.reads));
+    let moves = m.wire("moves", &(&beat.valid & !&waits));
+    let reads = m.wire("reads", &(&moves & &beat.reads));
+    let read_thread = m.wire("read_thread", &readout.reads.mux(&finish.field("thread"), &thread));
     let rows = m.memory("rows", 1 << thread_bits, row_bits(config));
-    m.write(&rows, &write_back, &owner, &working);
+    m.write(&rows, &write_back, &owner, &inserted_row);
     let stored = m.read(&rows, "stored", &read_thread);
     let query = queries(&mut m, config, &start, &read_thread);
     let initial = m.wire("initial_row", &initial(config, &query.get("k"), &query.get("radius2")));
 
-    let is_fresh = m.wire("is_fresh", &(&beat.first & contains(&fresh, &thread)));
-    let keeps = !&beat.first | owns;
-    let base = m.wire("base", &is_fresh.mux(&initial, &keeps.mux(&working, &stored)));
-    let neighbors = entries(config, &base);
-    let farthest = neighbors[neighbors.len() - 1].get("distance2");
-    let choice = Choice::new(&mut m, config, &beat, &farthest);
-    let inserted = insert(&neighbors, &choice.neighbor);
-    let row = m.wire("row", &choice.inserts.mux(&inserted, &base));
-    m.next_if(&working, &beat.valid, &row);
-    m.next_if(&owner, &beat.valid, &thread);
-    m.next(&owned, &(&owned | &beat.valid));
+    // b: the lowest lane that is nearer than the radius of the thread's last leaf goes on.
+    let limit = radii(&mut m, config, [&start, &radius], &take, &head.field("thread"));
+    let limits = [(bit(true), limit), (is_known, farthest.expr())];
+    let choice = Choice::new(&mut m, config, &beat, &limits);
+    let done = m.wire("done", &(&moves & !&choice.stays));
+    m.next(&item.valid, &moves);
+    m.next(&item.reads, &reads);
+    m.next(&item.inserts, &(&moves & &choice.any));
+    m.next(&item.last, &(&done & beat.record.get("last")));
+    m.next(&item.fresh, &contains(&fresh, &thread));
+    m.next(&item.thread, &thread);
+    let candidate = choice.neighbor.register(&mut m, "item_", &bit(true));
     let started = decode(&start.valid, &start.record.get("thread"), threads);
-    m.next(&fresh, &((&fresh & !decode(&begins, &thread, threads)) | started));
+    m.next(&fresh, &((&fresh & !decode(&reads, &thread, threads)) | started));
 
-    let done = m.wire("done", &(&beat.valid & !&choice.stays));
-    let away = &write_back & owner.eq(&head_thread);
-    let takes = (!&choice.stays & &head.valid) & !(&readout.starts | away);
-    m.drive(&take, &takes);
+    // A row that the beat at work will drive out is not in memory when the next beat's is read.
+    let tail = m.wire("tail", &item.valid.mux(&item.thread, &owner));
+    let follows_tail = m.wire("follows_tail", &((&item.valid | &owned) & tail.eq(&head_thread)));
+    let follows_beat = m.wire("follows_beat", &thread.eq(&head_thread));
+    let driven_out = &beat.valid & (&follows_tail & !&follows_beat);
+    let free = !&beat.valid | (&moves & !&choice.stays);
+    m.drive(&take, &(&head.valid & (free & !driven_out)));
     m.ready(&head, &take);
-    m.next(&beat.valid, &(&take | &choice.stays));
-    m.next(&beat.first, &take);
-    m.next(&beat.pending, &take.mux(&!lit(lanes, 0), &choice.rest));
+    m.next(&beat.valid, &(&take | (&choice.stays | &waits)));
+    let is_fresh = m.wire("is_fresh", &contains(&fresh, &head_thread));
+    let take_reads = beat.valid.mux(&!&follows_beat, &(!&follows_tail | is_fresh));
+    m.next(&beat.reads, &take.mux(&take_reads, &(&beat.reads & &waits)));
+    let left = waits.mux(&beat.pending, &choice.rest);
+    m.next(&beat.pending, &take.mux(&!lit(lanes, 0), &left));
 
-    let row_entries = entries(config, &row);
-    let radius = Record::new(&records::radius(config), |name| match name {
-        "thread" => thread.clone(),
-        _ => row_entries[row_entries.len() - 1].get("distance2"),
-    });
-    registered_pulse_out(&mut m, "radius", &(&done & beat.record.get("last")), &radius);
+    // c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders.
+    let base = m.wire("base", &item.reads.mux(&stored, &working));
+    let is_nearer = |entry: &Record| candidate.get("distance2").lt(&entry.get("distance2"));
+    let nearer: Vec<_> = entries(config, &base).iter().map(is_nearer).collect();
+    let nearer_now = insert(&nearer, &insertion.nearer, &is_nearer(&insertion.neighbor), |here, a, b| here.mux(a, b));
+    let nearer_now = set(&nearer_now);
+    let placeholders = (0..config.neighbors).map(|number| !is_sentinel(config, &query.get("k"), number));
+    let placeholders = set(&placeholders.collect::<Vec<_>>());
+    let nearer_read = item.fresh.mux(&placeholders, &set(&nearer));
+    let nearer = m.wire("nearer_entries", &item.reads.mux(&nearer_read, &nearer_now));
+    insertion.take(&mut m, config, &item, &nearer, &candidate);
+    let read_row = item.fresh.mux(&initial, &stored);
+    m.next(&working, &item.reads.mux(&read_row, &inserted_row));
+    m.next_if(&owner, &item.valid, &item.thread);
+    m.next(&owned, &(&owned | &item.valid));
+
     let owner_row =
         Rows { fresh: &fresh, initial: &initial, owned: &owned, owner: &owner, working: &working, stored: &stored };
     readout.send(&mut m, config, &owner_row, &query);
     event_out(&mut m, "event_beat", &done);
-    event_out(&mut m, "event_insert", &choice.inserts);
-    event_out(&mut m, "event_insert_wait", &choice.stays);
+    event_out(&mut m, "event_insert_wait", &(&moves & &choice.stays));
     m
 }

@@ -9,8 +9,8 @@ use crate::units::records::{Record, registered_pulse_out};
 
 /// Idle, *fetch* or *send*.
 pub(super) struct Readout {
-    /// It leaves idleness in this cycle, and the thread's row is read.
-    pub starts: Expr,
+    /// It is idle and a thread has finished, whose row is read; no other is in this cycle.
+    pub reads: Expr,
     fetching: Reg,
     sending: Reg,
     thread: Reg,
@@ -30,13 +30,13 @@ impl Readout {
     /// Takes a finished thread when idle, unless its row is written back in this cycle.
     pub fn new(m: &mut Module, config: &Config, finish: &Stream, written_back: &Expr) -> Self {
         let [fetching, sending] = ["fetching", "sending"].map(|name| m.reg_reset(name, 1, 0));
-        let idle = !(&fetching | &sending);
-        let starts = m.wire("readout_starts", &((&finish.valid & idle) & !written_back));
+        let reads = m.wire("readout_reads", &(&finish.valid & !(&fetching | &sending)));
+        let starts = m.wire("readout_starts", &(&reads & !written_back));
         m.ready(finish, &starts);
         m.next(&fetching, &starts);
         let thread = m.reg("readout_thread", config.thread_bits() as usize);
         m.next_if(&thread, &starts, &finish.field("thread"));
-        Self { starts, fetching, sending, thread }
+        Self { reads, fetching, sending, thread }
     }
 
     /// Fetches the row from where it is and sends it.

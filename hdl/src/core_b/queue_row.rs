@@ -28,9 +28,15 @@ pub(super) fn entries(config: &Config, row: &Expr) -> Vec<Record> {
     (0..config.neighbors as usize).map(entry).collect()
 }
 
-fn row(entries: &[Record]) -> Expr {
+/// The word of a row.
+pub(super) fn row(entries: &[Record]) -> Expr {
     let words: Vec<_> = entries.iter().rev().map(Record::pack).collect();
     cat(&words.iter().collect::<Vec<_>>())
+}
+
+/// Whether an entry stays empty in a row for `k` neighbors.
+pub(super) fn is_sentinel(config: &Config, k: &Expr, number: u32) -> Expr {
+    k.lt_lit((config.neighbors - number).into())
 }
 
 /// The row of a query that has met no point: sentinels of distance 0 that leave `k` entries, then placeholders at the
@@ -38,7 +44,7 @@ fn row(entries: &[Record]) -> Expr {
 pub(super) fn initial(config: &Config, k: &Expr, radius2: &Expr) -> Expr {
     let nothing = Record::zeros(&entry_fields(config));
     let entry = |number: u32| {
-        let is_sentinel = k.lt_lit((config.neighbors - number).into());
+        let is_sentinel = is_sentinel(config, k, number);
         Record::new(&entry_fields(config), |name| match name {
             "distance2" => is_sentinel.mux(&lit(radius2.width(), 0), radius2),
             field => nothing.get(field),
@@ -47,15 +53,15 @@ pub(super) fn initial(config: &Config, k: &Expr, radius2: &Expr) -> Expr {
     row(&(0..config.neighbors).map(entry).collect::<Vec<_>>())
 }
 
-/// A neighbor inserted behind all that are as near; the last one falls out.
-pub(super) fn insert(old: &[Record], neighbor: &Record) -> Expr {
-    let stays: Vec<_> = old.iter().map(|entry| entry.get("distance2").le(&neighbor.get("distance2"))).collect();
+/// A row of anything after an insertion: the neighbor before those entries that it is `nearer` than, a bit each and the last
+/// ones of the row; the last one falls out.
+pub(super) fn insert<T>(old: &[T], nearer: &Expr, neighbor: &T, mux: impl Fn(&Expr, &T, &T) -> T) -> Vec<T> {
     let entry = |number: usize| {
-        let moved = match number {
-            0 => neighbor.clone(),
-            _ => neighbor.mux(&stays[number - 1], &old[number - 1]),
-        };
-        old[number].mux(&stays[number], &moved)
+        let here = nearer.bit(number);
+        match number {
+            0 => mux(&here, neighbor, &old[0]),
+            _ => mux(&here, &mux(&nearer.bit(number - 1), &old[number - 1], neighbor), &old[number]),
+        }
     };
-    row(&(0..old.len()).map(entry).collect::<Vec<_>>())
+    (0..old.len()).map(entry).collect()
 }
