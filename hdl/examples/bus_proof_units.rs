@@ -1,10 +1,12 @@
 //! `bus_proof_units DIR` writes the bus units that are proved (`formal/`) at small sizes: of each its Verilog `<proof>.v`, and the
 //! sizes that its harness needs in `<proof>.vh`.
 
-use pointcore_hdl::bus::{packet_in, packet_out, reader, window, writer};
+use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
 use pointcore_hdl::rtl::{Module, elaborate};
 use pointcore_spec::bus::packets::FieldRange;
+use pointcore_spec::bus::{Kind, Register, registers as maps};
 use pointcore_spec::core_a::Field;
+use pointcore_spec::{core_a, core_b};
 use std::error::Error;
 use std::path::Path;
 
@@ -86,12 +88,30 @@ fn windows() -> Vec<Proof> {
     vec![Proof { name: "bus_window", unit: window::module(INDEX_BITS), sizes: vec![("INDEX_BITS", INDEX_BITS)] }]
 }
 
+/// Core B's registers without events, core A's with two uniforms.
+fn maps() -> Vec<Proof> {
+    let proof = |name, map: Vec<Register>| Proof {
+        name,
+        unit: registers::module(&map, [1; 4]),
+        sizes: vec![("COUNTERS", map.iter().filter(|register| is_counter(register)).count() as u32)],
+    };
+    let is_event = |register: &Register| register.name.starts_with("event_");
+    let queries = maps::core_b(&core_b::Config::default()).into_iter().filter(|register| !is_event(register));
+    let uniforms = maps::core_a(&core_a::Config::default()).into_iter().filter(|register| !is_event(register));
+    let uniforms = uniforms.filter(|register| register.address < maps::UNIFORMS + 8);
+    vec![proof("bus_registers", queries.collect()), proof("bus_registers_uniforms", uniforms.collect())]
+}
+
+fn is_counter(register: &Register) -> bool {
+    matches!(register.kind, Kind::Errors | Kind::Run)
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("usage: bus_proof_units DIR")?;
     let folder = Path::new(&folder);
     std::fs::create_dir_all(folder)?;
     for Proof { name, unit, sizes } in
-        [packet_ins(), packet_outs(), readers(), writers(), windows()].into_iter().flatten()
+        [packet_ins(), packet_outs(), readers(), writers(), windows(), maps()].into_iter().flatten()
     {
         let design = elaborate(&unit)?;
         let sizes = sizes.iter().map(|(size, value)| format!("localparam {size} = {value};\n"));

@@ -1,13 +1,18 @@
 //! The cores on AXI: units between a core's streams and the bus, and the tops. `docs/interfaces.md` states what each does.
 
+pub mod core_a;
+pub mod core_b;
 pub mod packet_in;
 pub mod packet_out;
 pub mod reader;
+pub mod registers;
 pub mod window;
 pub mod writer;
 
 mod beats;
+mod counters;
 mod spread;
+mod wiring;
 
 use crate::rtl::{Expr, Module, Wire, lit};
 use crate::units::records::Record;
@@ -19,6 +24,10 @@ const ADDRESS_BITS: usize = config::ADDRESS_BITS as usize;
 const LENGTH_BITS: usize = 8;
 /// Bits of a response.
 const RESPONSE_BITS: usize = 2;
+/// Bits of a register.
+const REGISTER_BITS: usize = config::REGISTER_BITS as usize;
+/// Bytes of a register.
+const REGISTER_BYTES: usize = REGISTER_BITS / 8;
 /// `burst` of one whose addresses go up.
 const INCREMENTING: Code = Code(1);
 /// `resp` where all is well.

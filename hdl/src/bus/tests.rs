@@ -1,8 +1,9 @@
 //! What holds of every bus unit's ports, at every width.
 
 use super::*;
+use crate::compiler::Options;
 use crate::units::testing::check;
-use pointcore_spec::bus::{config::WIDTHS, packets, ports};
+use pointcore_spec::bus::{config::WIDTHS, packets, ports, registers as spec_registers};
 use pointcore_spec::core_a::Field;
 use pointcore_spec::{core_a, core_b};
 
@@ -46,5 +47,35 @@ fn memory_units_have_the_specified_ports() {
     }
     for index_bits in [2, 8, 9, 15, 21] {
         check(&window::module(index_bits), ports::window(index_bits));
+    }
+}
+
+#[test]
+fn registers_have_the_specified_ports() {
+    let b = core_b::Config { tree_cache: 16, neighbor_cache: 2, ..core_b::Config::default() };
+    let maps = [
+        (spec_registers::core_a(&core_a::Config::default()), [0, 1, 1, 2]),
+        (spec_registers::core_b(&core_b::Config::default()), [1, 2, 1, 1]),
+        (spec_registers::core_b(&b), [0, 2, 1, 2]),
+    ];
+    for (map, sources) in maps {
+        check(&registers::module(&map, sources), ports::registers(&map, sources));
+    }
+}
+
+#[test]
+fn tops_have_the_specified_ports_at_every_width() {
+    let options = Options::default();
+    for (stream_bits, memory_bits) in [(32, 512), (64, 64), (128, 32), (256, 128), (512, 256)] {
+        let bus = config::Config { stream_bits, memory_bits };
+        let a = core_a::Config { bus, heap_levels: 3, ..core_a::Config::default() };
+        let top = super::core_a::core(&a, &options).unwrap_or_else(|error| panic!("{error}"));
+        check(&top.module, ports::core_a(&a));
+        let base = core_b::Config { bus, threads: 2, tree_depth: 3, ..core_b::Config::default() };
+        for (tree_cache, neighbor_cache, lanes) in [(0, 0, 1), (16, 2, 8), (0, 2, 4), (16, 0, 2)] {
+            let b = core_b::Config { tree_cache, neighbor_cache, lanes, ..base.clone() };
+            let top = super::core_b::core(&b, &options).unwrap_or_else(|error| panic!("{error}"));
+            check(&top.module, ports::core_b(&b));
+        }
     }
 }

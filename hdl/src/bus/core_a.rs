@@ -1,0 +1,116 @@
+//! Core A on AXI (`docs/interfaces.md`): splats and fragments as packets, the reconstruction buffer in memory, registers.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use pointcore_spec::bus::{Layout, ports, registers as maps};
+use pointcore_spec::core_a::config::TILE_PIXELS;
+use pointcore_spec::core_a::ports::EVENTS;
+use pointcore_spec::core_a::{Config, records};
+
+use super::wiring::{export, feed, pipe, request};
+use super::{ADDRESS_BITS, packet_in, packet_out, reader, registers, writer};
+use crate::compiler::{CompileError, Manifest, Options};
+use crate::core_a::top;
+use crate::rtl::{Expr, Module, bit, cat, lit};
+use crate::units::records::Record;
+
+/// Errors from elsewhere: none of being busy, misplaced `rlast`, packets, answers to reads and writes.
+const ERROR_SOURCES: ports::ErrorSources = [0, 1, 1, 2];
+
+/// A core with its bus.
+pub struct Top {
+    /// The module `core_a_axi` or `core_b_axi`.
+    pub module: Module,
+    /// The core inside it.
+    pub core: Rc<Module>,
+    /// What the compiler decided about the core's datapaths, by unit.
+    pub manifests: BTreeMap<String, Manifest>,
+}
+
+/// An index times a stride, from a base.
+pub(super) fn place(base: &Expr, index: &Expr, stride_bits: usize) -> Expr {
+    base + cat(&[index, &lit(stride_bits, 0)]).resize(ADDRESS_BITS)
+}
+
+/// Builds the core on its bus; ports as in `spec::bus::ports::core_a`.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
+    let top::Core { module: core_module, manifests } = top::core(config, options)?;
+    let core_module = Rc::new(core_module);
+    let bus = config.bus;
+    let map = maps::core_a(config);
+    let [splat, pixel, fragment] = [records::splat(config), records::pixel(config), records::fragment(config)];
+    let mut m = Module::new("core_a_axi", "Surface-splat renderer on AXI.");
+    // First, so that its modules have the names that they have without a bus.
+    let core = m.instance("core", core_module.clone());
+    let control = m.instance("registers", registers::module(&map, ERROR_SOURCES));
+    let splats = m.instance("splats", packet_in::module(&splat, bus.stream_bits, None));
+    let fragments = m.instance("fragments", packet_out::module(&fragment, bus.stream_bits));
+    let reads = m.instance("reads", reader::module(&pixel, bus.memory_bits, TILE_PIXELS));
+    let writes = m.instance("writes", writer::module(&pixel, bus.memory_bits));
+    export(&mut m, &control, &ports::registers(&map, ERROR_SOURCES), "s_axil", "s_axil");
+    export(&mut m, &splats, &ports::packet_in(&splat, bus.stream_bits), "s_axis", "s_axis_splat");
+    export(&mut m, &fragments, &ports::packet_out(&fragment, bus.stream_bits), "m_axis", "m_axis_fragment");
+    export(&mut m, &reads, &ports::reader(&pixel, bus.memory_bits, TILE_PIXELS), "m_axi", "m_axi");
+    export(&mut m, &writes, &ports::writer(&pixel, bus.memory_bits), "m_axi", "m_axi");
+
+    let [start, core_reset] = ["start", "core_reset"].map(|name| m.out(&control, name));
+    m.reset_by(&core, &core_reset);
+    m.connect(&splats, "opens", &start);
+    pipe(&mut m, (&splats, "out"), (&core, "splat"));
+    for name in ["uniform_valid", "uniform_address", "uniform_data"] {
+        let value = m.out(&control, name);
+        m.connect(&core, name, &value);
+    }
+
+    // A read sees every write before it: it waits until all are answered, and no other is taken meanwhile.
+    let base = m.out(&control, "buffer_base");
+    let stride_bits = Layout::of(&pixel).stride(bus.memory_bits).ilog2() as usize;
+    let writer_idle = m.out(&writes, "idle");
+    let read = m.stream_from(&core, "read");
+    let tile_bits = stride_bits + TILE_PIXELS.ilog2() as usize;
+    let address = m.wire("tile_address", &place(&base, &read.field("tile"), tile_bits));
+    let count = lit(TILE_PIXELS.ilog2() as usize + 1, TILE_PIXELS.into());
+    feed(&mut m, &read, (&reads, "request"), &writer_idle, &request(address, count));
+    pipe(&mut m, (&reads, "record"), (&core, "data"));
+    let write = m.stream_from(&core, "write");
+    let index = cat(&[&write.field("tile"), &write.field("pixel")]);
+    let address = m.wire("pixel_address", &place(&base, &index, stride_bits));
+    let mut fields = vec![("address".to_owned(), ADDRESS_BITS as u32)];
+    fields.extend(pixel);
+    let written = Record::new(&fields, |name| if name == "address" { address.clone() } else { write.field(name) });
+    let no_read = m.wire("no_read", &!&read.valid);
+    feed(&mut m, &write, (&writes, "in"), &no_read, &written);
+
+    // The run ends when its last packet has left and memory has answered.
+    let fragment = m.stream_from(&core, "fragment");
+    m.stream_into(&fragments, "in", &fragment);
+    let is_last = m.wire("is_last", &(fragment.transfer() & fragment.field("end")));
+    let has_ended = m.reg_reset("has_ended", 1, 0);
+    m.next(&has_ended, &(&is_last | (&has_ended & !&start)));
+    let sender_idle = m.out(&fragments, "idle");
+    let finished = (&has_ended & !&start) & (sender_idle & &writer_idle);
+    m.connect(&control, "finished", &finished);
+    m.connect(&control, "occupied", &bit(false));
+
+    let [misplaced, read_error, write_error] =
+        [(&reads, "misplaced"), (&reads, "error"), (&writes, "error")].map(|(unit, name)| m.out(unit, name));
+    let refused = m.out(&splats, "refused");
+    m.connect(&control, "burst_error", &misplaced);
+    m.connect(&control, "packet_error", &refused);
+    m.connect(&control, "memory_error", &cat(&[&write_error, &read_error]));
+    for (unit, from, to) in [(&splats, "taken", "packet_taken"), (&fragments, "sent", "packet_sent")] {
+        let pulse = m.out(unit, from);
+        m.connect(&control, to, &pulse);
+    }
+    for name in EVENTS {
+        let event = m.out(&core, name);
+        m.connect(&control, name, &event);
+    }
+    let irq = m.out(&control, "irq");
+    m.output("irq", &irq);
+    Ok(Top { module: m, core: core_module, manifests })
+}
