@@ -56,7 +56,7 @@ pub struct Design {
 }
 
 impl Design {
-    /// Verilog-2005 text of all modules, the top first, parents before children.
+    /// Verilog-2005 text of all modules (beside another file, of those it does not have), the top first, parents before children.
     #[must_use]
     pub fn verilog(&self) -> &str {
         &self.verilog
@@ -92,14 +92,28 @@ impl Design {
 /// # Errors
 /// Every fault of the whole hierarchy, each with the path of the module it is in.
 pub fn elaborate(top: &Module) -> Result<Design, ElaborationError> {
+    lower(top, None)
+}
+
+/// As [`elaborate`], for a top whose file is to lie beside that of `part`, a module inside it: the text has only what the other file
+/// does not, and both together are the design.
+///
+/// # Errors
+/// Every fault of the whole hierarchy, each with the path of the module it is in.
+pub fn elaborate_beside(top: &Module, part: &Module) -> Result<Design, ElaborationError> {
+    lower(top, Some(part))
+}
+
+fn lower(top: &Module, part: Option<&Module>) -> Result<Design, ElaborationError> {
     let mut checker = Checker::default();
     let reach = checker.check(top, top.unit.clone());
     if !checker.faults.is_empty() {
         return Err(ElaborationError { faults: checker.faults });
     }
     let mut library = Library::default();
+    let beside = part.map_or(0, |part| library.add(part) + 1);
     let index = library.add(top);
-    let names = library.names();
+    let names = library.names(beside);
     let counts = library.instance_counts();
     let modules = library.modules.iter().zip(&names).zip(counts).map(|((module, name), instances)| ModuleSummary {
         name: name.clone(),
@@ -115,7 +129,7 @@ pub fn elaborate(top: &Module) -> Result<Design, ElaborationError> {
     });
     Ok(Design {
         top: names[index].clone(),
-        verilog: library.verilog(&names),
+        verilog: library.verilog(&names, beside),
         ports: ports.collect(),
         modules: modules.collect(),
         combinational_paths: paths(top, &reach),

@@ -68,16 +68,27 @@ impl Library {
         index
     }
 
-    /// The name of every module: its unit, and where a unit has several, what tells them apart.
-    pub fn names(&self) -> Vec<String> {
+    /// The name of every module: its unit, and where a unit has several, what tells them apart. The first `beside` modules have the
+    /// names that they have without the others.
+    pub fn names(&self, beside: usize) -> Vec<String> {
+        let (mut names, mut taken) = (vec![], HashSet::new());
+        for end in [beside, self.modules.len()] {
+            self.name_up_to(end, &mut names, &mut taken);
+        }
+        names
+    }
+
+    /// Names the modules that follow those named, up to `end`.
+    fn name_up_to(&self, end: usize, names: &mut Vec<String>, taken: &mut HashSet<String>) {
         let mut units: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-        for (index, module) in self.modules.iter().enumerate() {
+        for (index, module) in self.modules[..end].iter().enumerate() {
             units.entry(&module.unit).or_default().push(index);
         }
-        let mut names: Vec<String> = self.modules.iter().map(|module| module.unit.clone()).collect();
-        let mut taken: HashSet<String> = units.keys().map(|unit| unit.to_string()).collect();
+        let first = names.len();
+        names.extend(self.modules[first..end].iter().map(|module| module.unit.clone()));
+        taken.extend(units.keys().map(|unit| unit.to_string()));
         for members in units.values().filter(|members| members.len() > 1) {
-            for &member in members {
+            for &member in members.iter().filter(|member| **member >= first) {
                 let base = format!("{}{}", self.modules[member].unit, self.suffix(member, members));
                 let mut name = base.clone();
                 let mut ordinal = 1;
@@ -88,7 +99,6 @@ impl Library {
                 names[member] = name;
             }
         }
-        names
     }
 
     /// `_d16_w64` from the parameters in which the members of a unit differ.
@@ -108,11 +118,12 @@ impl Library {
         suffix
     }
 
-    /// Verilog text of all modules, parents before children: a file named after the top starts with it.
-    pub fn verilog(&self, names: &[String]) -> String {
-        let frames = self.modules.iter().zip(names).rev().map(|(module, name)| frame(module, name, names).verilog());
-        let text = frames.collect::<Vec<_>>().join("\n");
-        if names.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
+    /// Verilog text of all modules but the first `beside`, parents before children: a file named after the top starts with it.
+    pub fn verilog(&self, names: &[String], beside: usize) -> String {
+        let modules = self.modules.iter().zip(names).skip(beside);
+        let frames: Vec<_> = modules.rev().map(|(module, name)| frame(module, name, names).verilog()).collect();
+        let text = frames.join("\n");
+        if frames.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
     }
 
     /// Ports of a module in order.

@@ -31,7 +31,7 @@ mod text;
 mod writer;
 
 pub use area::{Area, Storage};
-pub use elaborate::{Design, Direction, ModuleSummary, Port, elaborate};
+pub use elaborate::{Design, Direction, ModuleSummary, Port, elaborate, elaborate_beside};
 pub use error::{ElaborationError, Fault, FaultKind};
 pub use expression::{Expr, bit, cat, lit, select};
 pub use instance::Instance;

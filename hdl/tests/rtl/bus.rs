@@ -1,12 +1,15 @@
 //! The bus units pass through every tool.
 
-use pointcore_hdl::bus::{packet_in, packet_out, reader, window, writer};
-use pointcore_hdl::rtl::{Module, elaborate};
-use pointcore_spec::bus::packets;
+use pointcore_hdl::bus::{core_a as top_a, core_b as top_b, packet_in, packet_out, reader, registers, window, writer};
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::rtl::{Module, elaborate, elaborate_beside};
+use pointcore_spec::bus::{Config, packets, registers as maps};
 use pointcore_spec::core_a::{self, Field};
 use pointcore_spec::core_b;
 
-use crate::tools::lint;
+use std::collections::HashSet;
+
+use crate::tools::{lint, lint_text};
 
 fn accepts(module: &Module) {
     lint(&elaborate(module).unwrap_or_else(|error| panic!("{error}")));
@@ -45,5 +48,70 @@ fn tools_accept_the_memory_units() {
     }
     for index_bits in [2, 15] {
         accepts(&window::module(index_bits));
+    }
+}
+
+#[test]
+fn tools_accept_the_registers() {
+    let external = core_b::Config { tree_cache: 16, neighbor_cache: 2, ..core_b::Config::default() };
+    accepts(&registers::module(&maps::core_a(&core_a::Config::default()), [0, 1, 1, 2]));
+    accepts(&registers::module(&maps::core_b(&core_b::Config::default()), [1, 2, 1, 1]));
+    accepts(&registers::module(&maps::core_b(&external), [0, 2, 1, 2]));
+}
+
+/// The file of the top beside that of its core: no module is in both, none is missing, and the core's is as it is alone.
+#[test]
+fn a_top_lies_beside_its_core() {
+    let config = core_a::Config { heap_levels: 3, ..core_a::Config::default() };
+    let top = top_a::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+    let core = elaborate(&top.core).unwrap_or_else(|error| panic!("{error}"));
+    let bus = elaborate_beside(&top.module, &top.core).unwrap_or_else(|error| panic!("{error}"));
+    let modules = |text: &str| -> HashSet<String> {
+        let lines = text.lines().filter_map(|line| line.strip_prefix("module "));
+        lines.map(|line| line.trim_end_matches(" (").to_owned()).collect()
+    };
+    let [in_core, in_bus] = [&core, &bus].map(|design| modules(design.verilog()));
+    assert!(in_core.is_disjoint(&in_bus), "{in_core:?} {in_bus:?}");
+    let all: HashSet<String> = bus.modules().iter().map(|module| module.name.clone()).collect();
+    assert_eq!(all, in_core.union(&in_bus).cloned().collect());
+    assert!(in_core.contains("core_a_top") && in_bus.contains("core_a_axi"));
+    lint_text("core_a_axi", &format!("{}{}", bus.verilog(), core.verilog()));
+}
+
+#[test]
+fn tools_accept_core_a_on_axi() {
+    for (stream_bits, memory_bits, continuous, cardinal) in [(32, 512, 1, 0), (64, 64, 13, 1), (512, 32, 6, 0)] {
+        let bus = Config { stream_bits, memory_bits };
+        let config = core_a::Config {
+            bus,
+            continuous,
+            cardinal,
+            heap_levels: 3,
+            width: 64,
+            height: 64,
+            ..core_a::Config::default()
+        };
+        let top = top_a::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        accepts(&top.module);
+    }
+}
+
+#[test]
+fn tools_accept_core_b_on_axi() {
+    let base = core_b::Config {
+        index_bits: 10,
+        tree_depth: 4,
+        bucket: 8,
+        neighbors: 4,
+        threads: 2,
+        ..core_b::Config::default()
+    };
+    for (stream_bits, memory_bits, lanes, tree_cache, neighbor_cache) in
+        [(32, 512, 1, 0, 0), (64, 64, 2, 16, 0), (512, 32, 4, 0, 2), (64, 128, 8, 16, 3)]
+    {
+        let bus = Config { stream_bits, memory_bits };
+        let config = core_b::Config { bus, lanes, tree_cache, neighbor_cache, ..base.clone() };
+        let top = top_b::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        accepts(&top.module);
     }
 }

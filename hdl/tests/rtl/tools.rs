@@ -25,17 +25,25 @@ pub fn lint(design: &Design) {
 
 /// As [`lint`], with flags that let Verilator overlook a rule.
 pub fn lint_but(design: &Design, overlooked: &[&str]) {
+    lint_text_but(design.top(), design.verilog(), overlooked);
+}
+
+/// As [`lint`], of any text.
+pub fn lint_text(top: &str, verilog: &str) {
+    lint_text_but(top, verilog, &[]);
+}
+
+fn lint_text_but(top: &str, verilog: &str, overlooked: &[&str]) {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
-    let file = format!("{}.v", design.top());
-    std::fs::write(folder.path().join(&file), design.verilog()).expect("a temporary folder can be written");
-    let top = design.top();
+    let file = format!("{top}.v");
+    std::fs::write(folder.path().join(&file), verilog).expect("a temporary folder can be written");
     let verilator = [&["--lint-only", "-Wall", "--top-module", top, &file], overlooked].concat();
-    accepts("verilator", &verilator, folder.path(), design.verilog());
+    accepts("verilator", &verilator, folder.path(), verilog);
     let with_checks = [&verilator[..], &["-DPOINTCORE_ASSERT"]].concat();
-    accepts("verilator", &with_checks, folder.path(), design.verilog());
-    accepts("iverilog", &["-Wall", "-t", "null", &file], folder.path(), design.verilog());
+    accepts("verilator", &with_checks, folder.path(), verilog);
+    accepts("iverilog", &["-Wall", "-t", "null", &file], folder.path(), verilog);
     let script = format!("read_verilog {file}; hierarchy -check -top {top}; proc; check -assert");
-    accepts("yosys", &["-q", "-p", &script], folder.path(), design.verilog());
+    accepts("yosys", &["-q", "-p", &script], folder.path(), verilog);
 }
 
 /// One module with every construct, two children of one unit that differ, and two that do not.
