@@ -1,5 +1,6 @@
 //! Bit-exact, cycle-accurate models of the hardware, and the f64 reference they are judged by.
 
+pub mod bus;
 pub mod core_a;
 pub mod core_b;
 pub mod datapath;

@@ -1,0 +1,205 @@
+//! Registers of a core as a host meets them: every access at once, in order.
+
+use pointcore_spec::bus::registers::ERRORS;
+use pointcore_spec::bus::{Access, Kind, Register, When};
+use std::collections::BTreeMap;
+
+/// The bits of a whole register.
+const ALL_STROBES: u8 = 0xf;
+/// Bits of `control`.
+const START: u32 = 1;
+const RESET: u32 = 2;
+const CLEAR_ERRORS: u32 = 4;
+
+/// An answer on the bus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Response {
+    /// OKAY.
+    Okay,
+    /// SLVERR.
+    Refused,
+}
+
+/// The error counters by their place in [`ERRORS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// `access_errors`.
+    Access,
+    /// `busy_errors`.
+    Busy,
+    /// `burst_errors`.
+    Burst,
+    /// `packet_errors`.
+    Packet,
+    /// `memory_errors`.
+    Memory,
+}
+
+/// The registers of a core.
+#[derive(Clone, Debug)]
+pub struct Registers {
+    map: Vec<Register>,
+    /// Values of settings, by address.
+    values: BTreeMap<u32, u32>,
+    errors: [u32; ERRORS.len()],
+    /// Counters of the run, by name.
+    counters: BTreeMap<String, u32>,
+    /// A run is under way.
+    pub busy: bool,
+    /// A run has ended since the last start.
+    pub done: bool,
+    /// Uniforms as they were written: number and value.
+    pub uniforms: Vec<(u32, u32)>,
+    /// Resets of the core.
+    pub resets: u32,
+}
+
+impl Registers {
+    /// The registers after reset.
+    #[must_use]
+    pub fn new(map: &[Register]) -> Self {
+        Self {
+            map: map.to_vec(),
+            values: BTreeMap::new(),
+            errors: [0; ERRORS.len()],
+            counters: BTreeMap::new(),
+            busy: false,
+            done: false,
+            uniforms: vec![],
+            resets: 0,
+        }
+    }
+
+    /// Something elsewhere went wrong.
+    pub fn error(&mut self, error: Error) {
+        let count = &mut self.errors[error as usize];
+        *count = count.saturating_add(1);
+    }
+
+    /// Something happened in the run; nothing counts outside of one.
+    pub fn event(&mut self, counter: &str) {
+        if self.busy {
+            let count = self.counters.entry(counter.to_owned()).or_default();
+            *count = count.saturating_add(1);
+        }
+    }
+
+    /// The run ended.
+    pub fn finish(&mut self) {
+        self.done |= self.busy;
+        self.busy = false;
+    }
+
+    /// A setting's value by name.
+    #[must_use]
+    pub fn setting(&self, name: &str) -> u32 {
+        let register = self.map.iter().find(|register| register.name == name);
+        register.and_then(|register| self.values.get(&register.address)).copied().unwrap_or(0)
+    }
+
+    /// `irq`.
+    #[must_use]
+    pub fn interrupt(&self) -> bool {
+        self.done && self.setting("interrupt_enable") == 1
+    }
+
+    fn register(&self, address: u32) -> Option<Register> {
+        self.map.iter().find(|register| register.address == address).cloned()
+    }
+
+    /// A write; `occupied` while a burst to the tree is under way.
+    pub fn write(&mut self, address: u32, data: u32, strobes: u8, occupied: bool) -> Response {
+        let register = self.register(address).filter(|register| register.access() != Access::Read);
+        let Some(register) = register.filter(|_| strobes == ALL_STROBES) else { return self.refuse(Error::Access) };
+        let is_control = register.kind == Kind::Control;
+        let (starts, resets) = (is_control && data & START != 0, is_control && data & RESET != 0);
+        let needs_idle = if is_control { starts || resets } else { register.when() == When::Idle };
+        if (needs_idle && self.busy) || (starts && occupied) {
+            return self.refuse(Error::Busy);
+        }
+        let value = data & (u32::MAX >> (32 - register.width));
+        match register.kind {
+            Kind::Control => {
+                if starts && self.lacks_queries() {
+                    return self.refuse(Error::Access);
+                }
+                self.command(data);
+            }
+            Kind::Setting { multiple } if !value.is_multiple_of(multiple) => return self.refuse(Error::Access),
+            Kind::Uniform => {
+                let first = self.map.iter().find(|other| other.kind == Kind::Uniform).map_or(0, |first| first.address);
+                self.uniforms.push(((address - first) / 4, value));
+            }
+            _ => _ = self.values.insert(address, value),
+        }
+        Response::Okay
+    }
+
+    fn command(&mut self, data: u32) {
+        if data & START != 0 {
+            self.busy = true;
+            self.done = false;
+            self.counters.clear();
+        }
+        self.resets += u32::from(data & RESET != 0);
+        if data & CLEAR_ERRORS != 0 {
+            self.errors = [0; ERRORS.len()];
+        }
+    }
+
+    fn lacks_queries(&self) -> bool {
+        self.map.iter().any(|register| register.kind == Kind::Queries) && self.setting("queries") == 0
+    }
+
+    fn refuse(&mut self, error: Error) -> Response {
+        self.error(error);
+        Response::Refused
+    }
+
+    /// A read.
+    pub fn read(&mut self, address: u32) -> (u32, Response) {
+        let Some(register) = self.register(address).filter(|register| register.access() != Access::Write) else {
+            return (0, self.refuse(Error::Access));
+        };
+        let value = match register.kind {
+            Kind::Identity(value) => value,
+            Kind::Status => {
+                let error = self.errors.iter().any(|count| *count > 0);
+                u32::from(self.busy) | u32::from(self.done) << 1 | u32::from(error) << 2
+            }
+            Kind::Errors => {
+                let place = ERRORS.iter().position(|(name, _)| *name == register.name);
+                self.errors[place.expect("error counters are those of the list")]
+            }
+            Kind::Run => self.counters.get(&register.name).copied().unwrap_or(0),
+            _ => self.values.get(&address).copied().unwrap_or(0),
+        };
+        (value, Response::Okay)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_spec::bus::registers::{self, CONTROL, SETTINGS, STATUS};
+    use pointcore_spec::core_b::Config;
+
+    #[test]
+    fn what_is_refused_changes_nothing_and_counts_once() {
+        let mut unit = Registers::new(&registers::core_b(&Config::default()));
+        let queries = SETTINGS + 8;
+        assert_eq!(unit.write(CONTROL, START, 0xf, false), Response::Refused, "no queries");
+        assert_eq!(unit.write(queries, 3, 0xf, false), Response::Okay);
+        assert_eq!(unit.write(SETTINGS, 0x800, 0xf, false), Response::Refused, "a base between borders");
+        assert_eq!(unit.write(CONTROL, START | CLEAR_ERRORS, 0xf, true), Response::Refused, "the tree is written");
+        assert_eq!(unit.write(CONTROL, START, 0xf, false), Response::Okay);
+        assert_eq!(unit.write(queries, 4, 0xf, false), Response::Refused, "a run is under way");
+        assert_eq!(unit.read(queries), (3, Response::Okay));
+        assert_eq!(unit.read(2), (0, Response::Refused));
+        assert_eq!([0x10, 0x14].map(|address| unit.read(address).0), [3, 2]);
+        assert_eq!(unit.read(STATUS).0, 0b101);
+        assert_eq!(unit.write(CONTROL, CLEAR_ERRORS, 0xf, false), Response::Okay);
+        unit.finish();
+        assert_eq!(unit.read(STATUS).0, 0b010);
+    }
+}
