@@ -9,7 +9,7 @@ use pointcore_spec::core_a::{Config, Field};
 
 use super::heap_order::EntryFormat;
 use super::heap_stage::{self, RISE, step_fields};
-use crate::rtl::{Expr, Instance, Module, bit, cat};
+use crate::rtl::{Expr, Instance, Module, bit, cat, lit};
 use crate::units::records::{Record, queue_out, stream_in};
 
 /// The unit; ports as in `spec::core_a::ports::heap`.
@@ -70,6 +70,8 @@ pub fn module(config: &Config) -> Module {
         "left_exists" => bit(false),
         "right_exists" => occupied.clone(),
         "entry" => newcomer.clone(),
+        // It has none.
+        "rival" => lit(format.key_width(), 0),
         // The root is the right child of nothing, and every step comes by it.
         _ => bit(true),
     });

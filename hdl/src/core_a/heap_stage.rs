@@ -13,7 +13,7 @@ use pointcore_spec::core_a::{Config, Field};
 
 use super::heap_order::{EntryFormat, Order};
 use crate::rtl::{Expr, Module, Reg, bit, cat, lit};
-use crate::units::records::Record;
+use crate::units::records::{Record, width};
 
 /// Where a stage stands in the heap.
 #[derive(Clone, Copy)]
@@ -72,11 +72,13 @@ pub(super) fn step_fields(format: EntryFormat) -> Vec<Field> {
         // The step before this one came by here if it came that deep.
         ("follows", 1),
         ("entry", format.width()),
+        // The key of the parent's rival.
+        ("rival", format.key_width()),
     ])
 }
 
 /// What a level says of the step it compares, to the level that settles it.
-pub(super) const RISE: [&str; 6] = ["entry", "key", "exists", "right", "childless", "node"];
+pub(super) const RISE: [&str; 6] = ["entry", "exists", "ahead", "right", "childless", "node"];
 
 /// Registers that take new values in every cycle.
 struct Registers(Vec<(String, Reg)>);
@@ -126,6 +128,9 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
         ("exists", 1),
         ("right", 1),
         ("was_first", 1),
+        ("parent_rival", format.key_width()),
+        ("chosen_stored", 1),
+        ("rival_stored", 1),
         ("rival", format.key_width()),
         ("rival_exists", 1),
         ("rival_mark", 1),
@@ -137,7 +142,6 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
         ("carry", 1),
         ("existed", 1),
         ("ahead", 1),
-        ("rival", format.key_width()),
         ("rival_exists", 1),
         ("rival_mark", 1),
         ("entry", format.width()),
@@ -152,7 +156,17 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
 
     // Compare.
     let has_below = place.has_lower();
-    let (chosen, exists) = (compared.get("entry"), compared.get("exists"));
+    let exists = compared.get("exists");
+    let stored = m.reg("stored", width(&node_fields));
+    let stored_node = Record::unpack(&node_fields, &stored);
+    let (chosen_stored, rival_stored) = (compared.get("chosen_stored"), compared.get("rival_stored"));
+    let current = |m: &mut Module, name: &str| {
+        let value = chosen_stored.mux(&stored_node.get(name), &compared.get(name));
+        m.wire(&format!("chosen_{name}"), &value)
+    };
+    let chosen = current(&mut m, "entry");
+    let rival = m.wire("rival", &rival_stored.mux(&format.key(&stored_node.get("entry")), &compared.get("rival")));
+    let rival_mark = m.wire("rival_mark", &rival_stored.mux(&stored_node.get("mark"), &compared.get("rival_mark")));
     let carried = if upper > 0 {
         compared.get("carried")
     } else {
@@ -163,19 +177,17 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
     };
     let carried_key = format.key(&carried);
     let before_chosen = m.wire("before_chosen", &order.before(&carried_key, &format.key(&chosen)));
-    let before_rival = m.wire("before_rival", &order.before(&carried_key, &compared.get("rival")));
+    let before_rival = m.wire("before_rival", &order.before(&carried_key, &rival));
     let carried_first = m.wire("carried_first", &(compared.get("carry") & (!&exists | &before_chosen)));
     let first = m.wire("first", &carried_first.mux(&carried, &chosen));
     let last = carried_first.mux(&chosen, &carried);
-    let (left_below, right_below, left_full) = if has_below {
-        let count = compared.get("left_count");
-        let full = match count.width() {
-            1 => &count | !&lower,
-            width => count.trunc(width - 1).all() & (count.msb() | !&lower),
-        };
-        (count.any(), compared.get("right_below"), full)
-    } else {
-        (bit(false), bit(false), bit(false))
+    let below = has_below.then(|| [current(&mut m, "right_below"), current(&mut m, "left_count")]);
+    let (left_below, right_below, left_full) = match &below {
+        Some([right_below, count]) => {
+            let low_full = if count.width() > 1 { count.trunc(count.width() - 1).all() } else { bit(true) };
+            (count.any(), right_below.clone(), low_full & (count.msb() | !&lower))
+        }
+        None => (bit(false), bit(false), bit(false)),
     };
     let any_below = &left_below | &right_below;
     let own = Record::new(&step_fields(format), |name| match name {
@@ -184,21 +196,20 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
         "right" => left_full.clone(),
         "left_exists" => left_below.clone(),
         "right_exists" => right_below.clone(),
-        _ => last.clone(),
+        "entry" => last.clone(),
+        _ => rival.clone(),
     });
 
     // Settle.
-    let rise = fields(&[
-        ("entry", format.width()),
-        ("key", format.key_width()),
-        ("exists", 1),
-        ("right", 1),
-        ("childless", 1),
-    ]);
+    let rise = fields(&[("entry", format.width()), ("exists", 1), ("ahead", 1), ("right", 1), ("childless", 1)]);
+    let ahead_of_rival = {
+        let rival_first = order.before(&compared.get("parent_rival"), &format.key(&chosen));
+        m.wire("ahead_of_rival", &(&exists & !rival_first))
+    };
     let own_rise = Record::new(&rise, |name| match name {
         "entry" => first.clone(),
-        "key" => format.key(&chosen),
         "exists" => exists.clone(),
+        "ahead" => ahead_of_rival.clone(),
         "right" => compared.get("right"),
         _ => !&any_below,
     });
@@ -228,11 +239,7 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
     let settled_entry = m.wire("entry_to_store", &entry);
     let (rival_exists, ahead, carry) = (settled.get("rival_exists"), settled.get("ahead"), settled.get("carry"));
     let risen_exists = risen.get("exists");
-    let risen_first = {
-        let rival_first = order.before(&settled.get("rival"), &risen.get("key"));
-        m.wire("risen_first", &(&risen_exists & !rival_first))
-    };
-    let hole_first = (&carry | &risen_exists) & ((!&rival_exists | &ahead) | &risen_first);
+    let hole_first = (&carry | &risen_exists) & ((!&rival_exists | &ahead) | risen.get("ahead"));
     let is_first = m.wire("settled_first", &hole.mux(&hole_first, &ahead));
     let first_side = m.wire("first_side", &(&side ^ !&is_first));
     let mark = &first_side ^ (&rival_exists & settled.get("rival_mark"));
@@ -259,6 +266,7 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
         }
     });
     let settled_node = m.wire("node_to_store", &settled_node.pack());
+    m.next(&stored, &settled_node);
 
     // Look.
     let step = own.mux(&lower, &above);
@@ -282,12 +290,7 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
         m.wire("goes_right", &step.get("hole").mux(&both.mux(&goes_first, &right_exists), &step.get("right")));
     m.drive(&next_row, &cat(&[&row, &goes_right]));
     let to_settled = m.wire("to_settled", &(&goes_right ^ !&side));
-    let settled_node = Record::unpack(&node_fields, &settled_node);
-    let pick = |name: &str, right_one: &Expr, from_settled: &Expr| {
-        from_settled.mux(&settled_node.get(name), &right_one.mux(&right.get(name), &left.get(name)))
-    };
-    let (chosen_settled, rival_settled) = (&bypass & &to_settled, &bypass & !&to_settled);
-    let chosen_entry = m.wire("chosen_entry", &pick("entry", &goes_right, &chosen_settled));
+    let pick = |name: &str, right_one: &Expr| right_one.mux(&right.get(name), &left.get(name));
     let stays_left = !&goes_right;
     let follows = step.get("follows") & &to_settled;
     compared.next(&mut m, |name| match name {
@@ -298,17 +301,20 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
         "rival_exists" => goes_right.mux(&left_exists, &right_exists),
         "right" => goes_right.clone(),
         "was_first" => goes_right.eq(&both.mux(&goes_first, &right_exists)),
-        "rival" => format.key(&pick("entry", &stays_left, &rival_settled)),
-        "rival_mark" => pick("mark", &stays_left, &rival_settled),
-        "entry" => chosen_entry.clone(),
-        _ => pick(name, &goes_right, &chosen_settled),
+        "parent_rival" => step.get("rival"),
+        "chosen_stored" => &bypass & &to_settled,
+        "rival_stored" => &bypass & !&to_settled,
+        "rival" => format.key(&pick("entry", &stays_left)),
+        "rival_mark" => pick("mark", &stays_left),
+        _ => pick(name, &goes_right),
     });
     // Where nothing lies below, a hole is filled with the carried entry.
     let fills_leaf = if !place.continues() && has_below { compared.get("hole") & !&lower } else { bit(false) };
     let kept = (&carried_first ^ fills_leaf).mux(&carried, &chosen);
     settled.next(&mut m, |name| match name {
         "valid" => compared.get("valid") & (&exists | !compared.get("hole")),
-        "hole" | "carry" | "rival" | "rival_exists" | "rival_mark" => compared.get(name),
+        "hole" | "carry" | "rival_exists" => compared.get(name),
+        "rival_mark" => rival_mark.clone(),
         "existed" => exists.clone(),
         "ahead" => {
             let inserted = &carried_first & (&before_rival | !compared.get("rival_exists"));
@@ -317,13 +323,14 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
         }
         "entry" => kept.clone(),
         _ => {
-            let value = compared.get(name);
-            &value & exists.repeat(value.width())
+            let [right, count] = below.as_ref().expect("these fields are there where nodes have children");
+            let value = if name == "right_below" { right } else { count };
+            value & exists.repeat(value.width())
         }
     });
 
     if upper == 0 {
-        m.output("root", &chosen_entry);
+        m.output("root", &bypass.mux(&settled_entry, &right.get("entry")));
     } else {
         let rises = Record::new(&rise, |name| own_rise.get(name));
         rises.output(&mut m, "rise_");
