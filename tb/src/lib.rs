@@ -3,6 +3,7 @@
 pub mod cache;
 pub mod core_a;
 pub mod core_b;
+pub mod driver;
 pub mod float_check;
 pub mod generated;
 pub mod inspect;

@@ -3,8 +3,9 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
-use commands::{Failure, area, bench, generate, inspect, knn, plan, run};
+use commands::{Failure, area, bench, generate, inspect, knn, plan, run, vectors};
 use pointcore::core_b::Error as SearchError;
+use pointcore::driver::Error as DriverError;
 use pointcore::synthesis::SynthesisError;
 use std::process::ExitCode;
 
@@ -39,6 +40,13 @@ enum Command {
     /// asked unless --limit says otherwise. Without --config the hardware is derived: four points a cycle, the tree as deep as the points
     /// need, the queues as long as k. Neighbors go to out/knn/neighbors.csv, the report beside them.
     Knn(Box<knn::Arguments>),
+    /// Write what a driver sends to a core over AXI and what must come back, from the golden model.
+    ///
+    /// For bringing up a board. vectors.json names the registers to write (docs/interfaces.md), the packets to send and to expect, and
+    /// the memory images, each a binary file beside it: packets one after the other, in the layout of registers.h. config.toml is the
+    /// hardware they are for: `pointcore gen DIR/config.toml -o DIR/verilog`. Fragments come in the given order; results of a query too, but
+    /// queries in any order. Of a packet with `end` set nothing else counts.
+    Vectors(Box<vectors::Arguments>),
     /// Describe a model file: points, normals, spacing.
     Inspect(inspect::Arguments),
     /// Measure the project's figures and merge them into out/bench.json.
@@ -55,6 +63,7 @@ fn main() -> ExitCode {
         Command::Gen(arguments) => generate::run(&arguments, output),
         Command::Run(arguments) => run::run(&arguments, output),
         Command::Knn(arguments) => knn::run(&arguments, output),
+        Command::Vectors(arguments) => vectors::run(&arguments, output),
         Command::Inspect(arguments) => inspect::run(&arguments, output),
         Command::Bench(arguments) => bench::run(&arguments, output),
         Command::Area(arguments) => area::run(&arguments, output),
@@ -71,19 +80,22 @@ fn main() -> ExitCode {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
-            Self::Mismatch(_)
-            | Self::Neighbors(_)
-            | Self::Search(SearchError::Lockstep(_) | SearchError::Stuck { .. }) => 1,
-            Self::Search(SearchError::Generate(_) | SearchError::Verilated(_)) => 3,
+            Self::Mismatch(_) | Self::Neighbors(_) | Self::Vectors(DriverError::Frame(_)) => 1,
+            Self::Search(error) | Self::Vectors(DriverError::Search(error)) => match error {
+                SearchError::Lockstep(_) | SearchError::Stuck { .. } => 1,
+                SearchError::Generate(_) | SearchError::Verilated(_) => 3,
+                _ => 2,
+            },
             Self::Scene(_)
             | Self::Plan { .. }
             | Self::Configuration { .. }
             | Self::Usage(_)
-            | Self::Search(_)
             | Self::Synthesis(SynthesisError::TooLarge { .. })
             | Self::Write { .. }
             | Self::Picture(_)
             | Self::Plot(_) => 2,
+            Self::Vectors(DriverError::Generate(_)) => 3,
+            Self::Vectors(_) => 2,
             Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
         })
     }

@@ -75,10 +75,10 @@ pub fn json(text: &str) -> Value {
 fn help_names_every_subcommand_and_the_exit_codes() {
     let workplace = Workplace::new();
     let help = workplace.succeeds(&["--help"]);
-    for part in ["plan", "gen", "run", "knn", "inspect", "bench", "area", "scenes/knot.toml", "Exit codes"] {
+    for part in ["plan", "gen", "run", "knn", "vectors", "inspect", "bench", "area", "scenes/knot.toml", "Exit codes"] {
         assert!(help.contains(part), "`{part}` is missing in: {help}");
     }
-    for command in ["plan", "gen", "run", "knn", "inspect", "bench", "area"] {
+    for command in ["plan", "gen", "run", "knn", "vectors", "inspect", "bench", "area"] {
         assert!(workplace.succeeds(&[command, "--help"]).contains("Usage: pointcore"), "{command}");
     }
 }

@@ -1,6 +1,7 @@
 //! Hardware against golden models, one module a unit.
 mod command;
 mod command_knn;
+mod command_vectors;
 mod compiler;
 mod core_a;
 mod core_a_accumulator;

@@ -9,8 +9,11 @@ pub mod knn;
 pub mod plan;
 pub mod progress;
 pub mod run;
+pub mod search;
+pub mod vectors;
 
 use pointcore::core_b::{Difference, Error as SearchError};
+use pointcore::driver::Error as DriverError;
 use pointcore::float_check::FloatCheckError;
 use pointcore::generated::GenerateError;
 use pointcore::lockstep::LockstepError;
@@ -80,6 +83,9 @@ pub enum Failure {
     /// A neighbor search.
     #[error(transparent)]
     Search(#[from] SearchError),
+    /// Vectors for a driver.
+    #[error(transparent)]
+    Vectors(#[from] DriverError),
     /// Neighbors that are not the nearest.
     #[error("{0}")]
     Neighbors(Difference),
@@ -112,8 +118,13 @@ pub fn load(path: &Path, settings: &[String]) -> Result<(Scene, Plan), Failure> 
     Ok((scene, plan))
 }
 
-/// Writes a file, making its folder.
+/// Writes a text file, making its folder.
 pub fn write(path: &Path, contents: &str) -> Result<(), Failure> {
+    write_bytes(path, contents.as_bytes())
+}
+
+/// Writes a file, making its folder.
+pub fn write_bytes(path: &Path, contents: &[u8]) -> Result<(), Failure> {
     let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
     let written = folder.and_then(|()| std::fs::write(path, contents));
     written.map_err(|source| Failure::Write { path: path.to_owned(), source })

@@ -59,7 +59,7 @@ impl Query {
     ///
     /// # Errors
     /// The core cannot answer it; the error bears `index`.
-    pub(super) fn encode(&self, config: &Config, reuse: Reuse, index: usize) -> Result<Asked, Error> {
+    pub(crate) fn encode(&self, config: &Config, reuse: Reuse, index: usize) -> Result<Asked, Error> {
         let wrong = |problem| Err(Error::Query { index, problem });
         let format = config.geometry;
         let &Self { point, k, radius } = self;

@@ -54,7 +54,7 @@ impl Reuse {
 
     /// What the core is told: eq. 6.5 for k nearest neighbors, eq. 6.6 for balls.
     #[must_use]
-    pub(super) fn setup(self, format: Format, kind: Kind) -> CacheSetup {
+    pub(crate) fn setup(self, format: Format, kind: Kind) -> CacheSetup {
         let guard = 1.0 - GUARD_ULPS / (1_u32 << format.mantissa) as f32;
         let (far_scale, margin_scale) = match kind {
             Kind::Ball => (guard, 1.0 + self.epsilon),
