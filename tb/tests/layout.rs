@@ -9,6 +9,7 @@ const CORES: &[&str] = &["stream", "core_a", "core_b"];
 
 /// Files of `hdl/src` in those folders and in `float` that are no units but serve several.
 const HELPERS: &[&str] = &[
+    "core_a/heap_links",
     "core_a/heap_order",
     "core_a/heap_stage",
     "core_a/tile_directory",

@@ -7,8 +7,9 @@
 
 use pointcore_spec::core_a::{Config, Field};
 
+use super::heap_links::Place;
 use super::heap_order::EntryFormat;
-use super::heap_stage::{self, RISE, step_fields};
+use super::heap_stage::{self, RISE};
 use crate::rtl::{Expr, Instance, Module, bit, cat, lit};
 use crate::units::records::{Record, queue_out, stream_in};
 
@@ -63,7 +64,7 @@ pub fn module(config: &Config) -> Module {
     m.connect(&stages[0], "newcomer_sweep", &newcomer_sweep);
 
     let newcomer = cat(&[&bit(false), &input.field("tile"), &arrival, &input.field("pointer")]);
-    let step = Record::new(&step_fields(format), |name| match name {
+    let step = Record::new(&Place::new(config, 0).step(), |name| match name {
         "valid" => &push | &pop,
         "hole" => pop.clone(),
         "carry" => push.clone(),
@@ -89,13 +90,13 @@ pub fn module(config: &Config) -> Module {
 
 /// Places the stages one below the other and connects neighbors.
 fn stages(m: &mut Module, config: &Config) -> Vec<Instance> {
-    let format = EntryFormat::new(config);
+    let step_fields = Place::new(config, 0).step();
     let instances: Vec<_> = (0..config.heap_levels as usize)
         .step_by(2)
         .map(|level| m.instance(&format!("stage_{level}"), heap_stage::module(config, level)))
         .collect();
     for pair in instances.windows(2) {
-        let step = Record::new(&step_fields(format), |name| m.out(&pair[0], &format!("below_{name}")));
+        let step = Record::new(&step_fields, |name| m.out(&pair[0], &format!("below_{name}")));
         step.connect(m, &pair[1], "step_");
         let row = m.out(&pair[0], "below_row");
         m.connect(&pair[1], "step_row", &row);

@@ -15,6 +15,7 @@ pub mod transform;
 pub mod weighting;
 
 mod blend;
+mod heap_links;
 mod heap_order;
 mod heap_stage;
 mod tile_directory;
