@@ -83,9 +83,14 @@ impl Cache {
 /// Cargo's target folder that this program runs from, else `target` here.
 #[must_use]
 pub fn target_folder() -> PathBuf {
-    let program = std::env::current_exe().unwrap_or_default();
+    target_of(&std::env::current_exe().unwrap_or_default())
+}
+
+/// The target folder that a program lies in, else `target` here. Absolute, for tools are started in other folders.
+fn target_of(program: &Path) -> PathBuf {
     let target = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").exists());
-    target.map_or_else(|| PathBuf::from("target"), Path::to_path_buf)
+    let target = target.unwrap_or(Path::new("target"));
+    std::path::absolute(target).unwrap_or_else(|_| target.to_path_buf())
 }
 
 /// The key of a build that depends on `parts`.
@@ -129,4 +134,18 @@ fn checksums(folder: &Path) -> std::io::Result<String> {
 
 fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_target_folder_is_absolute_wherever_the_program_lies() {
+        let here = std::env::current_dir().expect("tests run somewhere");
+        assert_eq!(target_of(Path::new("/nowhere/pointcore")), here.join("target"));
+        let target = tempfile::tempdir().expect("the system has a temporary folder");
+        fs::write(target.path().join("CACHEDIR.TAG"), "").expect("a temporary folder can be written");
+        assert_eq!(target_of(&target.path().join("debug/pointcore")), target.path());
+    }
 }
