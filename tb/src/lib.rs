@@ -1,6 +1,7 @@
 //! Co-simulation of the generated hardware with its models, and the `pointcore` command.
 
 pub mod cache;
+pub mod configuration;
 pub mod core_a;
 pub mod core_b;
 pub mod driver;

@@ -15,7 +15,7 @@ use std::process::ExitCode;
 /// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/. `pointcore knn --points surface:100000` does the
 /// same for nearest neighbors.
 ///
-/// Exit codes: 0 success, 1 the hardware and its model disagree, 2 wrong input or a folder that cannot be written, 3 a tool is missing or failed.
+/// Exit codes: 0 success, 1 the hardware and its model, or the record of its figures, disagree, 2 wrong input or a folder that cannot be written, 3 a tool is missing or failed.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Arguments {
@@ -80,7 +80,7 @@ fn main() -> ExitCode {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
-            Self::Mismatch(_) | Self::Neighbors(_) | Self::Vectors(DriverError::Frame(_)) => 1,
+            Self::Mismatch(_) | Self::Neighbors(_) | Self::Stale { .. } | Self::Vectors(DriverError::Frame(_)) => 1,
             Self::Search(error) | Self::Vectors(DriverError::Search(error)) => match error {
                 SearchError::Lockstep(_) | SearchError::Stuck { .. } => 1,
                 SearchError::Generate(_) | SearchError::Verilated(_) => 3,
@@ -88,7 +88,7 @@ impl Failure {
             },
             Self::Scene(_)
             | Self::Plan { .. }
-            | Self::Configuration { .. }
+            | Self::Configuration(_)
             | Self::Usage(_)
             | Self::Synthesis(SynthesisError::TooLarge { .. })
             | Self::Write { .. }

@@ -1,6 +1,6 @@
 //! From a unit to its area through the real tools.
 
-use pointcore::synthesis::{Measurement, SynthesisError, Synthesizer, Target, all};
+use pointcore::synthesis::{Measurement, State, Step, SynthesisError, Synthesizer, Target, all};
 use std::sync::Mutex;
 
 /// What a target says of a unit; none, visibly, where its tools are not installed.
@@ -15,7 +15,12 @@ fn measure(target: Target, name: &str) -> Option<Measurement> {
     };
     let unit = all().into_iter().find(|unit| unit.name == name).expect("the test names a unit that is known");
     let steps = Mutex::new(0);
-    let measured = synthesizer.measure(&unit, 1, &|_| *steps.lock().expect("no step panics") += 1);
+    let done = |step: &Step<'_>| {
+        if step.state == State::Done {
+            *steps.lock().expect("no step panics") += 1;
+        }
+    };
+    let measured = synthesizer.measure(&unit, 1, &done);
     let measured = measured.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(*steps.lock().expect("no step panics"), 1, "synthesis only");
     Some(measured)

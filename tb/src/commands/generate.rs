@@ -1,7 +1,7 @@
 //! `pointcore gen SCENE|CONFIG -o DIR`.
 
-use super::configuration::{self, Configuration};
 use super::{Failure, Output, load, write};
+use pointcore::configuration::{self, Configuration};
 use pointcore::core_a::{self, area};
 use pointcore::core_b;
 use pointcore_hdl::compiler::Manifest;
@@ -47,7 +47,7 @@ fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {
     if !arguments.settings.is_empty() {
         return Err(Failure::Usage("--set changes scenes; edit the configuration file instead".to_owned()));
     }
-    configuration::parse(path, &text)
+    Ok(configuration::parse(path, &text)?)
 }
 
 /// Writes Verilog, manifest, configuration and constraints of core A; returns the files.

@@ -2,7 +2,6 @@
 
 pub mod area;
 pub mod bench;
-pub mod configuration;
 pub mod generate;
 pub mod inspect;
 pub mod knn;
@@ -12,6 +11,7 @@ pub mod run;
 pub mod search;
 pub mod vectors;
 
+use pointcore::configuration::{self, ConfigurationError};
 use pointcore::core_b::{Difference, Error as SearchError};
 use pointcore::driver::Error as DriverError;
 use pointcore::float_check::FloatCheckError;
@@ -61,12 +61,15 @@ pub enum Failure {
         source: PlanError,
     },
     /// A configuration file.
-    #[error("{}: {problem}", path.display())]
-    Configuration {
-        /// The file.
+    #[error(transparent)]
+    Configuration(#[from] ConfigurationError),
+    /// A record of figures that are not of the hardware as it is now.
+    #[error("{} is stale; each line is followed by what brings it up to date:\n{}", path.display(), list.trim_end())]
+    Stale {
+        /// The record.
         path: PathBuf,
-        /// What is wrong with it.
-        problem: String,
+        /// What is stale, and what to do.
+        list: String,
     },
     /// Arguments that do not go together.
     #[error("{0}")]
@@ -135,7 +138,7 @@ pub type Figures = Map<String, Value>;
 
 /// The figures that are already in the file; none if there is no such file.
 fn existing(path: &Path) -> Result<Figures, Failure> {
-    let wrong = |problem| Failure::Configuration { path: path.to_owned(), problem };
+    let wrong = |problem: String| Failure::from(configuration::wrong(path, problem));
     match std::fs::read_to_string(path) {
         Ok(text) => serde_json::from_str(&text).map_err(|error| wrong(format!("{error}; delete it to start anew"))),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Figures::new()),

@@ -1,6 +1,7 @@
 //! What is searched, on which hardware: the arguments that `knn` and `vectors` share.
 
-use super::{Failure, configuration};
+use super::Failure;
+use pointcore::configuration;
 use pointcore::core_b::{Error as SearchError, Order, PointSet, Query, Reuse, Source, Splitting, config_for};
 use pointcore_spec::core_b::Config;
 use std::path::PathBuf;

@@ -3,6 +3,7 @@
 //! Every step's result is kept by the hash of all it depends on, so a long series that was interrupted goes on where it was.
 
 mod cells;
+mod record;
 mod shell;
 mod table;
 mod target;
@@ -11,6 +12,7 @@ mod tools;
 mod units;
 
 pub use cells::Area;
+pub use record::{Entry, Record, Stale};
 pub use table::{Style, table};
 pub use target::Target;
 pub use timing::Timing;
@@ -23,6 +25,8 @@ use serde::Serialize;
 use shell::Shelled;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
 use std::time::{Duration, Instant};
 use target::Device;
 use tools::Tool;
@@ -100,14 +104,55 @@ pub struct Measurement {
     pub fmax_mhz: Vec<f64>,
 }
 
-/// A step that has been done.
+/// How often a step that goes on says so.
+const TICK: Duration = Duration::from_secs(1);
+
+/// A step, at its end and about once a second until then.
 pub struct Step<'a> {
     /// On what.
     pub unit: &'a str,
     /// The seed of place and route; none for synthesis.
     pub seed: Option<u32>,
-    /// How long it took; short if its result was kept.
+    /// How long it took, or has taken; short if its result was kept.
     pub duration: Duration,
+    /// Whether it has ended.
+    pub state: State,
+}
+
+/// Whether a step has ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// It goes on.
+    Running,
+    /// It is done.
+    Done,
+}
+
+/// Hears of steps.
+pub type Progress<'a> = &'a (dyn Fn(&Step<'_>) + Sync);
+
+/// Runs a step, and has the progress told of it.
+fn watched<T, E>(
+    unit: &str,
+    seed: Option<u32>,
+    progress: Progress<'_>,
+    run: impl FnOnce() -> Result<T, E>,
+) -> Result<T, E> {
+    let begin = Instant::now();
+    let tell = |state| progress(&Step { unit, seed, duration: begin.elapsed(), state });
+    let (end, ended) = mpsc::channel::<()>();
+    let result = thread::scope(|scope| {
+        scope.spawn(move || {
+            while ended.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+                tell(State::Running);
+            }
+        });
+        let result = run();
+        drop(end);
+        result
+    })?;
+    tell(State::Done);
+    Ok(result)
 }
 
 /// Tools for one target, and the cache of their results.
@@ -133,33 +178,35 @@ impl Synthesizer {
     ///
     /// # Errors
     /// A tool's failure, or a unit that the device cannot hold.
-    pub fn measure(
-        &self,
-        unit: &Unit,
-        seeds: u32,
-        progress: &(dyn Fn(&Step<'_>) + Sync),
-    ) -> Result<Measurement, SynthesisError> {
+    pub fn measure(&self, unit: &Unit, seeds: u32, progress: Progress<'_>) -> Result<Measurement, SynthesisError> {
         let name = &unit.name;
-        let start = Instant::now();
-        let design = unit.module().and_then(shell::wrap);
-        let design = design.map_err(|source| SynthesisError::Generate { unit: name.clone(), source })?;
-        let (synthesis, synthesis_key) = self.synthesize(name, &design)?;
+        let (synthesis, synthesis_key) = watched(name, None, progress, || self.synthesize(name, &design(unit)?))?;
         let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
         let area = cells::parse(self.target, &read(&synthesis.join(CELLS))?).map_err(report)?;
-        progress(&Step { unit: name, seed: None, duration: start.elapsed() });
         let mut runs = Vec::new();
         if let Some((device, router)) = &self.router {
             check_capacity(name, device, &area)?;
             let route = |seed| {
-                let start = Instant::now();
-                let timing = self.route(name, device, router, &synthesis, &synthesis_key, seed)?;
-                progress(&Step { unit: name, seed: Some(seed), duration: start.elapsed() });
-                Ok(timing)
+                let run = || self.route(name, device, router, &synthesis, &synthesis_key, seed);
+                watched(name, Some(seed), progress, run)
             };
             runs = (1..=seeds).into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
         }
         let fmax_mhz = runs.iter().map(|run: &Timing| run.fmax_mhz).collect();
         Ok(Measurement { unit: name.clone(), area, timing: timing::median(&runs).cloned(), fmax_mhz })
+    }
+
+    /// The technology.
+    #[must_use]
+    pub const fn target(&self) -> Target {
+        self.target
+    }
+
+    /// What the tools say of their versions.
+    #[must_use]
+    pub fn tools(&self) -> Vec<String> {
+        let router = self.router.iter().map(|(_, tool)| tool.description.clone());
+        std::iter::once(self.yosys.description.clone()).chain(router).collect()
     }
 
     /// The cache entry with the unit's cells and netlist, and its key.
@@ -197,6 +244,23 @@ impl Synthesizer {
         timing::parse(&read(&entry.join(TIMING))?)
             .map_err(|problem| SynthesisError::Report { unit: unit.to_owned(), problem })
     }
+}
+
+/// A unit in its shell.
+fn design(unit: &Unit) -> Result<Shelled, SynthesisError> {
+    let design = unit.module().and_then(shell::wrap);
+    design.map_err(|source| SynthesisError::Generate { unit: unit.name.clone(), source })
+}
+
+/// The hash of all that a measurement depends on but the tools' versions: the unit's Verilog, the script, the arguments.
+///
+/// # Errors
+/// A fault of the generator.
+pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError> {
+    let design = design(unit)?;
+    let script = target.script(&design);
+    let arguments = target.device().map_or(&[][..], |device| device.arguments);
+    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments.iter().copied())))
 }
 
 /// What yosys counts.

@@ -52,7 +52,7 @@ pub fn table(target: Target, measurements: &[Measurement], style: Style) -> Stri
     let mut header = vec!["unit".to_owned()];
     header.extend(columns(target).iter().map(|(name, _)| (*name).to_owned()));
     if timed {
-        header.extend(["MHz", "range", "critical path"].map(String::from));
+        header.extend(["MHz", "range", "seeds", "critical path"].map(String::from));
     }
     let mut rows = vec![header];
     rows.extend(measurements.iter().map(|measurement| row(target, measurement, style)));
@@ -71,6 +71,7 @@ fn row(target: Target, measurement: &Measurement, style: Style) -> Vec<String> {
         let high = measurement.fmax_mhz.iter().copied().fold(0.0, f64::max);
         row.push(format!("{:.0}", timing.fmax_mhz));
         row.push(format!("{low:.0}–{high:.0}"));
+        row.push(measurement.fmax_mhz.len().to_string());
         row.push(format!("{} → {}", code(&timing.from), code(&timing.to)));
     }
     row
@@ -121,7 +122,7 @@ mod tests {
         let [header, row] = text.lines().collect::<Vec<_>>()[..] else { panic!("two lines: {text}") };
         assert!(header.starts_with("unit") && header.ends_with("critical path"), "{header}");
         let cells: Vec<_> = row.split_whitespace().collect();
-        let expected = ["f32_add", "599", "59", "344", "0", "0", "0", "142", "140–150", "sum_s3", "→", "zeros_s4"];
+        let expected = ["f32_add", "599", "59", "344", "0", "0", "0", "142", "140–150", "3", "sum_s3", "→", "zeros_s4"];
         assert_eq!(cells, expected);
     }
 

@@ -2,13 +2,15 @@
 
 use super::cells::Area;
 use super::shell::Shelled;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
 /// Clock frequency in MHz that place and route aim at: beyond what the units reach, so that the tools do not stop early.
 const GOAL_MHZ: &str = "160";
 
 /// A technology.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Target {
     /// Lattice ECP5 LFE5U-85F, speed grade 6: synthesis, place and route.
     Ecp5,

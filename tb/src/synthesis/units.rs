@@ -1,5 +1,6 @@
-//! What can be synthesized by name: every operator, and every unit of the cores at the default configuration.
+//! What can be synthesized by name: every operator, and the cores and all their units at the configurations `ecp5` and `ecp5_knn`.
 
+use crate::configuration::{Configuration, ecp5, ecp5_knn};
 use crate::generated::GenerateError;
 use pointcore_hdl::compiler::{CompileError, Datapath, Options};
 use pointcore_hdl::float::{self, Operator};
@@ -10,7 +11,7 @@ use std::rc::Rc;
 
 /// The fixed-point format of the conversions: pixels with subpixel positions.
 const FIXED: Fixed = Fixed { width: 24, fraction: 8, signed: Signedness::Signed };
-/// Lines of the caches that core B leaves out by default.
+/// Lines of the caches that `ecp5_knn` leaves out.
 const TREE_CACHE: u32 = 4096;
 const NEIGHBOR_CACHE: u32 = 8;
 /// Levels of the heaps that stand beside the core's own, by name.
@@ -41,16 +42,15 @@ impl Unit {
         Self { name: name.into(), build: Box::new(move || Ok(build()?.into())) }
     }
 
-    /// A whole core A.
+    /// The whole core of a configuration.
     #[must_use]
-    pub fn core_a(name: impl Into<String>, config: core_a_spec::Config) -> Self {
-        Self::new(name, move || Ok(core_a::top::core(&config, &Options::default())?.module))
-    }
-
-    /// A whole core B.
-    #[must_use]
-    pub fn core_b(name: impl Into<String>, config: core_b_spec::Config) -> Self {
-        Self::new(name, move || Ok(core_b::top::core(&config, &Options::default())?.module))
+    pub fn core(name: impl Into<String>, configuration: Configuration) -> Self {
+        Self::new(name, move || {
+            Ok(match &configuration {
+                Configuration::CoreA(config) => core_a::top::core(config, &Options::default())?.module,
+                Configuration::CoreB(config) => core_b::top::core(config, &Options::default())?.module,
+            })
+        })
     }
 }
 
@@ -58,8 +58,13 @@ impl Unit {
 pub type Group = (&'static str, fn() -> Vec<Unit>);
 
 /// The groups a name may stand for.
-pub const GROUPS: [Group; 4] =
-    [("operators", operators), ("core_a", core_a_units), ("core_b", core_b_units), ("heaps", heaps)];
+pub const GROUPS: &[Group] = &[
+    ("operators", operators),
+    ("core_a_units", core_a_units),
+    ("core_b_units", core_b_units),
+    ("heaps", heaps),
+    ("cores", cores),
+];
 
 /// The operators that the cores rest on.
 const STANDARD_OPERATORS: [&str; 13] = [
@@ -78,13 +83,13 @@ const STANDARD_OPERATORS: [&str; 13] = [
     "f32_rsqrt",
 ];
 
-/// What is measured where nothing is named: the operators that the cores rest on, every unit of the cores, heaps.
+/// What is measured where nothing is named: the operators that the cores rest on, every unit of the cores, heaps, whole cores.
 #[must_use]
 pub fn standard() -> Vec<Unit> {
     let mut operators = operators();
     operators.retain(|unit| STANDARD_OPERATORS.contains(&unit.name.as_str()));
     operators.sort_by_key(|unit| STANDARD_OPERATORS.iter().position(|name| *name == unit.name));
-    operators.into_iter().chain(core_a_units()).chain(core_b_units()).chain(heaps()).collect()
+    operators.into_iter().chain(core_a_units()).chain(core_b_units()).chain(heaps()).chain(cores()).collect()
 }
 
 /// Every unit known by name.
@@ -98,9 +103,9 @@ pub fn all() -> Vec<Unit> {
 pub fn known() -> String {
     let formats = formats().map(name).collect::<Vec<_>>().join(", ");
     let operators = OPERATORS.map(|(name, ..)| name).join(", ");
-    let others = core_a_units().into_iter().chain(core_b_units()).chain(heaps());
+    let others = core_a_units().into_iter().chain(core_b_units()).chain(heaps()).chain(cores());
     let others = others.map(|unit| unit.name).collect::<Vec<_>>().join(", ");
-    let groups = GROUPS.map(|(name, _)| name).join(", ");
+    let groups = GROUPS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
     format!(
         "FORMAT_OPERATOR, where FORMAT is {formats} and OPERATOR is {operators}; {others}; one of the groups {groups}; \
          or a configuration file NAME.toml"
@@ -145,16 +150,15 @@ fn operators() -> Vec<Unit> {
     formats().flat_map(|format| OPERATORS.map(|kind| unit(format, kind))).collect()
 }
 
-/// Every unit of core A.
+/// Every unit of core A, at `ecp5`.
 fn core_a_units() -> Vec<Unit> {
     use core_a::{accumulator, depth_test, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform};
     use core_a::{heap, weighting};
     type Config = core_a_spec::Config;
-    let module = |name: &str, module: fn(&Config) -> Module| {
-        Unit::new(format!("core_a_{name}"), move || Ok(module(&Config::default())))
-    };
+    let module =
+        |name: &str, module: fn(&Config) -> Module| Unit::new(format!("core_a_{name}"), move || Ok(module(&ecp5())));
     let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
-        Unit::new(format!("core_a_{name}"), move || Ok(datapath(&Config::default(), &Options::default())?.module))
+        Unit::new(format!("core_a_{name}"), move || Ok(datapath(&ecp5(), &Options::default())?.module))
     };
     vec![
         datapath("transform", transform::datapath),
@@ -168,19 +172,18 @@ fn core_a_units() -> Vec<Unit> {
         module("depth_test", depth_test::module),
         module("accumulator", accumulator::module),
         datapath("normalizer", normalizer::datapath),
-        Unit::core_a("core_a_top", Config::default()),
     ]
 }
 
-/// Every unit of core B, at the default configuration but for the two caches that it leaves out.
+/// Every unit of core B, at `ecp5_knn`; the two caches that it leaves out, too.
 fn core_b_units() -> Vec<Unit> {
     use core_b::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
     type Config = core_b_spec::Config;
     let module = |name: &str, module: fn(&Config) -> Module| {
-        Unit::new(format!("core_b_{name}"), move || Ok(module(&Config::default())))
+        Unit::new(format!("core_b_{name}"), move || Ok(module(&ecp5_knn())))
     };
     let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
-        Unit::new(format!("core_b_{name}"), move || Ok(datapath(&Config::default(), &Options::default())?.module))
+        Unit::new(format!("core_b_{name}"), move || Ok(datapath(&ecp5_knn(), &Options::default())?.module))
     };
     vec![
         module("threads", threads::module),
@@ -191,15 +194,17 @@ fn core_b_units() -> Vec<Unit> {
         module("point_cache", point_cache::module),
         module("sieve", sieve::module),
         module("queue", queue::module),
-        Unit::new("core_b_tree_cache", || {
-            Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..Config::default() }))
-        }),
+        Unit::new("core_b_tree_cache", || Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..ecp5_knn() }))),
         Unit::new("core_b_neighbor_cache", || {
-            let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..Config::default() };
+            let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..ecp5_knn() };
             Ok(neighbor_cache::unit(&config, &Options::default())?.module)
         }),
-        Unit::core_b("core_b_top", Config::default()),
     ]
+}
+
+/// The cores as a whole.
+fn cores() -> Vec<Unit> {
+    vec![Unit::core("core_a", Configuration::CoreA(ecp5())), Unit::core("core_b", Configuration::CoreB(ecp5_knn()))]
 }
 
 /// Heaps of the sizes that others report.
@@ -219,7 +224,8 @@ mod tests {
     #[test]
     fn names_are_unique_and_the_standard_ones_known() {
         let names: Vec<_> = all().into_iter().map(|unit| unit.name).collect();
-        let distinct: HashSet<_> = names.iter().chain(&GROUPS.map(|(name, _)| name.to_owned())).cloned().collect();
+        let distinct: HashSet<_> =
+            names.iter().cloned().chain(GROUPS.iter().map(|(name, _)| (*name).to_owned())).collect();
         assert_eq!(distinct.len(), names.len() + GROUPS.len());
         let standard = standard();
         assert!(STANDARD_OPERATORS.iter().all(|name| standard.iter().any(|unit| unit.name == *name)));

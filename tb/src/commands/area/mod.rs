@@ -1,17 +1,23 @@
 //! `pointcore area [UNIT|CONFIG]...`: what units take on an FPGA, and how fast they are there.
 
-use super::configuration::{self, Configuration};
+mod progress;
+mod record;
+
 use super::{Failure, Figures, Output, merge, scene_name};
-use pointcore::synthesis::{self, Measurement, Step, Style, SynthesisError, Synthesizer, Target, Unit};
+use pointcore::configuration::{parse, read_text};
+use pointcore::synthesis::{self, Measurement, Style, Synthesizer, Target, Unit};
+use progress::Display;
 use rayon::prelude::*;
+use record::Recorder;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `area`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Units such as f32_add or core_a_heap, groups of them (operators, core_a, core_b, heaps), or configuration files;
-    /// without any, the operators that the cores rest on, every unit of the cores, and heaps.
+    /// Units such as f32_add or core_a_heap, the whole cores core_a and core_b, groups of them (operators, core_a_units, core_b_units,
+    /// heaps, cores), or configuration files; without any, the operators that the cores rest on, every unit of the cores, heaps, and
+    /// the cores. Units and cores have the parameters of configs/ecp5.toml and configs/ecp5_knn.toml.
     #[arg(value_name = "UNIT|CONFIG")]
     units: Vec<String>,
     /// The technology: ecp5 and ice40 are placed and routed, the others synthesized only.
@@ -29,20 +35,45 @@ pub struct Arguments {
     /// Merge the figures into this file, as `fpga.UNIT.FIGURE`; of another target than ecp5, as `TARGET.UNIT.FIGURE`.
     #[arg(long, value_name = "FILE")]
     merge: Option<PathBuf>,
+    /// Keep every unit's figures in this file as soon as it has been measured, with the hash of what it was measured of.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+    /// Write the tables of this Markdown file anew from the record, between lines `<!-- area TARGET -->` and `<!-- end of area -->`.
+    #[arg(long, value_name = "FILE")]
+    tables: Option<PathBuf>,
+    /// Measure nothing: write --tables from --record.
+    #[arg(long, requires = "record", requires = "tables", conflicts_with_all = ["units", "merge"])]
+    only_tables: bool,
+    /// Measure nothing: say which figures of this record are not of the hardware as it is now, and whether --tables are those of the
+    /// record.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["units", "merge", "record", "only_tables"])]
+    check: Option<PathBuf>,
+}
+
+/// A unit, and the file it is read from if it is a configuration's core.
+struct Named {
+    unit: Unit,
+    configuration: Option<PathBuf>,
+}
+
+impl From<Unit> for Named {
+    fn from(unit: Unit) -> Self {
+        Self { unit, configuration: None }
+    }
 }
 
 /// The units that the command line names, in its order.
-fn units(names: &[String]) -> Result<Vec<Unit>, Failure> {
+fn units(names: &[String]) -> Result<Vec<Named>, Failure> {
     if names.is_empty() {
-        return Ok(synthesis::standard());
+        return Ok(synthesis::standard().into_iter().map(Named::from).collect());
     }
     let mut known = synthesis::all();
     let mut units = Vec::new();
     for name in names {
         if let Some((_, group)) = synthesis::GROUPS.iter().find(|(group, _)| group == name) {
-            units.extend(group());
+            units.extend(group().into_iter().map(Named::from));
         } else if let Some(index) = known.iter().position(|unit| unit.name == *name) {
-            units.push(known.swap_remove(index));
+            units.push(known.swap_remove(index).into());
         } else if Path::new(name).extension().is_some_and(|ending| ending == "toml") {
             units.push(core(Path::new(name))?);
         } else {
@@ -54,19 +85,9 @@ fn units(names: &[String]) -> Result<Vec<Unit>, Failure> {
 }
 
 /// The whole core of a configuration file, by the file's name.
-fn core(path: &Path) -> Result<Unit, Failure> {
-    let name = scene_name(path);
-    Ok(match configuration::parse(path, &configuration::read_text(path)?)? {
-        Configuration::CoreA(config) => Unit::core_a(name, config),
-        Configuration::CoreB(config) => Unit::core_b(name, config),
-    })
-}
-
-/// One line on the error stream for each step.
-fn progress(step: &Step<'_>) {
-    let Step { unit, seed, duration } = step;
-    let what = seed.map_or_else(|| "synthesized".to_owned(), |seed| format!("placed and routed with seed {seed}"));
-    eprintln!("{unit}: {what} ({:.1} s)", duration.as_secs_f64());
+fn core(path: &Path) -> Result<Named, Failure> {
+    let unit = Unit::core(scene_name(path), parse(path, &read_text(path)?)?);
+    Ok(Named { unit, configuration: Some(path.to_owned()) })
 }
 
 /// The figures by their keys.
@@ -96,15 +117,40 @@ fn figures(target: Target, measurements: &[Measurement]) -> Figures {
 
 /// Measures units, one after the other or several at a time; one that fails does not keep the others from being measured.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    if let Some(path) = &arguments.check {
+        return record::check(path, arguments.tables.as_deref(), output);
+    }
+    if arguments.tables.is_some() && arguments.record.is_none() {
+        let problem = "--tables needs the record that they are made from: expected --record or --check FILE";
+        return Err(Failure::Usage(problem.to_owned()));
+    }
+    if !arguments.only_tables {
+        measure(arguments, output)?;
+    }
+    match (&arguments.record, &arguments.tables) {
+        (Some(path), Some(tables)) => record::write_tables(path, tables),
+        _ => Ok(()),
+    }
+}
+
+fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let units = units(&arguments.units)?;
+    let recorder = arguments.record.as_deref().map(Recorder::new).transpose()?;
     let synthesizer = Synthesizer::new(arguments.target)?;
     let jobs = usize::from(arguments.jobs);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
     let pool = pool.map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
-    let measure = |unit: &Unit| synthesizer.measure(unit, arguments.seeds, &progress);
-    let results: Vec<_> = pool.install(|| units.par_iter().map(measure).collect());
+    let display = Display::default();
+    let measure = |Named { unit, configuration }: &Named| {
+        let measured = synthesizer.measure(unit, arguments.seeds, &|step| display.show(step))?;
+        if let Some(recorder) = &recorder {
+            recorder.keep(&synthesizer, unit, configuration.as_deref(), &measured)?;
+        }
+        Ok(measured)
+    };
+    let results: Vec<Result<_, Failure>> = pool.install(|| units.par_iter().map(measure).collect());
     let mut measurements = Vec::new();
-    let mut failures: Vec<SynthesisError> = Vec::new();
+    let mut failures: Vec<Failure> = Vec::new();
     for result in results {
         match result {
             Ok(measurement) => measurements.push(measurement),
@@ -123,5 +169,5 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     for failure in failures {
         eprintln!("pointcore: {failure}");
     }
-    last.map_or(Ok(()), |failure| Err(failure.into()))
+    last.map_or(Ok(()), Err)
 }

@@ -1,0 +1,82 @@
+//! The record of measurements, written, checked, and turned into tables.
+
+use crate::commands::{Failure, Output, write};
+use pointcore::configuration::{read_text, wrong};
+use pointcore::synthesis::{Entry, Measurement, Record, Stale, Synthesizer, Unit, source_hash};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// Keeps measurements in a file, one after the other.
+pub struct Recorder {
+    path: PathBuf,
+    writing: Mutex<()>,
+}
+
+impl Recorder {
+    /// A record in this file, which may be there already.
+    pub fn new(path: &Path) -> Result<Self, Failure> {
+        Record::load(path)?;
+        Ok(Self { path: path.to_owned(), writing: Mutex::new(()) })
+    }
+
+    /// Adds a measurement to what the file holds by now.
+    pub fn keep(
+        &self,
+        synthesizer: &Synthesizer,
+        unit: &Unit,
+        configuration: Option<&Path>,
+        measurement: &Measurement,
+    ) -> Result<(), Failure> {
+        let target = synthesizer.target();
+        let source = source_hash(target, unit)?;
+        let configuration = configuration.map(Path::to_owned);
+        let entry = Entry::new(target, configuration, source, synthesizer.tools(), measurement.clone());
+        let _writing = self.writing.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut record = Record::load(&self.path)?;
+        record.insert(entry);
+        write(&self.path, &record.text())
+    }
+}
+
+/// The tables of a document as the record has them, and as they are.
+fn tabulated(record: &Record, tables: &Path) -> Result<(String, String), Failure> {
+    let present = read_text(tables)?;
+    let wanted = record.tabulate(&present).map_err(|problem| wrong(tables, problem))?;
+    Ok((wanted, present))
+}
+
+/// Writes the tables of a document anew.
+pub fn write_tables(record: &Path, tables: &Path) -> Result<(), Failure> {
+    let (wanted, present) = tabulated(&Record::load(record)?, tables)?;
+    if wanted == present { Ok(()) } else { write(tables, &wanted) }
+}
+
+/// Compares the record with the hardware as it is now, and the tables with the record.
+pub fn check(path: &Path, tables: Option<&Path>, output: Output) -> Result<(), Failure> {
+    if !path.exists() {
+        return Err(wrong(path, "there is no such record").into());
+    }
+    let record = Record::load(path)?;
+    if record.entries().is_empty() {
+        return Err(wrong(path, "has no entry: nothing was checked").into());
+    }
+    let mut stale = record.stale(path);
+    if let Some(tables) = tables {
+        let (wanted, present) = tabulated(&record, tables)?;
+        if wanted != present {
+            let remedy =
+                format!("pointcore area --record {} --tables {} --only-tables", path.display(), tables.display());
+            let problem = format!("the tables of {} are not those of {}", tables.display(), path.display());
+            stale.push(Stale { problem, remedy });
+        }
+    }
+    if stale.is_empty() {
+        let entries = record.entries().len();
+        let text = format!("{}: {entries} measurements, all of the hardware as it is now", path.display());
+        output.print(&json!({ "measurements": entries, "stale": 0 }), &text);
+        return Ok(());
+    }
+    let lines = stale.into_iter().map(|Stale { problem, remedy }| format!("  {problem}\n    {remedy}\n"));
+    Err(Failure::Stale { path: path.to_owned(), list: lines.collect() })
+}

@@ -1,0 +1,248 @@
+//! The record of measurements that is kept with the source: of which Verilog each was made, with which tools; and the tables made
+//! from it.
+
+use super::{Area, Measurement, Style, Target, Timing, Unit, all, source_hash, table};
+use crate::configuration::{ConfigurationError, parse, read_text, wrong};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// What a line begins with that stands before a table; the target follows.
+const TABLE_BEGIN: &str = "<!-- area ";
+/// The line that stands after a table.
+const TABLE_END: &str = "<!-- end of area -->";
+
+/// A measurement, and what it was made of.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Entry {
+    /// The unit's name.
+    pub unit: String,
+    /// The technology.
+    pub target: Target,
+    /// The configuration file, of a core that is measured from one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub configuration: Option<PathBuf>,
+    /// Runs of place and route; the figures are those of the median.
+    pub seeds: usize,
+    /// Hash of the Verilog, the script and the arguments.
+    pub source: String,
+    /// What the tools say of their versions.
+    pub tools: Vec<String>,
+    /// What the unit takes.
+    pub area: Area,
+    /// The run with the median frequency.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub timing: Option<Timing>,
+    /// The frequency with every seed, in MHz.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fmax_mhz: Vec<f64>,
+}
+
+/// An entry that is not of the hardware as it is now.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stale {
+    /// What is wrong.
+    pub problem: String,
+    /// The command that puts it right.
+    pub remedy: String,
+}
+
+/// Measurements, at most one of a unit and target.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Record {
+    entries: Vec<Entry>,
+}
+
+impl Entry {
+    /// Keeps a measurement; frequencies to a hundredth.
+    #[must_use]
+    pub fn new(
+        target: Target,
+        configuration: Option<PathBuf>,
+        source: String,
+        tools: Vec<String>,
+        measurement: Measurement,
+    ) -> Self {
+        let Measurement { unit, area, timing, fmax_mhz } = measurement;
+        let round = |mhz: f64| (mhz * 100.0).round() / 100.0;
+        let timing = timing.map(|timing| Timing { fmax_mhz: round(timing.fmax_mhz), ..timing });
+        let (seeds, fmax_mhz) = (fmax_mhz.len(), fmax_mhz.into_iter().map(round).collect());
+        Self { unit, target, configuration, seeds, source, tools, area, timing, fmax_mhz }
+    }
+
+    fn measurement(&self) -> Measurement {
+        let Self { unit, area, timing, fmax_mhz, .. } = self.clone();
+        Measurement { unit, area, timing, fmax_mhz }
+    }
+
+    /// The command that measures it anew into the record.
+    fn command(&self, record: &Path) -> String {
+        let unit = self.configuration.as_ref().map_or_else(|| self.unit.clone(), |path| path.display().to_string());
+        let seeds = if self.seeds > 0 { format!(" --seeds {}", self.seeds) } else { String::new() };
+        format!("pointcore area {unit} --target {}{seeds} --record {}", self.target.name(), record.display())
+    }
+
+    /// The unit as it is now; none if there is none of that name.
+    fn regenerated(&self, known: &[Unit]) -> Result<Option<String>, String> {
+        let hash = |unit: &Unit| source_hash(self.target, unit).map(Some).map_err(|error| error.to_string());
+        match &self.configuration {
+            Some(path) => {
+                let read = read_text(path).and_then(|text| parse(path, &text));
+                hash(&Unit::core(self.unit.clone(), read.map_err(|error| error.to_string())?))
+            }
+            None => known.iter().find(|unit| unit.name == self.unit).map_or(Ok(None), hash),
+        }
+    }
+}
+
+impl Record {
+    /// Reads a record; an empty one if there is no such file.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is none of ours.
+    pub fn load(path: &Path) -> Result<Self, ConfigurationError> {
+        if !path.exists() {
+            return Ok(Self::default());
+        }
+        serde_json::from_str(&read_text(path)?).map_err(|error| wrong(path, format!("no record of areas: {error}")))
+    }
+
+    /// The record as a file: an entry in the place that its unit has in tables, whatever order they were measured in.
+    #[must_use]
+    pub fn text(&self) -> String {
+        serde_json::to_string_pretty(self).expect("a record is JSON") + "\n"
+    }
+
+    /// The entries.
+    #[must_use]
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// Takes an entry in, in the place of an older one.
+    pub fn insert(&mut self, entry: Entry) {
+        self.entries.retain(|old| (&old.unit, old.target) != (&entry.unit, entry.target));
+        self.entries.push(entry);
+        let names: Vec<_> = all().into_iter().map(|unit| unit.name).collect();
+        let place = |entry: &Entry| names.iter().position(|name| *name == entry.unit).unwrap_or(names.len());
+        self.entries.sort_by_cached_key(|entry| (entry.target, place(entry), entry.unit.clone()));
+    }
+
+    /// The entries that are not of the hardware as it is now, found by generating it; nothing is synthesized. `path` is where the record
+    /// lies.
+    #[must_use]
+    pub fn stale(&self, path: &Path) -> Vec<Stale> {
+        let known = all();
+        let stale = |entry: &Entry| {
+            let Entry { unit, target, .. } = entry;
+            let name = format!("`{unit}` on {}", target.name());
+            let remedy = entry.command(path);
+            match entry.regenerated(&known) {
+                Ok(Some(source)) if source == entry.source => None,
+                Ok(Some(_)) => Some(Stale { problem: format!("{name} was measured of other Verilog"), remedy }),
+                Ok(None) => Some(Stale {
+                    problem: format!("{name} is not known"),
+                    remedy: format!("delete its entry from {}", path.display()),
+                }),
+                Err(error) => Some(Stale { problem: format!("{name}: {error}"), remedy }),
+            }
+        };
+        self.entries.par_iter().filter_map(stale).collect()
+    }
+
+    /// A document with its tables written anew: whatever stands between a line `<!-- area TARGET … -->` and `<!-- end of area -->`.
+    ///
+    /// # Errors
+    /// There is no table, or one has no end or is of an unknown target.
+    pub fn tabulate(&self, document: &str) -> Result<String, String> {
+        let mut written = String::new();
+        let mut lines = document.lines().enumerate();
+        let mut tables = 0;
+        while let Some((number, line)) = lines.next() {
+            written += line;
+            written.push('\n');
+            let Some(rest) = line.strip_prefix(TABLE_BEGIN) else { continue };
+            let place = format!("line {}", number + 1);
+            let name = rest.split([' ', ':']).next().unwrap_or_default();
+            let target = <Target as clap::ValueEnum>::from_str(name, false)
+                .map_err(|_| format!("{place}: unknown target `{name}`: expected ecp5, ice40, xilinx7 or gates"))?;
+            let entries = self.entries.iter().filter(|entry| entry.target == target);
+            let measurements: Vec<_> = entries.map(Entry::measurement).collect();
+            written += &format!("\n{}\n{TABLE_END}\n", table(target, &measurements, Style::Markdown));
+            lines
+                .by_ref()
+                .find(|(_, line)| *line == TABLE_END)
+                .ok_or_else(|| format!("{place}: the table has no end: expected a line `{TABLE_END}`"))?;
+            tables += 1;
+        }
+        if tables == 0 {
+            return Err(format!("no table: expected a line `{TABLE_BEGIN}TARGET -->`, and `{TABLE_END}` after it"));
+        }
+        Ok(written)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entry(unit: &str, target: Target) -> Entry {
+        let area = Area { lut: 42, ..Area::default() };
+        let timing = Timing { fmax_mhz: 123.456, from: "a".into(), to: "b".into() };
+        let measurement =
+            Measurement { unit: unit.into(), area, timing: Some(timing), fmax_mhz: vec![120.0, 123.456, 130.0] };
+        let unit = all().into_iter().find(|known| known.name == unit);
+        let source = unit.map(|unit| source_hash(target, &unit).unwrap_or_else(|error| panic!("{error}")));
+        Entry::new(target, None, source.unwrap_or_default(), vec!["yosys".into()], measurement)
+    }
+
+    fn record(units: &[&str]) -> Record {
+        let mut record = Record::default();
+        units.iter().for_each(|unit| record.insert(entry(unit, Target::Ecp5)));
+        record
+    }
+
+    #[test]
+    fn a_record_is_the_same_in_whatever_order_it_was_measured() {
+        let all = record(&["f32_add", "bf16_lt", "heap1023"]);
+        assert_eq!(record(&["heap1023", "f32_add", "bf16_lt", "f32_add"]), all);
+        let again: Record = serde_json::from_str(&all.text()).expect("it was written as JSON");
+        assert_eq!((again.text(), &again), (all.text(), &all));
+        assert_eq!(all.entries()[0].fmax_mhz[1], 123.46);
+    }
+
+    #[test]
+    fn what_was_measured_of_other_hardware_is_stale() {
+        let path = Path::new("area.json");
+        let mut record = record(&["bf16_lt", "bf16_eq", "bf16_gone"]);
+        record.entries[0].source += "0";
+        let changed = record.entries[0].unit.clone();
+        let stale = record.stale(path);
+        assert_eq!(stale.len(), 2, "{stale:?}");
+        assert_eq!(stale[0].remedy, format!("pointcore area {changed} --target ecp5 --seeds 3 --record area.json"));
+        assert!(stale[1].problem.contains("`bf16_gone`"), "{stale:?}");
+        let missing = Entry { configuration: Some("gone.toml".into()), ..entry("gone", Target::Gates) };
+        let stale = Record { entries: vec![missing] }.stale(path);
+        assert!(stale[0].problem.contains("gone.toml: cannot be read"), "{stale:?}");
+    }
+
+    #[test]
+    fn a_table_is_written_between_its_marks() {
+        let record = record(&["f32_add"]);
+        let text = record.tabulate("before\n<!-- area ecp5: made by a command -->\nold\n<!-- end of area -->\nafter\n");
+        let text = text.unwrap_or_else(|error| panic!("{error}"));
+        assert!(text.starts_with("before\n<!-- area ecp5: made by a command -->\n\n| unit |"), "{text}");
+        assert!(text.ends_with("|\n\n<!-- end of area -->\nafter\n") && text.contains("| `f32_add` | 42 |"), "{text}");
+        assert_eq!(record.tabulate(&text), Ok(text.clone()), "writing it again changes nothing");
+        for (document, part) in [
+            ("nothing", "no table"),
+            ("<!-- area ecp6 -->\n<!-- end of area -->", "line 1: unknown target `ecp6`"),
+            ("\n<!-- area ecp5 -->\n", "line 2: the table has no end"),
+        ] {
+            let error = record.tabulate(document).unwrap_err();
+            assert!(error.contains(part), "{error}");
+        }
+    }
+}
