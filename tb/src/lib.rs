@@ -9,6 +9,7 @@ pub mod float_check;
 pub mod generated;
 pub mod inspect;
 pub mod lockstep;
+pub mod package;
 pub mod picture;
 pub mod plan;
 pub mod plot;

@@ -96,7 +96,7 @@ impl Failure {
             | Self::Plot(_) => 2,
             Self::Vectors(DriverError::Generate(_)) => 3,
             Self::Vectors(_) => 2,
-            Self::Generate(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
+            Self::Generate(_) | Self::Package(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
         })
     }
 }

@@ -1,5 +1,6 @@
 //! Hardware against golden models, one module a unit.
 mod command;
+mod command_area;
 mod command_knn;
 mod command_vectors;
 mod compiler;
@@ -32,6 +33,7 @@ mod core_b_tree_cache;
 mod float;
 mod harness;
 mod layout;
+mod package;
 mod plan;
 mod stream_fifo;
 mod stream_skid;

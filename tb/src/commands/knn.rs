@@ -5,6 +5,7 @@ use super::search::Search;
 use super::{Failure, Output, generate, write};
 use pointcore::core_b::{Engine, Measured, MemorySettings, Outcome, Query, Report, Session, Source, Tree, check};
 use pointcore::lockstep::Stall;
+use pointcore::package::Package;
 use serde_json::json;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -147,7 +148,9 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         .reproduced_by(command)
         .reusing(search.reuse())?
         .interleaved(arguments.interleave);
-    generate::write_core_b(session.core(), &config, &folder.join("verilog"))?;
+    let name = folder.file_name().map_or("knn".into(), std::ffi::OsStr::to_string_lossy);
+    let package = Package::core_b(&name, session.core(), &config)?;
+    generate::write_package(&package, &folder.join("verilog"))?;
 
     let outcome = with_progress(engine_name, |progress| session.search_with(&queries, progress))?;
     let file_format = if arguments.csv { Output::Text } else { output };

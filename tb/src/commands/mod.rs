@@ -17,6 +17,7 @@ use pointcore::driver::Error as DriverError;
 use pointcore::float_check::FloatCheckError;
 use pointcore::generated::GenerateError;
 use pointcore::lockstep::LockstepError;
+use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
 use pointcore::plan::{Plan, PlanError};
 use pointcore::plot::PlotError;
@@ -80,6 +81,9 @@ pub enum Failure {
     /// Verilator, the compiler, or an assertion in the hardware.
     #[error(transparent)]
     Verilated(#[from] VerilatedError),
+    /// A core's files.
+    #[error(transparent)]
+    Package(#[from] PackageError),
     /// Hardware and model differ, or the run did not end.
     #[error(transparent)]
     Mismatch(#[from] LockstepError),

@@ -5,6 +5,7 @@ use super::{Failure, Output, generate, load, scene_name, write};
 use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble};
 use pointcore::generated::verilate;
 use pointcore::lockstep::Stall;
+use pointcore::package::Package;
 use pointcore::shading::shade;
 use pointcore::verilated::Trace;
 use pointcore_golden::reference::{self, Mapping};
@@ -109,7 +110,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     }
 
     let core = Core::generate(&plan.config)?;
-    generate::write_core_a(&core, &plan.config, &folder.join("verilog"))?;
+    generate::write_package(&Package::core_a(&name, &core, &plan.config)?, &folder.join("verilog"))?;
     let frame = EncodedFrame::new(&scene, &plan);
     let stall = if arguments.stalls > 0.0 { Stall::Random(arguments.stalls) } else { Stall::Never };
     let runner = Runner {

@@ -4,7 +4,7 @@ use crate::plan::Plan;
 use crate::scene::Scene;
 use pointcore_golden::float::convert;
 use pointcore_spec::core_a::records;
-use pointcore_spec::{Format, Splat};
+use pointcore_spec::{Camera, Format, Rendering, Splat};
 
 /// Splat records one after the other, and the uniform registers by address.
 pub struct Frame {
@@ -16,7 +16,7 @@ pub struct Frame {
     pub uniforms: Vec<u64>,
 }
 
-fn encode(format: Format, value: f32) -> u64 {
+pub(super) fn encode(format: Format, value: f32) -> u64 {
     convert(Format::F32, format, value.to_bits().into())
 }
 
@@ -33,7 +33,7 @@ impl Frame {
         let end = words.len();
         words.resize(end + record_words, 0);
         words[end] = 1;
-        Self { records: words, record_words, uniforms: uniforms(scene, config.geometry) }
+        Self { records: words, record_words, uniforms: uniforms(&scene.camera, &scene.rendering, config.geometry) }
     }
 
     /// Records in the frame, the end record among them.
@@ -53,8 +53,7 @@ fn splat_record(splat: &Splat, plan: &Plan) -> Vec<u64> {
 }
 
 /// In the order of [`pointcore_spec::core_a::ports::UNIFORMS`].
-fn uniforms(scene: &Scene, format: Format) -> Vec<u64> {
-    let (camera, rendering) = (&scene.camera, &scene.rendering);
+pub(super) fn uniforms(camera: &Camera, rendering: &Rendering, format: Format) -> Vec<u64> {
     let radius = rendering.filter_radius_px.unwrap_or(1.0);
     let viewport = [camera.scale_x, camera.scale_y, camera.center_x, camera.center_y, camera.depth_a, camera.depth_b];
     let tests = [camera.near, rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)];

@@ -7,6 +7,7 @@ mod generate;
 mod host;
 pub mod mask;
 mod memory;
+mod recorded;
 mod report;
 mod run;
 
@@ -14,5 +15,6 @@ pub use encode::Frame as EncodedFrame;
 pub use frame::assemble;
 pub use generate::Core;
 pub use host::{Counters, Host, Progress};
+pub use recorded::record;
 pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, Measured, ROUNDING_LIMIT, Report};
 pub use run::{Outcome, Runner};

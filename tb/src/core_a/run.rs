@@ -5,6 +5,7 @@ use super::generate::Core;
 use super::host::{Counters, Host, Progress};
 use super::mask::end_records;
 use crate::lockstep::{Flow, Lockstep, LockstepError, Stall, Stalls, Stimulus};
+use crate::package::Recording;
 use crate::verilated::{Library, VerilatedError};
 use pointcore_golden::core_a::Top;
 use pointcore_golden::unit::{Ported, Unit};
@@ -80,6 +81,33 @@ impl<'a> Runner<'a> {
         }
         let counts = (library.inputs().len(), library.outputs().len());
         self.alone(counts, |inputs, outputs| model.step(inputs, outputs))
+    }
+
+    /// What the golden model's ports carry in every cycle, after it has idled for so many.
+    ///
+    /// # Errors
+    /// The frame does not come to its end.
+    pub fn recording(&self, core: &Core, settling_cycles: u64) -> Result<Recording, LockstepError> {
+        let list = ports::top(self.config);
+        let mut recording = Recording::new(list.clone()).after(settling_cycles);
+        let mut golden = Ported::new(Top::new(self.config, &core.latencies()));
+        let mut remaining = settling_cycles;
+        self.alone(ports::count(&list), |inputs, outputs| {
+            // The reset is no part of it.
+            if inputs[0] != 0 {
+                golden.step(inputs, outputs);
+                return Ok(());
+            }
+            let idle = vec![0; inputs.len()];
+            while remaining > 0 {
+                golden.step(&idle, outputs);
+                remaining -= 1;
+            }
+            golden.step(inputs, outputs);
+            recording.push(inputs, outputs);
+            Ok(())
+        })?;
+        Ok(recording)
     }
 
     /// The inputs of the run's first cycles, one row of words a cycle, as [`Model::run_bare`](crate::verilated::Model::run_bare)

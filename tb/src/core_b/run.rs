@@ -6,10 +6,13 @@ use super::host::{Counters, End, Host, Work};
 use super::query::Neighbor;
 use crate::core_a::Progress;
 use crate::lockstep::{Flow, Lockstep, RESET_CYCLES, Stall, Stalls, Stimulus};
+use crate::package::Recording;
 use crate::verilated::Library;
 use pointcore_golden::core_b::Top;
 use pointcore_golden::core_b::top::Out;
 use pointcore_golden::unit::{Model, Ported, Unit};
+use pointcore_spec::core_a::ports::count;
+use pointcore_spec::core_b::ports;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -63,6 +66,27 @@ impl<'a> Runner<'a> {
             cycle += 1;
         }
         finish(host, cycle, started)
+    }
+
+    /// What the golden model's ports carry in every cycle.
+    ///
+    /// # Errors
+    /// The core is stuck.
+    pub fn record(&self, core: &Core) -> Result<Recording, Error> {
+        let list = ports::top(self.work.config);
+        let (inputs, outputs) = count(&list);
+        let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
+        let mut golden = Ported::new(Top::new(self.work.config, core.latencies()));
+        let mut recording = Recording::new(list);
+        let mut host = self.host();
+        let mut cycle = 0;
+        while Stimulus::drive(&mut host, cycle, &outputs, &mut inputs) == Flow::Continue {
+            golden.step(&inputs, &mut outputs);
+            recording.push(&inputs, &outputs);
+            cycle += 1;
+        }
+        finish(host, cycle, Instant::now())?;
+        Ok(recording)
     }
 
     /// The hardware alone; with a path, a waveform of the whole run is written there.

@@ -4,7 +4,8 @@
 
 mod cells;
 mod record;
-mod shell;
+pub(crate) mod shell;
+mod steps;
 mod table;
 mod target;
 mod timing;
@@ -13,6 +14,7 @@ mod units;
 
 pub use cells::Area;
 pub use record::{Entry, Record, Stale};
+pub use steps::{Progress, State, Step};
 pub use table::{Style, table};
 pub use target::Target;
 pub use timing::Timing;
@@ -25,9 +27,7 @@ use serde::Serialize;
 use shell::Shelled;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
-use std::time::{Duration, Instant};
+use steps::watched;
 use target::Device;
 use tools::Tool;
 
@@ -102,57 +102,6 @@ pub struct Measurement {
     pub timing: Option<Timing>,
     /// The frequency with every seed, in MHz.
     pub fmax_mhz: Vec<f64>,
-}
-
-/// How often a step that goes on says so.
-const TICK: Duration = Duration::from_secs(1);
-
-/// A step, at its end and about once a second until then.
-pub struct Step<'a> {
-    /// On what.
-    pub unit: &'a str,
-    /// The seed of place and route; none for synthesis.
-    pub seed: Option<u32>,
-    /// How long it took, or has taken; short if its result was kept.
-    pub duration: Duration,
-    /// Whether it has ended.
-    pub state: State,
-}
-
-/// Whether a step has ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum State {
-    /// It goes on.
-    Running,
-    /// It is done.
-    Done,
-}
-
-/// Hears of steps.
-pub type Progress<'a> = &'a (dyn Fn(&Step<'_>) + Sync);
-
-/// Runs a step, and has the progress told of it.
-fn watched<T, E>(
-    unit: &str,
-    seed: Option<u32>,
-    progress: Progress<'_>,
-    run: impl FnOnce() -> Result<T, E>,
-) -> Result<T, E> {
-    let begin = Instant::now();
-    let tell = |state| progress(&Step { unit, seed, duration: begin.elapsed(), state });
-    let (end, ended) = mpsc::channel::<()>();
-    let result = thread::scope(|scope| {
-        scope.spawn(move || {
-            while ended.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-                tell(State::Running);
-            }
-        });
-        let result = run();
-        drop(end);
-        result
-    })?;
-    tell(State::Done);
-    Ok(result)
 }
 
 /// Tools for one target, and the cache of their results.

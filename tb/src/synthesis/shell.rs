@@ -22,14 +22,32 @@ pub struct Shelled {
     pub unit: String,
 }
 
+impl Shelled {
+    /// The text of the shell's module alone, without the unit.
+    pub fn outermost(&self) -> String {
+        let end = "endmodule\n";
+        let length = self.verilog.find(end).map_or(self.verilog.len(), |place| place + end.len());
+        // The design is in another file; this one is named after its only module.
+        self.verilog[..length].to_owned()
+    }
+}
+
 /// Puts a unit between a shift register that drives its inputs and registers that catch its outputs and are folded into one bit.
 ///
 /// # Errors
 /// A fault of the generator.
 pub fn wrap(unit: impl Into<Rc<Module>>) -> Result<Shelled, GenerateError> {
+    wrap_named("synthesis_shell", unit)
+}
+
+/// As [`wrap`], in a module of this name.
+///
+/// # Errors
+/// A fault of the generator.
+pub fn wrap_named(name: &str, unit: impl Into<Rc<Module>>) -> Result<Shelled, GenerateError> {
     let unit = unit.into();
     let ports = elaborate(&unit)?.ports().to_vec();
-    let mut m = Module::new("synthesis_shell", "A unit between registers, behind few pins.");
+    let mut m = Module::new(name, "A unit between registers, behind few pins.");
     let instance = m.instance(UNIT_INSTANCE, unit);
     let mut last = m.input("serial_in", 1);
     let mut caught = Vec::new();

@@ -1,0 +1,104 @@
+//! The FuseSoC core (CAPI2) of a package.
+
+use super::{File, GENERATOR, Package, Role};
+
+/// What FuseSoC calls the core of a configuration: vendor, library, name, version.
+#[must_use]
+pub fn fusesoc_name(configuration: &str) -> String {
+    // What a part of a name may consist of.
+    let allowed = |c: char| if c.is_ascii_alphanumeric() || "_-.".contains(c) { c } else { '_' };
+    let name: String = configuration.chars().map(allowed).collect();
+    format!("pointcore:cores:{name}:{}", env!("CARGO_PKG_VERSION"))
+}
+
+/// A fileset with those files that have a type.
+fn fileset<'a>(name: &str, files: impl Iterator<Item = &'a File>) -> String {
+    let line = |file: &File| {
+        let attributes = match file.name.rsplit('.').next()? {
+            "v" => "file_type: verilogSource-2005".to_owned(),
+            "sv" => "file_type: systemVerilogSource".to_owned(),
+            "lpf" => "file_type: LPF".to_owned(),
+            "hex" => format!("file_type: user, copyto: {}", file.name),
+            _ => return None,
+        };
+        Some(format!("      - {}: {{ {attributes} }}\n", file.name))
+    };
+    format!("  {name}:\n    files:\n{}", files.filter_map(line).collect::<String>())
+}
+
+/// The core's text.
+pub fn text(package: &Package) -> String {
+    let Package { name, title, top, .. } = package;
+    let core = top.trim_end_matches("_top");
+    let tested = package.files_for(Role::Test).next().is_some();
+    let mut filesets =
+        fileset("rtl", package.files_for(Role::Verilog)) + &fileset("pins", package.files_for(Role::Pins));
+    if tested {
+        filesets += &fileset("test", package.files_for(Role::Test));
+    }
+    let test = format!(
+        r"
+  sim:
+    description: Replay what the bit-exact model did, comparing every output in every cycle
+    filesets: [rtl, test]
+    flow: sim
+    flow_options:
+      tool: verilator
+      mode: binary
+      verilator_options: [--x-initial, unique]
+      run_options: [+verilator+rand+reset+2]
+    toplevel: {core}_test
+"
+    );
+    format!(
+        r#"CAPI=2:
+# Written by {GENERATOR}; do not edit.
+name: "{vlnv}"
+description: "pointcore, {title}: configuration {name}"
+
+filesets:
+{filesets}
+targets:
+  default: &default
+    filesets: [rtl]
+    toplevel: {top}
+
+  lint:
+    <<: *default
+    description: Check the Verilog with all of Verilator's warnings
+    flow: lint
+    flow_options:
+      tool: verilator
+      verilator_options: [-Wall]
+{test}
+  synth:
+    <<: *default
+    description: Synthesize for ECP5
+    flow: generic
+    flow_options:
+      tool: yosys
+      arch: ecp5
+      output_format: json
+
+  ecp5:
+    description: Synthesize, place and route on an LFE5U-85F behind four pins, and pack the bitstream
+    filesets: [rtl, pins]
+    flow: trellis
+    flow_options:
+      nextpnr_options: [--85k, --speed, "6", --package, CABGA756, --lpf-allow-unconstrained, --timing-allow-fail, --report, timing.json]
+    toplevel: {core}_pins
+"#,
+        vlnv = fusesoc_name(name),
+        test = if tested { test.as_str() } else { "" },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_have_only_what_fusesoc_allows() {
+        assert_eq!(fusesoc_name("a b:c-1.2"), format!("pointcore:cores:a_b_c-1.2:{}", env!("CARGO_PKG_VERSION")));
+    }
+}
