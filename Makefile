@@ -6,14 +6,18 @@ SCANS = ../shared/data
 SCAN ?= $(wildcard $(SCANS)/igea.ply)
 MODELS ?= $(wildcard $(SCANS)/stanford-bunny.obj $(SCANS)/dragon.ply)
 POINTS ?= $(firstword $(SCAN) surface:100000)
+# What runs under FuseSoC.
+CORE ?= tiny_knn
+TARGETS ?= lint sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-fpga run run-scan knn plan gen test formal check bench synth doc clean
+.PHONY: help setup setup-tests setup-formal setup-fpga run run-scan knn plan gen test formal check bench synth check-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
-	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-14s %s\n", $$1, $$2 }'
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
 	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench, MODELS=FILES more for bench;'
-	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more of its arguments.'
+	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more of its arguments;'
+	@echo '  CORE=NAME the core of fusesoc (default $(CORE)), TARGETS=... what it runs (default $(TARGETS)).'
 
 setup: ## Install what running needs: Verilator 5.006 or newer, a C++ compiler
 	@./scripts/setup verilator:verilator g++:g++ zlib.h:zlib1g-dev
@@ -25,8 +29,8 @@ setup-formal: setup-tests ## Install what the proofs need besides: SymbiYosys an
 	@./scripts/setup python3:python3 ensurepip.py:python3-venv
 	@./scripts/python-tools
 
-setup-fpga: ## Install synthesis, place and route, pinned, into target/tools
-	@./scripts/setup python3:python3 ensurepip.py:python3-venv
+setup-fpga: ## Install synthesis, place and route, FuseSoC, pinned, into target/tools
+	@./scripts/setup python3:python3 ensurepip.py:python3-venv tclsh:tcl
 	@./scripts/python-tools
 
 run: setup ## Render SCENE on the generated hardware, in lockstep with its models, into out/
@@ -58,8 +62,20 @@ check: ## Formatting, clippy and documentation without warnings
 bench: setup ## Measure and merge the figures into out/bench.json
 	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN))) $(if $(MODELS),--models $(abspath $(MODELS)))
 
-synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5 and merge them into out/bench.json
-	cargo run --release --bin pointcore -- area --merge out/bench.json $(UNIT) $(ARGS)
+synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5; into docs/area.json, README's tables, out/bench.json
+	cargo run --release --bin pointcore -- area --record docs/area.json --tables README.md --merge out/bench.json $(UNIT) $(ARGS)
+
+check-area: ## Check that docs/area.json was measured of the hardware as it is now, and that README's tables are made from it
+	cargo run --bin pointcore -- area --check docs/area.json --tables README.md
+
+generated: ## Write the Verilog of all configurations into generated/, which is committed
+	@./scripts/generated
+
+check-generated: ## Check that generated/ is what the generator writes now
+	@./scripts/generated --check
+
+fusesoc: setup setup-fpga ## Lint, simulate and synthesize CORE of generated/ under FuseSoC
+	@./scripts/fusesoc $(CORE) $(TARGETS)
 
 doc: ## Build the documentation
 	cargo doc --workspace --no-deps
