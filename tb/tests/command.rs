@@ -186,6 +186,22 @@ fn generated_verilog_is_the_same_every_time_and_accepted_by_every_tool() {
     workplace.accepts("iverilog", &["-t", "null", "-Wall", "core_a_top.v"], "first");
     let script = "read_verilog core_a_top.v; hierarchy -check -top core_a_top; proc; check -assert";
     workplace.accepts("yosys", &["-q", "-p", script], "first");
+    accepts_bus(&workplace, "core_a", "first");
+}
+
+/// The AXI top and its core are one design, and compilers take the header and agree with its sizes.
+pub fn accepts_bus(workplace: &Workplace, core: &str, folder: &str) {
+    let [axi, core] = [format!("{core}_axi"), format!("{core}_top.v")];
+    let file = format!("{axi}.v");
+    workplace.accepts("verilator", &["--lint-only", "-Wall", "--top-module", &axi, &file, &core], folder);
+    workplace.accepts(
+        "gcc",
+        &["-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-xc", "registers.h"],
+        folder,
+    );
+    workplace.accepts("g++", &["-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-xc++", "registers.h"], folder);
+    let registers = fs::read_to_string(workplace.path().join(folder).join("registers.md")).expect("gen writes it");
+    assert!(registers.contains("| 0x004 | `control` | W |"), "{registers}");
 }
 
 #[test]

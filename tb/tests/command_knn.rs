@@ -3,7 +3,7 @@
 use serde_json::Value;
 use std::fs;
 
-use super::command::{WRONG_INPUT, Workplace, json};
+use super::command::{WRONG_INPUT, Workplace, accepts_bus, json};
 
 /// Small hardware, so that it builds soon.
 const CONFIG: &str = "core = \"b\"\nthreads = 4\nneighbors = 8\nlanes = 2\ntree_depth = 6\nbucket = 8\n";
@@ -148,4 +148,5 @@ fn generated_verilog_is_accepted_by_every_tool() {
     workplace.accepts("iverilog", &["-t", "null", "-Wall", "core_b_top.v"], "first");
     let script = "read_verilog core_b_top.v; hierarchy -check -top core_b_top; proc; check -assert";
     workplace.accepts("yosys", &["-q", "-p", script], "first");
+    accepts_bus(&workplace, "core_b", "first");
 }

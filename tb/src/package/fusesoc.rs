@@ -31,8 +31,8 @@ pub fn text(package: &Package) -> String {
     let Package { name, title, top, .. } = package;
     let core = top.trim_end_matches("_top");
     let tested = package.files_for(Role::Test).next().is_some();
-    let mut filesets =
-        fileset("rtl", package.files_for(Role::Verilog)) + &fileset("pins", package.files_for(Role::Pins));
+    let parts = [("rtl", Role::Verilog), ("axi", Role::Bus), ("pins", Role::Pins)];
+    let mut filesets: String = parts.into_iter().map(|(name, role)| fileset(name, package.files_for(role))).collect();
     if tested {
         filesets += &fileset("test", package.files_for(Role::Test));
     }
@@ -66,6 +66,19 @@ targets:
   lint:
     <<: *default
     description: Check the Verilog with all of Verilator's warnings
+    flow: lint
+    flow_options:
+      tool: verilator
+      verilator_options: [-Wall]
+
+  axi: &axi
+    description: The core on AXI
+    filesets: [rtl, axi]
+    toplevel: {core}_axi
+
+  lint_axi:
+    <<: *axi
+    description: Check the core on AXI with all of Verilator's warnings
     flow: lint
     flow_options:
       tool: verilator

@@ -8,6 +8,7 @@ mod testbench;
 pub use fusesoc::fusesoc_name;
 pub use recording::Recording;
 
+use crate::bus::{Bus, Interface};
 use crate::configuration::{self, Configuration};
 use crate::core_a::{self, area};
 use crate::core_b;
@@ -43,6 +44,8 @@ pub enum PackageError {
 pub enum Role {
     /// The design: Verilog-2005.
     Verilog,
+    /// The design's AXI top, beside the design.
+    Bus,
     /// The module around the design that has few pins, and the constraints of both.
     Pins,
     /// The test, and what it reads.
@@ -83,6 +86,7 @@ impl Package {
     pub fn core_a(name: &str, core: &core_a::Core, config: &CoreAConfig) -> Result<Self, PackageError> {
         let text = toml::to_string_pretty(config).expect("a configuration is a TOML table");
         let mut package = Self::new(name, "surface splatting", &core.design, &core.manifests, text);
+        package.add_bus(&Bus::core_a(config)?, &Interface::core_a(config));
         package.add_pins(Configuration::CoreA(config.clone()))?;
         package.add_test(&core.design, &core_a::record(config, core)?);
         Ok(package)
@@ -95,6 +99,7 @@ impl Package {
     pub fn core_b(name: &str, core: &core_b::Core, config: &CoreBConfig) -> Result<Self, PackageError> {
         let text = configuration::core_b_text(config);
         let mut package = Self::new(name, "neighbor search", &core.design, &core.manifests, text);
+        package.add_bus(&Bus::core_b(config)?, &Interface::core_b(config));
         package.add_pins(Configuration::CoreB(config.clone()))?;
         package.add_test(&core.design, &core_b::record(config, core)?);
         Ok(package)
@@ -129,6 +134,13 @@ impl Package {
     /// Adds a file.
     pub fn add(&mut self, name: impl Into<String>, text: String, role: Role) {
         self.files.push(File { name: name.into(), text, role });
+    }
+
+    /// The AXI top, and its registers for people and for C.
+    fn add_bus(&mut self, bus: &Bus, interface: &Interface) {
+        self.add(format!("{}.v", bus.design.top()), bus.design.verilog().to_owned(), Role::Bus);
+        self.add("registers.md", interface.markdown(), Role::Document);
+        self.add("registers.h", interface.header(), Role::Document);
     }
 
     /// The core between registers and behind few pins: what can be placed on a device and loaded as it is.
