@@ -98,7 +98,7 @@ fn what_the_record_cannot_be_is_said() {
             ["page.md: no table", "<!-- area"],
         ),
         (&["area", "--record", "empty.json", "--tables", "gone.md", "--only-tables"], ["gone.md", "cannot be read"]),
-        (&["area", "core_a_top"], ["unknown unit `core_a_top`", "core_a_units, core_b_units, heaps, cores"]),
+        (&["area", "core_a_top"], ["unknown unit `core_a_top`", "core_a_units, core_b_units, bus_units, heaps, cores"]),
     ] {
         workplace.fails(WRONG_INPUT, arguments, &parts);
     }

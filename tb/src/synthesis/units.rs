@@ -1,4 +1,4 @@
-//! What can be synthesized by name: every operator, and the cores and all their units at the configurations `ecp5` and `ecp5_knn`.
+//! What can be synthesized by name: every operator, and the cores, all their units and those of their bus at the configurations `ecp5` and `ecp5_knn`.
 
 use crate::configuration::{Configuration, ecp5, ecp5_knn};
 use crate::generated::GenerateError;
@@ -62,6 +62,7 @@ pub const GROUPS: &[Group] = &[
     ("operators", operators),
     ("core_a_units", core_a_units),
     ("core_b_units", core_b_units),
+    ("bus_units", bus_units),
     ("heaps", heaps),
     ("cores", cores),
 ];
@@ -89,7 +90,14 @@ pub fn standard() -> Vec<Unit> {
     let mut operators = operators();
     operators.retain(|unit| STANDARD_OPERATORS.contains(&unit.name.as_str()));
     operators.sort_by_key(|unit| STANDARD_OPERATORS.iter().position(|name| *name == unit.name));
-    operators.into_iter().chain(core_a_units()).chain(core_b_units()).chain(heaps()).chain(cores()).collect()
+    operators
+        .into_iter()
+        .chain(core_a_units())
+        .chain(core_b_units())
+        .chain(bus_units())
+        .chain(heaps())
+        .chain(cores())
+        .collect()
 }
 
 /// Every unit known by name.
@@ -103,7 +111,7 @@ pub fn all() -> Vec<Unit> {
 pub fn known() -> String {
     let formats = formats().map(name).collect::<Vec<_>>().join(", ");
     let operators = OPERATORS.map(|(name, ..)| name).join(", ");
-    let others = core_a_units().into_iter().chain(core_b_units()).chain(heaps()).chain(cores());
+    let others = core_a_units().into_iter().chain(core_b_units()).chain(bus_units()).chain(heaps()).chain(cores());
     let others = others.map(|unit| unit.name).collect::<Vec<_>>().join(", ");
     let groups = GROUPS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
     format!(
@@ -199,6 +207,31 @@ fn core_b_units() -> Vec<Unit> {
             let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..ecp5_knn() };
             Ok(neighbor_cache::unit(&config, &Options::default())?.module)
         }),
+    ]
+}
+
+/// Every unit between a core and AXI, the packets and points of core B, the pixels of core A.
+fn bus_units() -> Vec<Unit> {
+    use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
+    use pointcore_spec::bus::{packets, ports, registers as maps};
+    type Config = core_b_spec::Config;
+    let unit =
+        |name: &str, module: fn(&Config) -> Module| Unit::new(format!("bus_{name}"), move || Ok(module(&ecp5_knn())));
+    vec![
+        unit("packet_in", |config| {
+            let [query, _] = packets::query_and_result(config);
+            packet_in::module(&query, config.bus.stream_bits, Some(&packets::query_range(config)))
+        }),
+        unit("packet_out", |config| {
+            let [_, result] = packets::query_and_result(config);
+            packet_out::module(&result, config.bus.stream_bits)
+        }),
+        unit("reader", |config| {
+            reader::module(&packets::points(config), config.bus.memory_bits, ports::beats_max(config))
+        }),
+        unit("writer", |config| writer::module(&core_a_spec::records::pixel(&ecp5()), config.bus.memory_bits)),
+        unit("window", |config| window::module(ports::window_index_bits(config))),
+        unit("registers", |config| registers::module(&maps::core_b(config), [1, 2, 1, 1])),
     ]
 }
 

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Units such as f32_add or core_a_heap, the whole cores core_a and core_b, groups of them (operators, core_a_units, core_b_units,
-    /// heaps, cores), or configuration files; without any, the operators that the cores rest on, every unit of the cores, heaps, and
+    /// bus_units, heaps, cores), or configuration files; without any, the operators that the cores rest on, every unit of the cores and of their bus, heaps, and
     /// the cores. Units and cores have the parameters of configs/ecp5.toml and configs/ecp5_knn.toml.
     #[arg(value_name = "UNIT|CONFIG")]
     units: Vec<String>,
