@@ -18,6 +18,12 @@ use crate::units::records::event_out;
 /// The unit for records of these fields; ports as in `spec::bus::ports::reader`.
 #[must_use]
 pub fn module(fields: &[Field], memory_bits: u32, records_max: u32) -> Module {
+    limited(fields, memory_bits, records_max, READS_MAX)
+}
+
+/// The unit with so many bursts under way at most (at least 2): few enough for a proof to go through.
+#[must_use]
+pub fn limited(fields: &[Field], memory_bits: u32, records_max: u32, reads_max: u32) -> Module {
     let beats = Beats::memory(fields, memory_bits);
     let mut m = Module::new("bus_reader", "Reads records from memory in bursts.");
     m.parameter("beats", beats.count);
@@ -27,7 +33,7 @@ pub fn module(fields: &[Field], memory_bits: u32, records_max: u32) -> Module {
     let request = m.stream_in("request", &request_fields);
     let stride = Layout::of(fields).stride(memory_bits).ilog2() as usize;
     let chunk_records = ports::chunk_records(fields, memory_bits);
-    let lengths = bursts(&mut m, &request, stride, chunk_records, memory_bits, records_max);
+    let lengths = bursts(&mut m, &request, stride, chunk_records, memory_bits, records_max, reads_max);
 
     let rvalid = m.input("m_axi_rvalid", 1);
     let queue = m.instance("beat_queue", skid(&[("data", beats.used_bits()), ("last", 1)]));
@@ -86,6 +92,7 @@ fn bursts(
     chunk_records: u32,
     memory_bits: u32,
     records_max: u32,
+    reads_max: u32,
 ) -> Option<Stream> {
     let beat_bytes = memory_bits / 8;
     debug_assert_eq!(chunk_records << stride, BORDER_BYTES.min(BURST_BEATS_MAX * beat_bytes));
@@ -115,7 +122,7 @@ fn bursts(
         let wanted = records.zext(width);
         let crosses = m.wire("crosses", &wanted.gt(&room_records));
         let burst = m.wire("burst", &crosses.mux(&room_records, &wanted));
-        let under_way = m.instance("length_queue", fifo(READS_MAX as usize, &[("length", LENGTH_BITS)]));
+        let under_way = m.instance("length_queue", fifo(reads_max as usize, &[("length", LENGTH_BITS)]));
         let below_limit = m.out(&under_way, "in_ready");
         issues = m.wire("issues", &(&held & (&room & &below_limit)));
         let ready = m.wire("takes_request", &(!&held | (&issues & !&crosses)));

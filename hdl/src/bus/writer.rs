@@ -16,6 +16,12 @@ use crate::units::records::{Record, event_out, stream_in};
 /// The unit for records of these fields; ports as in `spec::bus::ports::writer`.
 #[must_use]
 pub fn module(fields: &[Field], memory_bits: u32) -> Module {
+    limited(fields, memory_bits, WRITES_MAX)
+}
+
+/// The unit with so many writes that await their answer at most: few enough for a proof to go through.
+#[must_use]
+pub fn limited(fields: &[Field], memory_bits: u32, writes_max: u32) -> Module {
     let beats = Beats::memory(fields, memory_bits);
     let stride = Layout::of(fields).stride(memory_bits).ilog2() as usize;
     let mut m = Module::new("bus_writer", "Writes records to memory, each in a burst.");
@@ -25,8 +31,8 @@ pub fn module(fields: &[Field], memory_bits: u32) -> Module {
     input_fields.extend_from_slice(fields);
     let input = stream_in(&mut m, "in", &input_fields);
 
-    let unanswered = m.reg_reset("unanswered", address_width(WRITES_MAX as usize + 1), 0);
-    let below_limit = m.wire("below_limit", &!unanswered.eq_lit(WRITES_MAX.into()));
+    let unanswered = m.reg_reset("unanswered", address_width(writes_max as usize + 1), 0);
+    let below_limit = m.wire("below_limit", &!unanswered.eq_lit(writes_max.into()));
     let queue = m.instance("address_queue", skid(&[("address", ADDRESS_BITS - stride), ("length", LENGTH_BITS)]));
     let room = m.out(&queue, "in_ready");
     let accepts = m.wire("accepts", &(&room & &below_limit));

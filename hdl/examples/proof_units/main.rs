@@ -1,6 +1,8 @@
 //! `proof_units DIR` writes the units that are proved (`formal/`): of each its Verilog `<proof>.v`, and the sizes that its
 //! harness needs in `<proof>.vh`. The sizes are small, so that a solver can go through all of a unit's states.
 
+mod bus;
+
 use pointcore_hdl::rtl::{Module, elaborate};
 use pointcore_hdl::{core_b, stream};
 use pointcore_spec::Format;
@@ -13,6 +15,14 @@ struct Proof {
     name: &'static str,
     unit: Module,
     sizes: Vec<(&'static str, u32)>,
+    /// What the harness asks for with `ifdef`.
+    flags: Vec<&'static str>,
+}
+
+impl Proof {
+    fn new(name: &'static str, unit: Module, sizes: &[(&'static str, u32)]) -> Self {
+        Self { name, unit, sizes: sizes.to_vec(), flags: vec![] }
+    }
 }
 
 /// A core with threads that compete and a row with a front and an end. Distances and indices have fewer bits than operators
@@ -25,32 +35,25 @@ fn small_core() -> Config {
 fn proofs() -> Vec<Proof> {
     const WIDTH: u32 = 2;
     // A depth that is a power of two and one that is not: their addresses go round differently.
-    let fifo = |name, depth: u32| Proof {
-        name,
-        unit: stream::fifo(depth as usize, &[("data", WIDTH as usize)]),
-        sizes: vec![("DEPTH", depth), ("WIDTH", WIDTH)],
+    let fifo = |name, depth: u32| {
+        Proof::new(
+            name,
+            stream::fifo(depth as usize, &[("data", WIDTH as usize)]),
+            &[("DEPTH", depth), ("WIDTH", WIDTH)],
+        )
     };
-    let skid = Proof {
-        name: "stream_skid",
-        unit: stream::skid(&[("data", WIDTH as usize)]),
-        sizes: vec![("DEPTH", 2), ("WIDTH", WIDTH)],
-    };
+    let skid = Proof::new("stream_skid", stream::skid(&[("data", WIDTH as usize)]), &[("DEPTH", 2), ("WIDTH", WIDTH)]);
     let core = small_core();
-    let stack = Proof {
-        name: "core_b_stack",
-        unit: core_b::stack::module(&core),
-        sizes: vec![
-            ("THREADS", core.threads),
-            ("THREAD_BITS", core.thread_bits()),
-            ("DEPTH", core.tree_depth),
-            ("NODE_BITS", core.node_bits()),
-            ("DISTANCE_BITS", core.geometry.width()),
-        ],
-    };
-    let queue = |name, core: &Config| Proof {
-        name,
-        unit: core_b::queue::module(core),
-        sizes: vec![
+    let sizes = [
+        ("THREADS", core.threads),
+        ("THREAD_BITS", core.thread_bits()),
+        ("DEPTH", core.tree_depth),
+        ("NODE_BITS", core.node_bits()),
+        ("DISTANCE_BITS", core.geometry.width()),
+    ];
+    let stack = Proof::new("core_b_stack", core_b::stack::module(&core), &sizes);
+    let queue = |name, core: &Config| {
+        let sizes = [
             ("THREADS", core.threads),
             ("THREAD_BITS", core.thread_bits()),
             ("NEIGHBORS", core.neighbors),
@@ -59,24 +62,31 @@ fn proofs() -> Vec<Proof> {
             ("INDEX_BITS", core.index_bits),
             ("BEAT_BITS", core.beat_bits()),
             ("DISTANCE_BITS", core.geometry.width()),
-        ],
+        ];
+        Proof::new(name, core_b::queue::module(core), &sizes)
     };
     // Rows that are written back and read again, and beats that stay for several insertions into a longer row.
     let queues = [
         queue("core_b_queue_threads", &core),
         queue("core_b_queue_lanes", &Config { threads: 1, neighbors: 3, lanes: 2, ..core.clone() }),
     ];
-    [fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, stack].into_iter().chain(queues).collect()
+    [fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, stack]
+        .into_iter()
+        .chain(queues)
+        .chain(bus::proofs())
+        .collect()
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("usage: proof_units DIR")?;
     let folder = Path::new(&folder);
     std::fs::create_dir_all(folder)?;
-    for Proof { name, unit, sizes } in proofs() {
+    for Proof { name, unit, sizes, flags } in proofs() {
         let design = elaborate(&unit)?;
         let sizes = sizes.iter().map(|(size, value)| format!("localparam {size} = {value};\n"));
-        let header: String = std::iter::once(format!("`define UNIT {}\n", design.top())).chain(sizes).collect();
+        let flags = flags.iter().map(|flag| format!("`define {flag}\n"));
+        let header: String =
+            std::iter::once(format!("`define UNIT {}\n", design.top())).chain(flags).chain(sizes).collect();
         std::fs::write(folder.join(format!("{name}.v")), design.verilog())?;
         std::fs::write(folder.join(format!("{name}.vh")), header)?;
     }

@@ -1,0 +1,90 @@
+//! The units on the bus, for the record that `formal/record.vh` lays out.
+
+use super::Proof;
+use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
+use pointcore_spec::bus::packets::FieldRange;
+use pointcore_spec::bus::ports;
+use pointcore_spec::bus::registers::{self as map, Kind, Register};
+use pointcore_spec::core_a::Field;
+use pointcore_spec::{core_a, core_b};
+
+/// Bytes of the record in C, and from one to the next in memory.
+const BYTES: u32 = 12;
+const STRIDE: u32 = 16;
+
+/// Fields whose containers leave gaps between them; the third, of one bit, is called as told.
+fn record(third: &str) -> Vec<Field> {
+    [("a", 3), ("b", 20), (third, 1), ("d", 9)].map(|(name, width)| (name.to_owned(), width)).to_vec()
+}
+
+/// Packets of several beats and of one, full and padded; with and without a field `end` and a range.
+fn packets() -> Vec<Proof> {
+    let sizes = |bits: u32| [("BITS", bits), ("BEATS", (8 * BYTES).div_ceil(bits))];
+    let input = |name, bits, third, (low, high)| {
+        let range = FieldRange { name: "a", low, high };
+        let sizes = [sizes(bits), [("LOW", low), ("HIGH", high)]].concat();
+        Proof::new(name, packet_in::module(&record(third), bits, (high < 7).then_some(&range)), &sizes)
+    };
+    let output = |name, bits| Proof::new(name, packet_out::module(&record("c"), bits), &sizes(bits));
+    vec![
+        Proof { flags: vec!["ENDS"], ..input("bus_packet_in_end", 32, "end", (0, 7)) },
+        input("bus_packet_in_range", 64, "c", (1, 5)),
+        input("bus_packet_in_beat", 128, "c", (0, 7)),
+        output("bus_packet_out", 32),
+        output("bus_packet_out_beat", 128),
+    ]
+}
+
+/// Bursts that may be under way.
+const LIMIT: u32 = 3;
+
+/// Records of several beats and of one, requests for several records and for one.
+fn memory() -> Vec<Proof> {
+    let sizes = |bits: u32| [("BITS", bits), ("BEATS", 8 * STRIDE / bits), ("LIMIT", LIMIT)];
+    let reads = |name, bits, records_max: u32| {
+        let records = [("RECORDS_MAX", records_max), ("RECORDS_BITS", u32::BITS - records_max.leading_zeros())];
+        let unit = reader::limited(&record("c"), bits, records_max, LIMIT);
+        Proof::new(name, unit, &[sizes(bits).as_slice(), &records].concat())
+    };
+    let writes = |name, bits| Proof::new(name, writer::limited(&record("c"), bits, LIMIT), &sizes(bits));
+    vec![
+        reads("bus_reader", 64, 3),
+        reads("bus_reader_beat", 128, 3),
+        reads("bus_reader_single", 64, 1),
+        writes("bus_writer", 64),
+        writes("bus_writer_beat", 128),
+    ]
+}
+
+/// Bits of uniforms and of a setting in the map below.
+const VALUE_BITS: u32 = 5;
+const UNIFORMS: u32 = 3;
+
+/// A map with a register of every kind at its place: what both cores have, core B's settings, and some of core A's uniforms.
+fn registers() -> Proof {
+    let core_a = map::core_a(&core_a::Config::default());
+    let core_b = map::core_b(&core_b::Config { neighbor_cache: 2, ..core_b::Config::default() });
+    let id = core_b[0].reset();
+    let renamed = |register: Register| match register.name.as_str() {
+        _ if register.address < map::EVENTS => Some(register),
+        _ if register.address == map::EVENTS => Some(Register { name: "event_seen".to_owned(), ..register }),
+        "points_base" => Some(Register { name: "base".to_owned(), ..register }),
+        "queries" => Some(register),
+        "cache_far_scale" => Some(Register { name: "scale".to_owned(), width: VALUE_BITS, ..register }),
+        _ => None,
+    };
+    let uniforms = core_a.into_iter().filter(|register| register.kind == Kind::Uniform).take(UNIFORMS as usize);
+    let uniforms = uniforms.map(|register| Register { width: VALUE_BITS, ..register });
+    let every_kind: Vec<_> = core_b.into_iter().filter_map(renamed).chain(uniforms).collect();
+    let (uniform_bits, _) = ports::uniforms(&every_kind).expect("the map has uniforms");
+    let sizes =
+        [("IDENTITY", id), ("VALUE_BITS", VALUE_BITS), ("UNIFORM_COUNT", UNIFORMS), ("UNIFORM_BITS", uniform_bits)];
+    // Two sources for `burst_errors`, one for each of the others.
+    Proof::new("bus_registers", registers::module(&every_kind, [1, 2, 1, 1]), &sizes)
+}
+
+pub(super) fn proofs() -> impl Iterator<Item = Proof> {
+    const INDEX_BITS: u32 = 2;
+    let window = Proof::new("bus_window", window::module(INDEX_BITS), &[("INDEX_BITS", INDEX_BITS)]);
+    packets().into_iter().chain(memory()).chain([window, registers()])
+}
