@@ -51,8 +51,8 @@ gen: ## Write the Verilog for SCENE into out/verilog
 test: setup-tests ## Run all tests
 	cargo test --workspace
 
-formal: setup-formal ## Prove queues and stacks (formal/README.md), and that every proof finds faults
-	@./scripts/formal
+formal: setup-formal ## Prove queues, stacks and the AXI units, or UNIT only (formal/README.md), and that every proof finds faults
+	@./scripts/formal $(UNIT)
 
 check: ## Formatting, clippy and documentation without warnings
 	cargo fmt --all --check
