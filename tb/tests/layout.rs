@@ -5,14 +5,23 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders of `hdl/src` and `golden/src` whose files are units.
-const CORES: &[&str] = &["stream", "core_a", "core_b"];
+const CORES: &[&str] = &["stream", "core_a", "core_b", "bus"];
 
 /// Files of `hdl/src` in those folders and in `float` that are no units but serve several.
 const HELPERS: &[&str] = &[
+    "bus/beats",
+    "bus/core_a",
+    "bus/core_b",
+    "bus/counters",
+    "bus/spread",
+    "bus/tests",
+    "bus/wiring",
+    "core_a/blend",
     "core_a/heap_links",
     "core_a/heap_order",
     "core_a/heap_stage",
     "core_a/tile_directory",
+    "core_a/tile_moves",
     "core_b/coordinates",
     "core_b/nodes",
     "core_b/queue_readout",

@@ -1,4 +1,13 @@
 //! Hardware against golden models, one module a unit.
+mod bus;
+mod bus_core_a;
+mod bus_core_b;
+mod bus_packet_in;
+mod bus_packet_out;
+mod bus_reader;
+mod bus_registers;
+mod bus_window;
+mod bus_writer;
 mod command;
 mod command_area;
 mod command_knn;

@@ -1,0 +1,189 @@
+//! What the tests of the bus units share: pins by name, however wide, and channels that stall and hold both sides to the protocol.
+
+pub mod host;
+
+use std::collections::VecDeque;
+
+use pointcore::lockstep::{Stall, Stalls};
+use pointcore::verilated::{Direction, Model, Port};
+use pointcore_hdl::rtl::{Module, cat, elaborate};
+
+use crate::support;
+
+/// Bits of a word that crosses to the hardware.
+const WORD_BITS: usize = 64;
+/// Runs of one configuration.
+pub const SEEDS: u64 = 3;
+
+/// Splits ports that are wider than a word into words `<port>_0`, `<port>_1` …, lowest first.
+fn narrow(unit: Module) -> Module {
+    let ports = elaborate(&unit).unwrap_or_else(|error| panic!("{error}")).ports().to_vec();
+    let mut m = Module::new("bus_shell", "A unit whose ports fit words.");
+    let inside = m.instance("unit", unit);
+    for Port { name, width, direction } in ports.iter().filter(|port| !["clk", "rst"].contains(&port.name.as_str())) {
+        let words = (0..width.div_ceil(WORD_BITS)).map(|word| {
+            let bits = (width - word * WORD_BITS).min(WORD_BITS);
+            (if *width > WORD_BITS { format!("{name}_{word}") } else { name.clone() }, word * WORD_BITS, bits)
+        });
+        match direction {
+            Direction::Input => {
+                let words: Vec<_> = words.map(|(word, _, bits)| m.input(&word, bits)).collect();
+                m.connect(&inside, name, &cat(&words.iter().rev().collect::<Vec<_>>()));
+            }
+            Direction::Output => {
+                let value = m.out(&inside, name);
+                words.for_each(|(word, low, bits)| m.output(&word, &value.bits(low + bits - 1, low)));
+            }
+        }
+    }
+    m
+}
+
+/// A unit at work.
+pub struct Bench {
+    model: Model,
+    inputs: Vec<u64>,
+    outputs: Vec<u64>,
+    /// Cycles since the reset.
+    pub cycle: u64,
+}
+
+impl Bench {
+    /// A unit after reset.
+    pub fn new(unit: Module, seed: u64) -> Self {
+        let library = support::verilate(&narrow(unit));
+        let mut model = library.instantiate(seed);
+        model.reset(2).unwrap();
+        Self { inputs: vec![0; library.inputs().len()], outputs: vec![0; library.outputs().len()], model, cycle: 0 }
+    }
+
+    /// The places of a port's words.
+    fn places(&self, name: &str, direction: Direction) -> Vec<usize> {
+        let library = self.model.library();
+        let side = if direction == Direction::Input { library.inputs() } else { library.outputs() };
+        let place = |name: &str| side.iter().position(|port| port.name == name);
+        let words = || (0..).map_while(|word| place(&format!("{name}_{word}"))).collect::<Vec<_>>();
+        let places = place(name).map_or_else(words, |place| vec![place]);
+        assert!(!places.is_empty(), "no {direction:?} {name}");
+        places
+    }
+
+    /// Sets an input of at most a word.
+    pub fn set(&mut self, name: &str, value: u64) {
+        let place = self.places(name, Direction::Input)[0];
+        self.inputs[place] = value;
+    }
+
+    /// An output of at most a word, as it was in the last cycle.
+    pub fn get(&self, name: &str) -> u64 {
+        self.outputs[self.places(name, Direction::Output)[0]]
+    }
+
+    /// One cycle.
+    pub fn step(&mut self) {
+        let Self { model, inputs, outputs, cycle } = self;
+        model.step(inputs, outputs).unwrap_or_else(|error| panic!("cycle {cycle}: {error}"));
+        self.cycle += 1;
+        assert!(self.cycle < 1_000_000, "the unit is stuck");
+    }
+}
+
+/// The words of so many bytes.
+pub fn words(bytes: &[u8]) -> Vec<u64> {
+    let word = |chunk: &[u8]| chunk.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
+    bytes.chunks(WORD_BITS / 8).map(word).collect()
+}
+
+/// The bytes of words, so many.
+pub fn bytes(words: &[u64], count: usize) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).take(count).collect()
+}
+
+/// A pattern of stalls, one of several.
+pub fn stalls(random: &mut fastrand::Rng) -> Stalls {
+    let patterns = [Stall::Never, Stall::Random(0.3), Stall::Random(0.8), Stall::Bursts(20)];
+    let pattern = patterns[random.usize(..patterns.len())];
+    Stalls::new(pattern, random.fork())
+}
+
+/// What flows into a unit.
+pub struct Feed {
+    valid: usize,
+    ready: usize,
+    fields: Vec<usize>,
+    limits: Vec<u64>,
+    stalls: Stalls,
+    noise: fastrand::Rng,
+    offering: bool,
+    /// What is still to come, the words of its fields side by side.
+    pub items: VecDeque<Vec<u64>>,
+}
+
+impl Feed {
+    /// Into the channel `<prefix>valid`, `<prefix>ready`, `<prefix><field>`.
+    pub fn new(bench: &Bench, prefix: &str, fields: &[&str], random: &mut fastrand::Rng, stalls: Stalls) -> Self {
+        let place = |name: &str, direction| bench.places(&format!("{prefix}{name}"), direction);
+        let fields: Vec<usize> = fields.iter().flat_map(|field| place(field, Direction::Input)).collect();
+        let inputs = bench.model.library().inputs();
+        let limits = fields.iter().map(|&field| u64::MAX >> (WORD_BITS - inputs[field].width)).collect();
+        let (valid, ready) = (place("valid", Direction::Input)[0], place("ready", Direction::Output)[0]);
+        let noise = random.fork();
+        Self { valid, ready, fields, limits, stalls, noise, offering: false, items: VecDeque::new() }
+    }
+
+    /// Before a cycle: an offer once made stands, and where there is none the fields are noise.
+    pub fn offer(&mut self, bench: &mut Bench) {
+        if self.offering {
+            return;
+        }
+        let item = self.items.front().filter(|_| !self.stalls.stalled());
+        self.offering = item.is_some();
+        bench.inputs[self.valid] = u64::from(self.offering);
+        for (place, &field) in self.fields.iter().enumerate() {
+            bench.inputs[field] = item.map_or_else(|| self.noise.u64(0..=self.limits[place]), |item| item[place]);
+        }
+    }
+
+    /// After a cycle: what was taken in it.
+    pub fn taken(&mut self, bench: &Bench) -> Option<Vec<u64>> {
+        let taken = self.offering && bench.outputs[self.ready] == 1;
+        self.offering &= !taken;
+        if taken { self.items.pop_front() } else { None }
+    }
+}
+
+/// What flows out of a unit.
+pub struct Drain {
+    valid: usize,
+    ready: usize,
+    fields: Vec<usize>,
+    stalls: Stalls,
+    offered: Option<Vec<u64>>,
+}
+
+impl Drain {
+    /// Out of the channel `<prefix>valid`, `<prefix>ready`, `<prefix><field>`.
+    pub fn new(bench: &Bench, prefix: &str, fields: &[&str], stalls: Stalls) -> Self {
+        let place = |name: &str, direction| bench.places(&format!("{prefix}{name}"), direction);
+        let fields = fields.iter().flat_map(|field| place(field, Direction::Output)).collect();
+        let (valid, ready) = (place("valid", Direction::Output)[0], place("ready", Direction::Input)[0]);
+        Self { valid, ready, fields, stalls, offered: None }
+    }
+
+    /// Before a cycle.
+    pub fn offer(&mut self, bench: &mut Bench) {
+        bench.inputs[self.ready] = u64::from(!self.stalls.stalled());
+    }
+
+    /// After a cycle: what was taken in it. What is offered stands until then.
+    pub fn taken(&mut self, bench: &Bench) -> Option<Vec<u64>> {
+        let item = || self.fields.iter().map(|&field| bench.outputs[field]).collect();
+        let item: Option<Vec<u64>> = (bench.outputs[self.valid] == 1).then(item);
+        if self.offered.is_some() {
+            assert_eq!(item, self.offered, "cycle {}: an offer changed", bench.cycle);
+        }
+        let taken = bench.inputs[self.ready] == 1;
+        self.offered = if taken { None } else { item.clone() };
+        item.filter(|_| taken)
+    }
+}

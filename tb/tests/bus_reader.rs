@@ -1,0 +1,181 @@
+//! `bus_reader` against its model: a memory that answers in order, now and then with an error or a misplaced `rlast`.
+
+use std::collections::VecDeque;
+
+use pointcore::lockstep::{Stall, Stalls, seeds};
+use pointcore_golden::bus::{Burst, Reader};
+use pointcore_hdl::bus::reader;
+use pointcore_spec::bus::packets;
+use pointcore_spec::core_a::{self, Field};
+use pointcore_spec::core_b;
+
+use crate::bus::{Bench, Drain, Feed, SEEDS, stalls, words};
+
+const REQUESTS: usize = 150;
+const BORDER_BYTES: u32 = 4096;
+const BURSTS_MAX: usize = 16;
+/// `INCR`.
+const INCREMENTING: u64 = 1;
+const SLAVE_ERROR: u64 = 2;
+
+/// A byte of the memory, from its address.
+fn byte(address: u32) -> u8 {
+    (address.wrapping_mul(0x9e37_79b1) >> 19) as u8
+}
+
+fn memory(address: u32, count: u32) -> Vec<u8> {
+    (address..address + count).map(byte).collect()
+}
+
+/// How often the memory answers wrongly.
+#[derive(Clone, Copy)]
+enum Memory {
+    Sound,
+    Faulty,
+}
+
+struct Exchange {
+    cycles: u64,
+    beats: u64,
+}
+
+/// Reads all requests, and compares bursts, records and counts.
+fn exchange(
+    fields: &[Field],
+    memory_bits: u32,
+    requests: &[(u32, u32)],
+    records_max: u32,
+    memory_kind: Memory,
+    seed: u64,
+    mut pattern: impl FnMut(&mut fastrand::Rng) -> Stalls,
+) -> Exchange {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let mut bench = Bench::new(reader::module(fields, memory_bits, records_max), seed);
+    let names: Vec<&str> = fields.iter().map(|(name, _)| name.as_str()).collect();
+    let patterns: Vec<Stalls> = (0..4).map(|_| pattern(&mut random)).collect();
+    let [asks, addresses, answers, taken] = <[Stalls; 4]>::try_from(patterns).unwrap();
+    let mut request = Feed::new(&bench, "request_", &["address", "records"], &mut random, asks);
+    let mut address = Drain::new(&bench, "m_axi_ar", &["id", "addr", "len", "size", "burst"], addresses);
+    let mut data = Feed::new(&bench, "m_axi_r", &["id", "data", "resp", "last"], &mut random, answers);
+    let mut record = Drain::new(&bench, "record_", &names, taken);
+
+    let model = Reader::new(fields, memory_bits);
+    let beat_bytes = memory_bits / 8;
+    let mut bursts = VecDeque::new();
+    let mut records = VecDeque::new();
+    for &(first, count) in requests {
+        request.items.push_back(vec![first.into(), count.into()]);
+        bursts.extend(model.bursts(first, count));
+        let addresses = (0..count).map(|number| first + number * model.stride());
+        records.extend(addresses.map(|address| model.record(&memory(address, model.stride()))));
+    }
+    let beats = bursts.iter().map(|burst| u64::from(burst.beats)).sum();
+    let (mut errors, mut misplaced) = (0, 0);
+    let (mut errors_due, mut misplaced_due) = (0, 0);
+    let (mut under_way, mut quiet) = (0usize, 0);
+    let mut ends = VecDeque::new();
+    while quiet < 50 {
+        request.offer(&mut bench);
+        address.offer(&mut bench);
+        data.offer(&mut bench);
+        record.offer(&mut bench);
+        bench.step();
+        request.taken(&bench);
+        errors += bench.get("error");
+        misplaced += bench.get("misplaced");
+        if let Some(beat) = data.taken(&bench) {
+            errors_due += u64::from(beat[beat.len() - 2] != 0);
+            let (is_end, is_wrong): (bool, bool) = ends.pop_front().unwrap();
+            under_way -= usize::from(is_end);
+            misplaced_due += u64::from(is_end && is_wrong);
+        }
+        if let Some(burst) = address.taken(&bench) {
+            let Burst { address: first, beats } = bursts.pop_front().expect("no more bursts than asked for");
+            let size = u64::from(beat_bytes.ilog2());
+            assert_eq!(burst, [0, first.into(), u64::from(beats) - 1, size, INCREMENTING], "cycle {}", bench.cycle);
+            assert_eq!(
+                first / BORDER_BYTES,
+                (first + beats * beat_bytes - 1) / BORDER_BYTES,
+                "a burst crosses a border"
+            );
+            under_way += 1;
+            assert!(records_max == 1 || under_way <= BURSTS_MAX, "{under_way} bursts under way");
+            let fault =
+                |random: &mut fastrand::Rng, chance| matches!(memory_kind, Memory::Faulty) && random.u8(..chance) == 0;
+            let has_misplaced = fault(&mut random, 5);
+            let early = random.u32(0..beats);
+            for beat in 0..beats {
+                let is_end = beat + 1 == beats;
+                let last = if has_misplaced && early + 1 < beats {
+                    beat == early || (is_end && early % 2 == 0)
+                } else {
+                    is_end != has_misplaced
+                };
+                let resp = if fault(&mut random, 6) { SLAVE_ERROR } else { 0 };
+                let mut item = vec![random.u64(..16)];
+                item.extend(words(&memory(first + beat * beat_bytes, beat_bytes)));
+                item.extend([resp, last.into()]);
+                data.items.push_back(item);
+                ends.push_back((is_end, has_misplaced));
+            }
+        }
+        if let Some(fields) = record.taken(&bench) {
+            assert_eq!(Some(fields), records.pop_front(), "cycle {}", bench.cycle);
+        }
+        quiet = if records.is_empty() { quiet + 1 } else { 0 };
+    }
+    assert!(bursts.is_empty() && data.items.is_empty());
+    assert_eq!((errors, misplaced), (errors_due, misplaced_due));
+    if matches!(memory_kind, Memory::Faulty) {
+        assert!(errors > 3 && misplaced > 3, "{errors} errors, {misplaced} misplaced");
+    }
+    Exchange { cycles: bench.cycle - 50, beats }
+}
+
+/// Requests anywhere, many near a border.
+fn requests(stride: u32, records_max: u32, random: &mut fastrand::Rng) -> Vec<(u32, u32)> {
+    let request = |random: &mut fastrand::Rng| {
+        let near = BORDER_BYTES * random.u32(1..1000) - stride * random.u32(0..=records_max.min(BORDER_BYTES / stride));
+        let address = if random.bool() { near } else { random.u32(..1 << 20) * stride };
+        (address, random.u32(1..=records_max))
+    };
+    (0..REQUESTS).map(|_| request(random)).collect()
+}
+
+fn records() -> [(Vec<Field>, u32); 3] {
+    let pixel = core_a::records::pixel(&core_a::Config { continuous: 3, cardinal: 1, ..core_a::Config::default() });
+    let points = packets::points(&core_b::Config { lanes: 2, ..core_b::Config::default() });
+    [(pixel.clone(), 64), (points, 9), (pixel, 1)]
+}
+
+#[test]
+fn bursts_and_records_are_those_asked_for() {
+    for seed in seeds(SEEDS).unwrap() {
+        let mut random = fastrand::Rng::with_seed(seed);
+        for (fields, records_max) in records() {
+            for memory_bits in [32, 64, 512] {
+                let stride = Reader::new(&fields, memory_bits).stride();
+                let requests = requests(stride, records_max, &mut random);
+                exchange(&fields, memory_bits, &requests, records_max, Memory::Faulty, seed, stalls);
+            }
+        }
+    }
+}
+
+#[test]
+fn it_takes_a_beat_in_every_cycle() {
+    let never = |_: &mut fastrand::Rng| Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
+    for (fields, records_max) in records() {
+        for memory_bits in [32, 64, 512] {
+            let stride = Reader::new(&fields, memory_bits).stride();
+            for count in [1, records_max] {
+                let requests: Vec<_> =
+                    (0..REQUESTS as u32).map(|number| (number * 3 * stride * count, count)).collect();
+                let Exchange { cycles, beats } =
+                    exchange(&fields, memory_bits, &requests, records_max, Memory::Sound, 1, never);
+                // The way through the unit, and the memory's.
+                assert!(cycles <= beats + 10, "{cycles} cycles for {beats} beats");
+            }
+        }
+    }
+}

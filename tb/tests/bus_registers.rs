@@ -1,0 +1,205 @@
+//! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
+
+use pointcore::lockstep::seeds;
+use pointcore_golden::bus::registers::Error;
+use pointcore_golden::bus::{Registers, Response};
+use pointcore_hdl::bus::registers;
+use pointcore_spec::bus::ports::{self, ErrorSources};
+use pointcore_spec::bus::registers::CONTROL;
+use pointcore_spec::bus::{Register, registers as maps};
+use pointcore_spec::core_a;
+use pointcore_spec::core_b;
+
+use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
+
+const ACCESSES: usize = 1500;
+/// Cycles between two accesses in which anything may happen.
+const EVENTFUL_CYCLES: u32 = 40;
+const ERRORS: [(&str, Error); 4] = [
+    ("busy_error", Error::Busy),
+    ("burst_error", Error::Burst),
+    ("packet_error", Error::Packet),
+    ("memory_error", Error::Memory),
+];
+
+/// A host that makes one access at a time, and the core's side.
+struct Host {
+    bench: Bench,
+    address: Feed,
+    data: Feed,
+    answer: Drain,
+    read_address: Feed,
+    read_data: Drain,
+    model: Registers,
+    /// Cycles of the run, counted where the unit shows it.
+    cycles: u64,
+    has_uniforms: bool,
+    /// Uniforms and resets that the core was told of.
+    uniforms: Vec<(u32, u32)>,
+    resets: u32,
+    random: fastrand::Rng,
+}
+
+impl Host {
+    fn new(map: &[Register], sources: ErrorSources, seed: u64) -> Self {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let bench = Bench::new(registers::module(map, sources), seed);
+        let patterns: Vec<_> = (0..5).map(|_| stalls(&mut random)).collect();
+        let [a, w, b, ar, r] = <[_; 5]>::try_from(patterns).unwrap();
+        let address = Feed::new(&bench, "s_axil_aw", &["addr"], &mut random, a);
+        let data = Feed::new(&bench, "s_axil_w", &["data", "strb"], &mut random, w);
+        let answer = Drain::new(&bench, "s_axil_b", &["resp"], b);
+        let read_address = Feed::new(&bench, "s_axil_ar", &["addr"], &mut random, ar);
+        let read_data = Drain::new(&bench, "s_axil_r", &["data", "resp"], r);
+        let (model, has_uniforms) = (Registers::new(map), ports::uniforms(map).is_some());
+        let (cycles, uniforms, resets) = (0, vec![], 0);
+        Self {
+            bench,
+            address,
+            data,
+            answer,
+            read_address,
+            read_data,
+            model,
+            cycles,
+            has_uniforms,
+            uniforms,
+            resets,
+            random,
+        }
+    }
+
+    fn step(&mut self) {
+        [&mut self.address, &mut self.data, &mut self.read_address]
+            .into_iter()
+            .for_each(|feed| feed.offer(&mut self.bench));
+        [&mut self.answer, &mut self.read_data].into_iter().for_each(|drain| drain.offer(&mut self.bench));
+        self.bench.step();
+        let (start, busy) = (self.bench.get("start"), self.bench.get("busy"));
+        self.cycles = if start == 1 { 0 } else { self.cycles } + busy;
+        self.resets += self.bench.get("core_reset") as u32;
+        if self.has_uniforms && self.bench.get("uniform_valid") == 1 {
+            self.uniforms.push(["uniform_address", "uniform_data"].map(|name| self.bench.get(name) as u32).into());
+        }
+        [&mut self.address, &mut self.data, &mut self.read_address]
+            .into_iter()
+            .for_each(|feed| _ = feed.taken(&self.bench));
+    }
+
+    fn write(&mut self, address: u32, data: u32, strobes: u8) -> Response {
+        self.address.items.push_back(vec![address.into()]);
+        self.data.items.push_back(vec![data.into(), strobes.into()]);
+        loop {
+            self.step();
+            if let Some(answer) = self.answer.taken(&self.bench) {
+                return if answer[0] == 0 { Response::Okay } else { Response::Refused };
+            }
+            assert_eq!(self.read_data.taken(&self.bench), None);
+        }
+    }
+
+    fn read(&mut self, address: u32) -> (u32, Response) {
+        self.read_address.items.push_back(vec![address.into()]);
+        loop {
+            self.step();
+            if let Some(answer) = self.read_data.taken(&self.bench) {
+                return (answer[0] as u32, if answer[1] == 0 { Response::Okay } else { Response::Refused });
+            }
+            assert_eq!(self.answer.taken(&self.bench), None);
+        }
+    }
+
+    /// Events, errors, and now and then the end of a run.
+    fn happens(&mut self, events: &[&str], sources: ErrorSources) {
+        for _ in 0..self.random.u32(..EVENTFUL_CYCLES) {
+            for name in events.iter().copied().chain(["packet_taken", "packet_sent"]) {
+                let is_high = self.random.bool();
+                self.bench.set(name, is_high.into());
+                if is_high {
+                    let counter = match name {
+                        "packet_taken" => "packets_in",
+                        "packet_sent" => "packets_out",
+                        event => event,
+                    };
+                    self.model.event(counter);
+                }
+            }
+            for ((name, error), count) in ERRORS.into_iter().zip(sources).filter(|(_, count)| *count > 0) {
+                let errors = if self.random.u8(..4) == 0 { self.random.u64(..1 << count) } else { 0 };
+                self.bench.set(name, errors);
+                (0..errors.count_ones()).for_each(|_| self.model.error(error));
+            }
+            let finishes = self.random.u8(..60) == 0;
+            self.bench.set("finished", finishes.into());
+            self.step();
+            if finishes {
+                self.model.finish();
+            }
+        }
+        let errors = ERRORS.iter().zip(sources).filter(|(_, count)| *count > 0).map(|((name, _), _)| *name);
+        for name in events.iter().copied().chain(["packet_taken", "packet_sent", "finished"]).chain(errors) {
+            self.bench.set(name, 0);
+        }
+    }
+}
+
+/// An address: most often a register's.
+fn address(map: &[Register], random: &mut fastrand::Rng) -> u32 {
+    match random.u8(..8) {
+        0 => random.u32(..1 << 12),
+        1 => map[random.usize(..map.len())].address + random.u32(1..4),
+        2 => CONTROL,
+        _ => map[random.usize(..map.len())].address,
+    }
+}
+
+fn exchange(map: &[Register], sources: ErrorSources, seed: u64) {
+    let mut host = Host::new(map, sources, seed);
+    let events = ports::events(map);
+    let settings = ports::settings(map);
+    let cycles = map.iter().find(|register| register.name == "cycles").map(|register| register.address).unwrap();
+    let (mut refused, mut runs) = (0, 0);
+    for access in 0..ACCESSES {
+        host.happens(&events, sources);
+        let address = address(map, &mut host.random);
+        if host.random.bool() {
+            let sense = [host.random.u32(..8), host.random.u32(..) & !0xfff, host.random.u32(..)];
+            let (data, strobes) = (sense[host.random.usize(..3)], if host.random.u8(..8) == 0 { 7 } else { 0xf });
+            let occupied = host.random.u8(..8) == 0;
+            host.bench.set("occupied", occupied.into());
+            let was_busy = host.model.busy;
+            let expected = host.model.write(address, data, strobes, occupied);
+            assert_eq!(host.write(address, data, strobes), expected, "access {access}: write {data:x} to {address:x}");
+            refused += u32::from(expected == Response::Refused);
+            runs += u32::from(host.model.busy && !was_busy);
+        } else {
+            let (value, response) = host.model.read(address);
+            let (shown, answer) = host.read(address);
+            assert_eq!(answer, response, "access {access}: read of {address:x}");
+            let is_cycles = address == cycles;
+            let is_right = if is_cycles { u64::from(shown).abs_diff(host.cycles) < 80 } else { shown == value };
+            assert!(is_right, "access {access}: {address:x} reads {shown:x}, not {value:x} (cycles {})", host.cycles);
+            refused += u32::from(response == Response::Refused);
+        }
+        // What was accepted has shown by the time of the answer, or does so in the next cycle.
+        host.step();
+        for (name, _) in &settings {
+            assert_eq!(host.bench.get(name), u64::from(host.model.setting(name)), "access {access}: {name}");
+        }
+        assert_eq!(host.bench.get("busy"), u64::from(host.model.busy), "access {access}");
+        assert_eq!(host.bench.get("irq"), u64::from(host.model.interrupt()), "access {access}");
+    }
+    assert_eq!(host.uniforms, host.model.uniforms);
+    assert_eq!(host.resets, host.model.resets);
+    let resets = host.resets;
+    assert!(refused > 100 && runs > 5 && resets > 5, "{refused} refused, {runs} runs, {resets} resets");
+}
+
+#[test]
+fn accesses_do_what_the_model_does() {
+    let b = core_b::Config { tree_cache: 16, neighbor_cache: 2, ..core_b::Config::default() };
+    for seed in seeds(SEEDS).unwrap() {
+        exchange(&maps::core_a(&core_a::Config::default()), [0, 1, 1, 2], seed);
+        exchange(&maps::core_b(&b), [1, 2, 1, 2], seed);
+    }
+}
