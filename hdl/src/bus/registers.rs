@@ -54,6 +54,11 @@ fn any(conditions: &[Expr]) -> Expr {
     conditions.iter().fold(bit(false), |any, condition| any | condition)
 }
 
+/// Whether a register is one of the counters.
+const fn is_counter(register: &Register) -> bool {
+    matches!(register.kind, Kind::Errors | Kind::Run)
+}
+
 /// A register's number.
 fn word_of(register: &Register) -> u128 {
     (register.address >> BYTE_BITS).into()
@@ -178,21 +183,31 @@ impl Write {
         self.word.eq_lit(word_of(register))
     }
 
+    /// Whether the access is to a uniform, if it is to a whole register; uniforms lie side by side.
+    fn chooses_uniform(&self, map: &[Register]) -> Expr {
+        let mut words = map.iter().filter(|register| register.kind == Kind::Uniform).map(word_of);
+        let Some(first) = words.next() else { return bit(false) };
+        let last = words.last().unwrap_or(first);
+        self.word.ge_lit(first) & !self.word.gt(&lit(WORD_BITS, last))
+    }
+
     /// Accepts the access or not; returns whether it is refused for what it is, and because a run is under way.
     fn judge(&self, m: &mut Module, map: &[Register], stored: &[Stored], busy: &Expr, occupied: &Expr) -> [Expr; 2] {
-        let writable = map.iter().filter(|register| register.access() != Access::Read);
-        let writable = any(&writable.map(|register| self.chooses(register)).collect::<Vec<_>>());
-        let shaped = m.wire("shaped", &(&self.is_whole & writable));
+        let uniform = self.chooses_uniform(map);
+        let writable = |register: &&Register| register.access() != Access::Read && register.kind != Kind::Uniform;
+        let writable: Vec<&Register> = map.iter().filter(writable).collect();
+        let known = writable.iter().map(|register| self.chooses(register)).chain([uniform.clone()]);
+        let shaped = m.wire("shaped", &(&self.is_whole & any(&known.collect::<Vec<_>>())));
         let [start, reset] = [0, 1].map(|number| self.data.bit(number));
-        let idle_only = map.iter().filter(|register| register.when() == When::Idle).map(|register| {
+        let idle_only = writable.iter().filter(|register| register.when() == When::Idle).map(|register| {
             let chosen = self.chooses(register);
             if register.kind == Kind::Control { chosen & (&start | &reset) } else { chosen }
         });
-        let idle_only = any(&idle_only.collect::<Vec<_>>());
+        let idle_only = m.wire("idle_only", &any(&idle_only.chain([uniform]).collect::<Vec<_>>()));
         let control = map.iter().filter(|register| register.kind == Kind::Control);
         let starts = any(&control.map(|register| self.chooses(register) & &start).collect::<Vec<_>>());
         let starts = m.wire("wants_start", &starts);
-        let blocked = m.wire("blocked", &((idle_only & busy) | (&starts & occupied)));
+        let blocked = m.wire("blocked", &((&idle_only & busy) | (&starts & occupied)));
         let senseless = stored.iter().map(|Stored { register, bits }| match (register.kind, zero_bits(register)) {
             (Kind::Queries, _) => &starts & bits.is_zero(),
             (_, 0) => bit(false),
@@ -209,10 +224,8 @@ impl Write {
 /// Hands writes of uniforms to the core, whose addresses begin at zero.
 fn uniform_out(m: &mut Module, map: &[Register], write: &Write) {
     let Some((address_bits, data_bits)) = ports::uniforms(map) else { return };
-    let uniforms = map.iter().filter(|register| register.kind == Kind::Uniform);
-    let chosen = any(&uniforms.map(|register| write.chooses(register)).collect::<Vec<_>>());
     let valid = m.reg_reset("uniform_valid", 1, 0);
-    m.next(&valid, &(&write.accepted & chosen));
+    m.next(&valid, &(&write.accepted & write.chooses_uniform(map)));
     let address = m.reg("uniform_address", address_bits as usize);
     m.next(&address, &write.word.trunc(address_bits as usize));
     let data = m.reg("uniform_data", data_bits as usize);
@@ -226,6 +239,9 @@ fn uniform_out(m: &mut Module, map: &[Register], write: &Write) {
 struct Read {
     has_address: Reg,
     address: Reg,
+    /// The access is to a counter, if it is to a whole register, and to which.
+    is_counter: Expr,
+    counter: Expr,
     /// The access is refused, in the cycle in which it is.
     refused: Expr,
 }
@@ -235,28 +251,28 @@ impl Read {
         let has_address = m.reg_reset("has_read_address", 1, 0);
         let address = m.reg("read_address", BYTE_ADDRESS_BITS);
         let word = word_in(&address);
-        let readable = map.iter().filter(|register| register.access() != Access::Write);
-        let readable = any(&readable.map(|register| word.eq_lit(word_of(register))).collect::<Vec<_>>());
-        let shaped = address.trunc(BYTE_BITS).is_zero() & readable;
+        let counters: Vec<&Register> = map.iter().filter(|register| is_counter(register)).collect();
+        let index_bits = address_width(counters.len());
+        // Of every number a counter may have: whether it is one's, and which.
+        let mut table = vec![0; 1 << COUNTER_WORD_BITS];
+        for (index, register) in counters.into_iter().enumerate() {
+            table[word_of(register) as usize] = 1 << index_bits | index as u128;
+        }
+        let found = m.lookup("found", &table, index_bits + 1, &word.trunc(COUNTER_WORD_BITS));
+        let is_low = word.bits(WORD_BITS - 1, COUNTER_WORD_BITS).is_zero();
+        let is_counted = m.wire("reads_counter", &(found.msb() & is_low));
+        let others = map.iter().filter(|register| register.access() != Access::Write && !is_counter(register));
+        let known = others.map(|register| word.eq_lit(word_of(register))).chain([is_counted.clone()]);
+        let shaped = address.trunc(BYTE_BITS).is_zero() & any(&known.collect::<Vec<_>>());
         let refused = m.wire("refused_read", &(&has_address & !shaped));
-        Self { has_address, address, refused }
+        Self { has_address, address, is_counter: is_counted, counter: found.trunc(index_bits), refused }
     }
 
     /// Answers with the values of the registers, of which `value` knows all but the counters.
     fn answer(self, m: &mut Module, map: &[Register], counted: &[Counter], value: impl Fn(&Register) -> Option<Expr>) {
-        let is_counter = |register: &&Register| matches!(register.kind, Kind::Errors | Kind::Run);
-        let index_bits = address_width(counted.len());
-        // Of every number a counter may have: whether it is one's, and which.
-        let mut table = vec![0; 1 << COUNTER_WORD_BITS];
-        for (index, register) in map.iter().filter(is_counter).enumerate() {
-            table[word_of(register) as usize] = 1 << index_bits | index as u128;
-        }
         let word = word_in(&self.address);
-        let found = m.lookup("counter", &table, index_bits + 1, &word.trunc(COUNTER_WORD_BITS));
-        let is_low = word.bits(WORD_BITS - 1, COUNTER_WORD_BITS).is_zero();
-        let is_counter = m.wire("reads_counter", &(found.msb() & is_low));
-        let asks = m.wire("asks", &(&self.has_address & (&is_counter & !&self.refused)));
-        let answer = counters(m, counted, &asks, &found.trunc(index_bits));
+        let asks = m.wire("asks", &(&self.has_address & (&self.is_counter & !&self.refused)));
+        let answer = counters(m, counted, &asks, &self.counter);
 
         let rvalid = m.reg_reset("s_axil_rvalid", 1, 0);
         let arvalid = m.input("s_axil_arvalid", 1);
