@@ -9,8 +9,8 @@ use fastrand::Rng;
 use pointcore_spec::core_a::{Config, records};
 use pointcore_spec::{Camera, Rendering};
 
-/// Splats of the frame.
-const SPLATS: usize = 6;
+/// Splats of the frame: few, so that its first pixels leave the core within the vectors.
+const SPLATS: usize = 3;
 /// Bits of the vectors: the whole frame would take hundreds of times as much.
 const VECTOR_BITS: usize = 3 << 19;
 /// Pixel that the camera's axis meets: near the first tile, for tiles leave the core in their order.
