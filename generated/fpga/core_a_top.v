@@ -1,0 +1,15112 @@
+// The whole design is one file, named after its top.
+/* verilator lint_off DECLFILENAME */
+
+// Surface-splat renderer: splats in, normalized fragments out.
+module core_a_top (
+    input  wire clk,
+    input  wire rst,
+    input  wire uniform_valid,
+    input  wire [4:0] uniform_address,
+    input  wire [31:0] uniform_data,
+    input  wire splat_valid,
+    output wire splat_ready,
+    input  wire splat_end,
+    input  wire [31:0] splat_center_x,
+    input  wire [31:0] splat_center_y,
+    input  wire [31:0] splat_center_z,
+    input  wire [31:0] splat_tangent1_x,
+    input  wire [31:0] splat_tangent1_y,
+    input  wire [31:0] splat_tangent1_z,
+    input  wire [31:0] splat_tangent2_x,
+    input  wire [31:0] splat_tangent2_y,
+    input  wire [31:0] splat_tangent2_z,
+    input  wire [15:0] splat_attribute_0,
+    input  wire [15:0] splat_attribute_1,
+    input  wire [15:0] splat_attribute_2,
+    input  wire [15:0] splat_attribute_3,
+    input  wire [15:0] splat_attribute_4,
+    input  wire [15:0] splat_attribute_5,
+    input  wire [15:0] splat_attribute_6,
+    input  wire [15:0] splat_attribute_7,
+    input  wire [15:0] splat_attribute_8,
+    input  wire [15:0] splat_attribute_9,
+    input  wire [15:0] splat_attribute_10,
+    input  wire [15:0] splat_attribute_11,
+    input  wire [15:0] splat_attribute_12,
+    input  wire [15:0] splat_cardinal_0,
+    output wire read_valid,
+    input  wire read_ready,
+    output wire [11:0] read_tile,
+    input  wire data_valid,
+    output wire data_ready,
+    input  wire [27:0] data_weight,
+    input  wire [51:0] data_depth,
+    input  wire [15:0] data_peak,
+    input  wire [15:0] data_attribute_0,
+    input  wire [15:0] data_attribute_1,
+    input  wire [15:0] data_attribute_2,
+    input  wire [15:0] data_attribute_3,
+    input  wire [15:0] data_attribute_4,
+    input  wire [15:0] data_attribute_5,
+    input  wire [15:0] data_attribute_6,
+    input  wire [15:0] data_attribute_7,
+    input  wire [15:0] data_attribute_8,
+    input  wire [15:0] data_attribute_9,
+    input  wire [15:0] data_attribute_10,
+    input  wire [15:0] data_attribute_11,
+    input  wire [15:0] data_attribute_12,
+    input  wire [15:0] data_cardinal_0,
+    output wire write_valid,
+    input  wire write_ready,
+    output wire [11:0] write_tile,
+    output wire [5:0] write_pixel,
+    output wire [27:0] write_weight,
+    output wire [51:0] write_depth,
+    output wire [15:0] write_peak,
+    output wire [15:0] write_attribute_0,
+    output wire [15:0] write_attribute_1,
+    output wire [15:0] write_attribute_2,
+    output wire [15:0] write_attribute_3,
+    output wire [15:0] write_attribute_4,
+    output wire [15:0] write_attribute_5,
+    output wire [15:0] write_attribute_6,
+    output wire [15:0] write_attribute_7,
+    output wire [15:0] write_attribute_8,
+    output wire [15:0] write_attribute_9,
+    output wire [15:0] write_attribute_10,
+    output wire [15:0] write_attribute_11,
+    output wire [15:0] write_attribute_12,
+    output wire [15:0] write_cardinal_0,
+    output wire fragment_valid,
+    input  wire fragment_ready,
+    output wire fragment_end,
+    output wire [8:0] fragment_column,
+    output wire [8:0] fragment_row,
+    output wire [31:0] fragment_depth,
+    output wire [15:0] fragment_attribute_0,
+    output wire [15:0] fragment_attribute_1,
+    output wire [15:0] fragment_attribute_2,
+    output wire [15:0] fragment_attribute_3,
+    output wire [15:0] fragment_attribute_4,
+    output wire [15:0] fragment_attribute_5,
+    output wire [15:0] fragment_attribute_6,
+    output wire [15:0] fragment_attribute_7,
+    output wire [15:0] fragment_attribute_8,
+    output wire [15:0] fragment_attribute_9,
+    output wire [15:0] fragment_attribute_10,
+    output wire [15:0] fragment_attribute_11,
+    output wire [15:0] fragment_attribute_12,
+    output wire [15:0] fragment_cardinal_0,
+    output wire event_sample,
+    output wire event_starved,
+    output wire event_blocked,
+    output wire event_accumulate,
+    output wire event_hazard,
+    output wire event_slot_wait
+);
+    reg [31:0] uniform_m00;
+    reg [31:0] uniform_m01;
+    reg [31:0] uniform_m02;
+    reg [31:0] uniform_m03;
+    reg [31:0] uniform_m10;
+    reg [31:0] uniform_m11;
+    reg [31:0] uniform_m12;
+    reg [31:0] uniform_m13;
+    reg [31:0] uniform_m20;
+    reg [31:0] uniform_m21;
+    reg [31:0] uniform_m22;
+    reg [31:0] uniform_m23;
+    reg [31:0] uniform_scale_x;
+    reg [31:0] uniform_scale_y;
+    reg [31:0] uniform_origin_x;
+    reg [31:0] uniform_origin_y;
+    reg [31:0] uniform_depth_a;
+    reg [31:0] uniform_depth_b;
+    reg [31:0] uniform_near_plane;
+    reg [31:0] uniform_epsilon_scale;
+    reg [31:0] uniform_epsilon_bias;
+    reg [31:0] uniform_filter_radius;
+    reg [31:0] uniform_filter_scale;
+
+    wire transform_in_ready;
+    wire transform_out_valid;
+    wire transform_out_end;
+    wire [31:0] transform_out_center_x;
+    wire [31:0] transform_out_center_y;
+    wire [31:0] transform_out_center_z;
+    wire [31:0] transform_out_tangent1_x;
+    wire [31:0] transform_out_tangent1_y;
+    wire [31:0] transform_out_tangent1_z;
+    wire [31:0] transform_out_tangent2_x;
+    wire [31:0] transform_out_tangent2_y;
+    wire [31:0] transform_out_tangent2_z;
+    wire [15:0] transform_out_attribute_0;
+    wire [15:0] transform_out_attribute_1;
+    wire [15:0] transform_out_attribute_2;
+    wire [15:0] transform_out_attribute_3;
+    wire [15:0] transform_out_attribute_4;
+    wire [15:0] transform_out_attribute_5;
+    wire [15:0] transform_out_attribute_6;
+    wire [15:0] transform_out_attribute_7;
+    wire [15:0] transform_out_attribute_8;
+    wire [15:0] transform_out_attribute_9;
+    wire [15:0] transform_out_attribute_10;
+    wire [15:0] transform_out_attribute_11;
+    wire [15:0] transform_out_attribute_12;
+    wire [15:0] transform_out_cardinal_0;
+    wire setup_in_ready;
+    wire setup_out_valid;
+    wire setup_out_end;
+    wire [31:0] setup_out_center_x;
+    wire [31:0] setup_out_center_y;
+    wire [31:0] setup_out_ax;
+    wire [31:0] setup_out_bx;
+    wire [31:0] setup_out_ay;
+    wire [31:0] setup_out_by;
+    wire [31:0] setup_out_delta;
+    wire [31:0] setup_out_mx;
+    wire [31:0] setup_out_my;
+    wire [23:0] setup_out_depth;
+    wire [23:0] setup_out_depth_low;
+    wire [23:0] setup_out_depth_high;
+    wire [15:0] setup_out_attribute_0;
+    wire [15:0] setup_out_attribute_1;
+    wire [15:0] setup_out_attribute_2;
+    wire [15:0] setup_out_attribute_3;
+    wire [15:0] setup_out_attribute_4;
+    wire [15:0] setup_out_attribute_5;
+    wire [15:0] setup_out_attribute_6;
+    wire [15:0] setup_out_attribute_7;
+    wire [15:0] setup_out_attribute_8;
+    wire [15:0] setup_out_attribute_9;
+    wire [15:0] setup_out_attribute_10;
+    wire [15:0] setup_out_attribute_11;
+    wire [15:0] setup_out_attribute_12;
+    wire [15:0] setup_out_cardinal_0;
+    wire [8:0] setup_out_left;
+    wire [8:0] setup_out_right;
+    wire [8:0] setup_out_top;
+    wire [8:0] setup_out_bottom;
+    wire splitter_in_ready;
+    wire splitter_out_valid;
+    wire splitter_out_end;
+    wire [31:0] splitter_out_center_x;
+    wire [31:0] splitter_out_center_y;
+    wire [31:0] splitter_out_ax;
+    wire [31:0] splitter_out_bx;
+    wire [31:0] splitter_out_ay;
+    wire [31:0] splitter_out_by;
+    wire [31:0] splitter_out_delta;
+    wire [31:0] splitter_out_mx;
+    wire [31:0] splitter_out_my;
+    wire [23:0] splitter_out_depth;
+    wire [23:0] splitter_out_depth_low;
+    wire [23:0] splitter_out_depth_high;
+    wire [15:0] splitter_out_attribute_0;
+    wire [15:0] splitter_out_attribute_1;
+    wire [15:0] splitter_out_attribute_2;
+    wire [15:0] splitter_out_attribute_3;
+    wire [15:0] splitter_out_attribute_4;
+    wire [15:0] splitter_out_attribute_5;
+    wire [15:0] splitter_out_attribute_6;
+    wire [15:0] splitter_out_attribute_7;
+    wire [15:0] splitter_out_attribute_8;
+    wire [15:0] splitter_out_attribute_9;
+    wire [15:0] splitter_out_attribute_10;
+    wire [15:0] splitter_out_attribute_11;
+    wire [15:0] splitter_out_attribute_12;
+    wire [15:0] splitter_out_cardinal_0;
+    wire [2:0] splitter_out_left;
+    wire [2:0] splitter_out_right;
+    wire [2:0] splitter_out_top;
+    wire [2:0] splitter_out_bottom;
+    wire [11:0] splitter_out_tile;
+    wire reorder_in_ready;
+    wire reorder_out_valid;
+    wire reorder_out_end;
+    wire [31:0] reorder_out_center_x;
+    wire [31:0] reorder_out_center_y;
+    wire [31:0] reorder_out_ax;
+    wire [31:0] reorder_out_bx;
+    wire [31:0] reorder_out_ay;
+    wire [31:0] reorder_out_by;
+    wire [31:0] reorder_out_delta;
+    wire [31:0] reorder_out_mx;
+    wire [31:0] reorder_out_my;
+    wire [23:0] reorder_out_depth;
+    wire [23:0] reorder_out_depth_low;
+    wire [23:0] reorder_out_depth_high;
+    wire [15:0] reorder_out_attribute_0;
+    wire [15:0] reorder_out_attribute_1;
+    wire [15:0] reorder_out_attribute_2;
+    wire [15:0] reorder_out_attribute_3;
+    wire [15:0] reorder_out_attribute_4;
+    wire [15:0] reorder_out_attribute_5;
+    wire [15:0] reorder_out_attribute_6;
+    wire [15:0] reorder_out_attribute_7;
+    wire [15:0] reorder_out_attribute_8;
+    wire [15:0] reorder_out_attribute_9;
+    wire [15:0] reorder_out_attribute_10;
+    wire [15:0] reorder_out_attribute_11;
+    wire [15:0] reorder_out_attribute_12;
+    wire [15:0] reorder_out_cardinal_0;
+    wire [2:0] reorder_out_left;
+    wire [2:0] reorder_out_right;
+    wire [2:0] reorder_out_top;
+    wire [2:0] reorder_out_bottom;
+    wire [11:0] reorder_out_tile;
+    wire tile_cache_in_ready;
+    wire tile_cache_out_valid;
+    wire tile_cache_out_end;
+    wire [31:0] tile_cache_out_center_x;
+    wire [31:0] tile_cache_out_center_y;
+    wire [31:0] tile_cache_out_ax;
+    wire [31:0] tile_cache_out_bx;
+    wire [31:0] tile_cache_out_ay;
+    wire [31:0] tile_cache_out_by;
+    wire [31:0] tile_cache_out_delta;
+    wire [31:0] tile_cache_out_mx;
+    wire [31:0] tile_cache_out_my;
+    wire [23:0] tile_cache_out_depth;
+    wire [23:0] tile_cache_out_depth_low;
+    wire [23:0] tile_cache_out_depth_high;
+    wire [15:0] tile_cache_out_attribute_0;
+    wire [15:0] tile_cache_out_attribute_1;
+    wire [15:0] tile_cache_out_attribute_2;
+    wire [15:0] tile_cache_out_attribute_3;
+    wire [15:0] tile_cache_out_attribute_4;
+    wire [15:0] tile_cache_out_attribute_5;
+    wire [15:0] tile_cache_out_attribute_6;
+    wire [15:0] tile_cache_out_attribute_7;
+    wire [15:0] tile_cache_out_attribute_8;
+    wire [15:0] tile_cache_out_attribute_9;
+    wire [15:0] tile_cache_out_attribute_10;
+    wire [15:0] tile_cache_out_attribute_11;
+    wire [15:0] tile_cache_out_attribute_12;
+    wire [15:0] tile_cache_out_cardinal_0;
+    wire [2:0] tile_cache_out_left;
+    wire [2:0] tile_cache_out_right;
+    wire [2:0] tile_cache_out_top;
+    wire [2:0] tile_cache_out_bottom;
+    wire [11:0] tile_cache_out_tile;
+    wire [1:0] tile_cache_out_slot;
+    wire tile_cache_read_valid;
+    wire [11:0] tile_cache_read_tile;
+    wire tile_cache_data_ready;
+    wire tile_cache_write_valid;
+    wire [11:0] tile_cache_write_tile;
+    wire [5:0] tile_cache_write_pixel;
+    wire [27:0] tile_cache_write_weight;
+    wire [51:0] tile_cache_write_depth;
+    wire [15:0] tile_cache_write_peak;
+    wire [15:0] tile_cache_write_attribute_0;
+    wire [15:0] tile_cache_write_attribute_1;
+    wire [15:0] tile_cache_write_attribute_2;
+    wire [15:0] tile_cache_write_attribute_3;
+    wire [15:0] tile_cache_write_attribute_4;
+    wire [15:0] tile_cache_write_attribute_5;
+    wire [15:0] tile_cache_write_attribute_6;
+    wire [15:0] tile_cache_write_attribute_7;
+    wire [15:0] tile_cache_write_attribute_8;
+    wire [15:0] tile_cache_write_attribute_9;
+    wire [15:0] tile_cache_write_attribute_10;
+    wire [15:0] tile_cache_write_attribute_11;
+    wire [15:0] tile_cache_write_attribute_12;
+    wire [15:0] tile_cache_write_cardinal_0;
+    wire tile_cache_pixel_valid;
+    wire tile_cache_pixel_end;
+    wire [11:0] tile_cache_pixel_tile;
+    wire [5:0] tile_cache_pixel_pixel;
+    wire [27:0] tile_cache_pixel_weight;
+    wire [51:0] tile_cache_pixel_depth;
+    wire [15:0] tile_cache_pixel_peak;
+    wire [15:0] tile_cache_pixel_attribute_0;
+    wire [15:0] tile_cache_pixel_attribute_1;
+    wire [15:0] tile_cache_pixel_attribute_2;
+    wire [15:0] tile_cache_pixel_attribute_3;
+    wire [15:0] tile_cache_pixel_attribute_4;
+    wire [15:0] tile_cache_pixel_attribute_5;
+    wire [15:0] tile_cache_pixel_attribute_6;
+    wire [15:0] tile_cache_pixel_attribute_7;
+    wire [15:0] tile_cache_pixel_attribute_8;
+    wire [15:0] tile_cache_pixel_attribute_9;
+    wire [15:0] tile_cache_pixel_attribute_10;
+    wire [15:0] tile_cache_pixel_attribute_11;
+    wire [15:0] tile_cache_pixel_attribute_12;
+    wire [15:0] tile_cache_pixel_cardinal_0;
+    wire [3:0] tile_cache_slot_ready;
+    wire tile_cache_fill_valid;
+    wire [1:0] tile_cache_fill_slot;
+    wire [5:0] tile_cache_fill_pixel;
+    wire [27:0] tile_cache_fill_weight;
+    wire [51:0] tile_cache_fill_depth;
+    wire [15:0] tile_cache_fill_peak;
+    wire [15:0] tile_cache_fill_attribute_0;
+    wire [15:0] tile_cache_fill_attribute_1;
+    wire [15:0] tile_cache_fill_attribute_2;
+    wire [15:0] tile_cache_fill_attribute_3;
+    wire [15:0] tile_cache_fill_attribute_4;
+    wire [15:0] tile_cache_fill_attribute_5;
+    wire [15:0] tile_cache_fill_attribute_6;
+    wire [15:0] tile_cache_fill_attribute_7;
+    wire [15:0] tile_cache_fill_attribute_8;
+    wire [15:0] tile_cache_fill_attribute_9;
+    wire [15:0] tile_cache_fill_attribute_10;
+    wire [15:0] tile_cache_fill_attribute_11;
+    wire [15:0] tile_cache_fill_attribute_12;
+    wire [15:0] tile_cache_fill_cardinal_0;
+    wire tile_cache_drain_enable;
+    wire [1:0] tile_cache_drain_slot;
+    wire [5:0] tile_cache_drain_pixel;
+    wire rasterizer_in_ready;
+    wire rasterizer_out_valid;
+    wire rasterizer_out_end;
+    wire rasterizer_out_last;
+    wire rasterizer_out_inside;
+    wire [1:0] rasterizer_out_slot;
+    wire [5:0] rasterizer_out_pixel;
+    wire [15:0] rasterizer_out_weight;
+    wire [23:0] rasterizer_out_depth;
+    wire [23:0] rasterizer_out_depth_low;
+    wire [23:0] rasterizer_out_depth_high;
+    wire [15:0] rasterizer_out_attribute_0;
+    wire [15:0] rasterizer_out_attribute_1;
+    wire [15:0] rasterizer_out_attribute_2;
+    wire [15:0] rasterizer_out_attribute_3;
+    wire [15:0] rasterizer_out_attribute_4;
+    wire [15:0] rasterizer_out_attribute_5;
+    wire [15:0] rasterizer_out_attribute_6;
+    wire [15:0] rasterizer_out_attribute_7;
+    wire [15:0] rasterizer_out_attribute_8;
+    wire [15:0] rasterizer_out_attribute_9;
+    wire [15:0] rasterizer_out_attribute_10;
+    wire [15:0] rasterizer_out_attribute_11;
+    wire [15:0] rasterizer_out_attribute_12;
+    wire [15:0] rasterizer_out_cardinal_0;
+    wire rasterizer_event_sample;
+    wire rasterizer_event_starved;
+    wire rasterizer_event_blocked;
+    wire weighting_in_ready;
+    wire weighting_out_valid;
+    wire weighting_out_end;
+    wire weighting_out_last;
+    wire weighting_out_inside;
+    wire [1:0] weighting_out_slot;
+    wire [5:0] weighting_out_pixel;
+    wire [15:0] weighting_out_weight;
+    wire [39:0] weighting_out_weighted_depth;
+    wire [23:0] weighting_out_depth_low;
+    wire [23:0] weighting_out_depth_high;
+    wire [15:0] weighting_out_attribute_0;
+    wire [15:0] weighting_out_attribute_1;
+    wire [15:0] weighting_out_attribute_2;
+    wire [15:0] weighting_out_attribute_3;
+    wire [15:0] weighting_out_attribute_4;
+    wire [15:0] weighting_out_attribute_5;
+    wire [15:0] weighting_out_attribute_6;
+    wire [15:0] weighting_out_attribute_7;
+    wire [15:0] weighting_out_attribute_8;
+    wire [15:0] weighting_out_attribute_9;
+    wire [15:0] weighting_out_attribute_10;
+    wire [15:0] weighting_out_attribute_11;
+    wire [15:0] weighting_out_attribute_12;
+    wire [15:0] weighting_out_cardinal_0;
+    wire accumulator_in_ready;
+    wire accumulator_retire_valid;
+    wire [1:0] accumulator_retire_slot;
+    wire accumulator_frame_end;
+    wire [27:0] accumulator_drain_weight;
+    wire [51:0] accumulator_drain_depth;
+    wire [15:0] accumulator_drain_peak;
+    wire [15:0] accumulator_drain_attribute_0;
+    wire [15:0] accumulator_drain_attribute_1;
+    wire [15:0] accumulator_drain_attribute_2;
+    wire [15:0] accumulator_drain_attribute_3;
+    wire [15:0] accumulator_drain_attribute_4;
+    wire [15:0] accumulator_drain_attribute_5;
+    wire [15:0] accumulator_drain_attribute_6;
+    wire [15:0] accumulator_drain_attribute_7;
+    wire [15:0] accumulator_drain_attribute_8;
+    wire [15:0] accumulator_drain_attribute_9;
+    wire [15:0] accumulator_drain_attribute_10;
+    wire [15:0] accumulator_drain_attribute_11;
+    wire [15:0] accumulator_drain_attribute_12;
+    wire [15:0] accumulator_drain_cardinal_0;
+    wire accumulator_event_accumulate;
+    wire accumulator_event_hazard;
+    wire accumulator_event_slot_wait;
+    wire normalizer_in_ready;
+    wire normalizer_out_valid;
+    wire normalizer_out_end;
+    wire [8:0] normalizer_out_column;
+    wire [8:0] normalizer_out_row;
+    wire [31:0] normalizer_out_depth;
+    wire [15:0] normalizer_out_attribute_0;
+    wire [15:0] normalizer_out_attribute_1;
+    wire [15:0] normalizer_out_attribute_2;
+    wire [15:0] normalizer_out_attribute_3;
+    wire [15:0] normalizer_out_attribute_4;
+    wire [15:0] normalizer_out_attribute_5;
+    wire [15:0] normalizer_out_attribute_6;
+    wire [15:0] normalizer_out_attribute_7;
+    wire [15:0] normalizer_out_attribute_8;
+    wire [15:0] normalizer_out_attribute_9;
+    wire [15:0] normalizer_out_attribute_10;
+    wire [15:0] normalizer_out_attribute_11;
+    wire [15:0] normalizer_out_attribute_12;
+    wire [15:0] normalizer_out_cardinal_0;
+
+    assign splat_ready = transform_in_ready;
+    assign data_ready = tile_cache_data_ready;
+    wire transform_out_ready = setup_in_ready;
+    wire setup_out_ready = splitter_in_ready;
+    wire splitter_out_ready = reorder_in_ready;
+    wire reorder_out_ready = tile_cache_in_ready;
+    wire tile_cache_out_ready = rasterizer_in_ready;
+    wire tile_cache_read_ready = read_ready;
+    wire tile_cache_write_ready = write_ready;
+    wire tile_cache_pixel_ready = normalizer_in_ready;
+    wire rasterizer_out_ready = weighting_in_ready;
+    wire weighting_out_ready = accumulator_in_ready;
+    wire normalizer_out_ready = fragment_ready;
+
+    assign read_valid = tile_cache_read_valid;
+    assign read_tile = tile_cache_read_tile;
+    assign write_valid = tile_cache_write_valid;
+    assign write_tile = tile_cache_write_tile;
+    assign write_pixel = tile_cache_write_pixel;
+    assign write_weight = tile_cache_write_weight;
+    assign write_depth = tile_cache_write_depth;
+    assign write_peak = tile_cache_write_peak;
+    assign write_attribute_0 = tile_cache_write_attribute_0;
+    assign write_attribute_1 = tile_cache_write_attribute_1;
+    assign write_attribute_2 = tile_cache_write_attribute_2;
+    assign write_attribute_3 = tile_cache_write_attribute_3;
+    assign write_attribute_4 = tile_cache_write_attribute_4;
+    assign write_attribute_5 = tile_cache_write_attribute_5;
+    assign write_attribute_6 = tile_cache_write_attribute_6;
+    assign write_attribute_7 = tile_cache_write_attribute_7;
+    assign write_attribute_8 = tile_cache_write_attribute_8;
+    assign write_attribute_9 = tile_cache_write_attribute_9;
+    assign write_attribute_10 = tile_cache_write_attribute_10;
+    assign write_attribute_11 = tile_cache_write_attribute_11;
+    assign write_attribute_12 = tile_cache_write_attribute_12;
+    assign write_cardinal_0 = tile_cache_write_cardinal_0;
+    assign fragment_valid = normalizer_out_valid;
+    assign fragment_end = normalizer_out_end;
+    assign fragment_column = normalizer_out_column;
+    assign fragment_row = normalizer_out_row;
+    assign fragment_depth = normalizer_out_depth;
+    assign fragment_attribute_0 = normalizer_out_attribute_0;
+    assign fragment_attribute_1 = normalizer_out_attribute_1;
+    assign fragment_attribute_2 = normalizer_out_attribute_2;
+    assign fragment_attribute_3 = normalizer_out_attribute_3;
+    assign fragment_attribute_4 = normalizer_out_attribute_4;
+    assign fragment_attribute_5 = normalizer_out_attribute_5;
+    assign fragment_attribute_6 = normalizer_out_attribute_6;
+    assign fragment_attribute_7 = normalizer_out_attribute_7;
+    assign fragment_attribute_8 = normalizer_out_attribute_8;
+    assign fragment_attribute_9 = normalizer_out_attribute_9;
+    assign fragment_attribute_10 = normalizer_out_attribute_10;
+    assign fragment_attribute_11 = normalizer_out_attribute_11;
+    assign fragment_attribute_12 = normalizer_out_attribute_12;
+    assign fragment_cardinal_0 = normalizer_out_cardinal_0;
+    assign event_sample = rasterizer_event_sample;
+    assign event_starved = rasterizer_event_starved;
+    assign event_blocked = rasterizer_event_blocked;
+    assign event_accumulate = accumulator_event_accumulate;
+    assign event_hazard = accumulator_event_hazard;
+    assign event_slot_wait = accumulator_event_slot_wait;
+
+    core_a_transform transform (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(splat_valid),
+        .in_ready(transform_in_ready),
+        .in_end(splat_end),
+        .in_center_x(splat_center_x),
+        .in_center_y(splat_center_y),
+        .in_center_z(splat_center_z),
+        .in_tangent1_x(splat_tangent1_x),
+        .in_tangent1_y(splat_tangent1_y),
+        .in_tangent1_z(splat_tangent1_z),
+        .in_tangent2_x(splat_tangent2_x),
+        .in_tangent2_y(splat_tangent2_y),
+        .in_tangent2_z(splat_tangent2_z),
+        .in_attribute_0(splat_attribute_0),
+        .in_attribute_1(splat_attribute_1),
+        .in_attribute_2(splat_attribute_2),
+        .in_attribute_3(splat_attribute_3),
+        .in_attribute_4(splat_attribute_4),
+        .in_attribute_5(splat_attribute_5),
+        .in_attribute_6(splat_attribute_6),
+        .in_attribute_7(splat_attribute_7),
+        .in_attribute_8(splat_attribute_8),
+        .in_attribute_9(splat_attribute_9),
+        .in_attribute_10(splat_attribute_10),
+        .in_attribute_11(splat_attribute_11),
+        .in_attribute_12(splat_attribute_12),
+        .in_cardinal_0(splat_cardinal_0),
+        .m00(uniform_m00),
+        .m01(uniform_m01),
+        .m02(uniform_m02),
+        .m03(uniform_m03),
+        .m10(uniform_m10),
+        .m11(uniform_m11),
+        .m12(uniform_m12),
+        .m13(uniform_m13),
+        .m20(uniform_m20),
+        .m21(uniform_m21),
+        .m22(uniform_m22),
+        .m23(uniform_m23),
+        .near_plane(uniform_near_plane),
+        .out_valid(transform_out_valid),
+        .out_ready(transform_out_ready),
+        .out_end(transform_out_end),
+        .out_center_x(transform_out_center_x),
+        .out_center_y(transform_out_center_y),
+        .out_center_z(transform_out_center_z),
+        .out_tangent1_x(transform_out_tangent1_x),
+        .out_tangent1_y(transform_out_tangent1_y),
+        .out_tangent1_z(transform_out_tangent1_z),
+        .out_tangent2_x(transform_out_tangent2_x),
+        .out_tangent2_y(transform_out_tangent2_y),
+        .out_tangent2_z(transform_out_tangent2_z),
+        .out_attribute_0(transform_out_attribute_0),
+        .out_attribute_1(transform_out_attribute_1),
+        .out_attribute_2(transform_out_attribute_2),
+        .out_attribute_3(transform_out_attribute_3),
+        .out_attribute_4(transform_out_attribute_4),
+        .out_attribute_5(transform_out_attribute_5),
+        .out_attribute_6(transform_out_attribute_6),
+        .out_attribute_7(transform_out_attribute_7),
+        .out_attribute_8(transform_out_attribute_8),
+        .out_attribute_9(transform_out_attribute_9),
+        .out_attribute_10(transform_out_attribute_10),
+        .out_attribute_11(transform_out_attribute_11),
+        .out_attribute_12(transform_out_attribute_12),
+        .out_cardinal_0(transform_out_cardinal_0)
+    );
+
+    core_a_setup setup (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(transform_out_valid),
+        .in_ready(setup_in_ready),
+        .in_end(transform_out_end),
+        .in_center_x(transform_out_center_x),
+        .in_center_y(transform_out_center_y),
+        .in_center_z(transform_out_center_z),
+        .in_tangent1_x(transform_out_tangent1_x),
+        .in_tangent1_y(transform_out_tangent1_y),
+        .in_tangent1_z(transform_out_tangent1_z),
+        .in_tangent2_x(transform_out_tangent2_x),
+        .in_tangent2_y(transform_out_tangent2_y),
+        .in_tangent2_z(transform_out_tangent2_z),
+        .in_attribute_0(transform_out_attribute_0),
+        .in_attribute_1(transform_out_attribute_1),
+        .in_attribute_2(transform_out_attribute_2),
+        .in_attribute_3(transform_out_attribute_3),
+        .in_attribute_4(transform_out_attribute_4),
+        .in_attribute_5(transform_out_attribute_5),
+        .in_attribute_6(transform_out_attribute_6),
+        .in_attribute_7(transform_out_attribute_7),
+        .in_attribute_8(transform_out_attribute_8),
+        .in_attribute_9(transform_out_attribute_9),
+        .in_attribute_10(transform_out_attribute_10),
+        .in_attribute_11(transform_out_attribute_11),
+        .in_attribute_12(transform_out_attribute_12),
+        .in_cardinal_0(transform_out_cardinal_0),
+        .filter_radius(uniform_filter_radius),
+        .scale_x(uniform_scale_x),
+        .origin_x(uniform_origin_x),
+        .scale_y(uniform_scale_y),
+        .origin_y(uniform_origin_y),
+        .depth_b(uniform_depth_b),
+        .depth_a(uniform_depth_a),
+        .epsilon_scale(uniform_epsilon_scale),
+        .epsilon_bias(uniform_epsilon_bias),
+        .out_valid(setup_out_valid),
+        .out_ready(setup_out_ready),
+        .out_end(setup_out_end),
+        .out_center_x(setup_out_center_x),
+        .out_center_y(setup_out_center_y),
+        .out_ax(setup_out_ax),
+        .out_bx(setup_out_bx),
+        .out_ay(setup_out_ay),
+        .out_by(setup_out_by),
+        .out_delta(setup_out_delta),
+        .out_mx(setup_out_mx),
+        .out_my(setup_out_my),
+        .out_depth(setup_out_depth),
+        .out_depth_low(setup_out_depth_low),
+        .out_depth_high(setup_out_depth_high),
+        .out_attribute_0(setup_out_attribute_0),
+        .out_attribute_1(setup_out_attribute_1),
+        .out_attribute_2(setup_out_attribute_2),
+        .out_attribute_3(setup_out_attribute_3),
+        .out_attribute_4(setup_out_attribute_4),
+        .out_attribute_5(setup_out_attribute_5),
+        .out_attribute_6(setup_out_attribute_6),
+        .out_attribute_7(setup_out_attribute_7),
+        .out_attribute_8(setup_out_attribute_8),
+        .out_attribute_9(setup_out_attribute_9),
+        .out_attribute_10(setup_out_attribute_10),
+        .out_attribute_11(setup_out_attribute_11),
+        .out_attribute_12(setup_out_attribute_12),
+        .out_cardinal_0(setup_out_cardinal_0),
+        .out_left(setup_out_left),
+        .out_right(setup_out_right),
+        .out_top(setup_out_top),
+        .out_bottom(setup_out_bottom)
+    );
+
+    core_a_splitter splitter (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(setup_out_valid),
+        .in_ready(splitter_in_ready),
+        .in_end(setup_out_end),
+        .in_center_x(setup_out_center_x),
+        .in_center_y(setup_out_center_y),
+        .in_ax(setup_out_ax),
+        .in_bx(setup_out_bx),
+        .in_ay(setup_out_ay),
+        .in_by(setup_out_by),
+        .in_delta(setup_out_delta),
+        .in_mx(setup_out_mx),
+        .in_my(setup_out_my),
+        .in_depth(setup_out_depth),
+        .in_depth_low(setup_out_depth_low),
+        .in_depth_high(setup_out_depth_high),
+        .in_attribute_0(setup_out_attribute_0),
+        .in_attribute_1(setup_out_attribute_1),
+        .in_attribute_2(setup_out_attribute_2),
+        .in_attribute_3(setup_out_attribute_3),
+        .in_attribute_4(setup_out_attribute_4),
+        .in_attribute_5(setup_out_attribute_5),
+        .in_attribute_6(setup_out_attribute_6),
+        .in_attribute_7(setup_out_attribute_7),
+        .in_attribute_8(setup_out_attribute_8),
+        .in_attribute_9(setup_out_attribute_9),
+        .in_attribute_10(setup_out_attribute_10),
+        .in_attribute_11(setup_out_attribute_11),
+        .in_attribute_12(setup_out_attribute_12),
+        .in_cardinal_0(setup_out_cardinal_0),
+        .in_left(setup_out_left),
+        .in_right(setup_out_right),
+        .in_top(setup_out_top),
+        .in_bottom(setup_out_bottom),
+        .out_valid(splitter_out_valid),
+        .out_ready(splitter_out_ready),
+        .out_end(splitter_out_end),
+        .out_center_x(splitter_out_center_x),
+        .out_center_y(splitter_out_center_y),
+        .out_ax(splitter_out_ax),
+        .out_bx(splitter_out_bx),
+        .out_ay(splitter_out_ay),
+        .out_by(splitter_out_by),
+        .out_delta(splitter_out_delta),
+        .out_mx(splitter_out_mx),
+        .out_my(splitter_out_my),
+        .out_depth(splitter_out_depth),
+        .out_depth_low(splitter_out_depth_low),
+        .out_depth_high(splitter_out_depth_high),
+        .out_attribute_0(splitter_out_attribute_0),
+        .out_attribute_1(splitter_out_attribute_1),
+        .out_attribute_2(splitter_out_attribute_2),
+        .out_attribute_3(splitter_out_attribute_3),
+        .out_attribute_4(splitter_out_attribute_4),
+        .out_attribute_5(splitter_out_attribute_5),
+        .out_attribute_6(splitter_out_attribute_6),
+        .out_attribute_7(splitter_out_attribute_7),
+        .out_attribute_8(splitter_out_attribute_8),
+        .out_attribute_9(splitter_out_attribute_9),
+        .out_attribute_10(splitter_out_attribute_10),
+        .out_attribute_11(splitter_out_attribute_11),
+        .out_attribute_12(splitter_out_attribute_12),
+        .out_cardinal_0(splitter_out_cardinal_0),
+        .out_left(splitter_out_left),
+        .out_right(splitter_out_right),
+        .out_top(splitter_out_top),
+        .out_bottom(splitter_out_bottom),
+        .out_tile(splitter_out_tile)
+    );
+
+    core_a_reorder reorder (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(splitter_out_valid),
+        .in_ready(reorder_in_ready),
+        .in_end(splitter_out_end),
+        .in_center_x(splitter_out_center_x),
+        .in_center_y(splitter_out_center_y),
+        .in_ax(splitter_out_ax),
+        .in_bx(splitter_out_bx),
+        .in_ay(splitter_out_ay),
+        .in_by(splitter_out_by),
+        .in_delta(splitter_out_delta),
+        .in_mx(splitter_out_mx),
+        .in_my(splitter_out_my),
+        .in_depth(splitter_out_depth),
+        .in_depth_low(splitter_out_depth_low),
+        .in_depth_high(splitter_out_depth_high),
+        .in_attribute_0(splitter_out_attribute_0),
+        .in_attribute_1(splitter_out_attribute_1),
+        .in_attribute_2(splitter_out_attribute_2),
+        .in_attribute_3(splitter_out_attribute_3),
+        .in_attribute_4(splitter_out_attribute_4),
+        .in_attribute_5(splitter_out_attribute_5),
+        .in_attribute_6(splitter_out_attribute_6),
+        .in_attribute_7(splitter_out_attribute_7),
+        .in_attribute_8(splitter_out_attribute_8),
+        .in_attribute_9(splitter_out_attribute_9),
+        .in_attribute_10(splitter_out_attribute_10),
+        .in_attribute_11(splitter_out_attribute_11),
+        .in_attribute_12(splitter_out_attribute_12),
+        .in_cardinal_0(splitter_out_cardinal_0),
+        .in_left(splitter_out_left),
+        .in_right(splitter_out_right),
+        .in_top(splitter_out_top),
+        .in_bottom(splitter_out_bottom),
+        .in_tile(splitter_out_tile),
+        .out_valid(reorder_out_valid),
+        .out_ready(reorder_out_ready),
+        .out_end(reorder_out_end),
+        .out_center_x(reorder_out_center_x),
+        .out_center_y(reorder_out_center_y),
+        .out_ax(reorder_out_ax),
+        .out_bx(reorder_out_bx),
+        .out_ay(reorder_out_ay),
+        .out_by(reorder_out_by),
+        .out_delta(reorder_out_delta),
+        .out_mx(reorder_out_mx),
+        .out_my(reorder_out_my),
+        .out_depth(reorder_out_depth),
+        .out_depth_low(reorder_out_depth_low),
+        .out_depth_high(reorder_out_depth_high),
+        .out_attribute_0(reorder_out_attribute_0),
+        .out_attribute_1(reorder_out_attribute_1),
+        .out_attribute_2(reorder_out_attribute_2),
+        .out_attribute_3(reorder_out_attribute_3),
+        .out_attribute_4(reorder_out_attribute_4),
+        .out_attribute_5(reorder_out_attribute_5),
+        .out_attribute_6(reorder_out_attribute_6),
+        .out_attribute_7(reorder_out_attribute_7),
+        .out_attribute_8(reorder_out_attribute_8),
+        .out_attribute_9(reorder_out_attribute_9),
+        .out_attribute_10(reorder_out_attribute_10),
+        .out_attribute_11(reorder_out_attribute_11),
+        .out_attribute_12(reorder_out_attribute_12),
+        .out_cardinal_0(reorder_out_cardinal_0),
+        .out_left(reorder_out_left),
+        .out_right(reorder_out_right),
+        .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom),
+        .out_tile(reorder_out_tile)
+    );
+
+    core_a_tile_cache tile_cache (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(reorder_out_valid),
+        .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end),
+        .in_center_x(reorder_out_center_x),
+        .in_center_y(reorder_out_center_y),
+        .in_ax(reorder_out_ax),
+        .in_bx(reorder_out_bx),
+        .in_ay(reorder_out_ay),
+        .in_by(reorder_out_by),
+        .in_delta(reorder_out_delta),
+        .in_mx(reorder_out_mx),
+        .in_my(reorder_out_my),
+        .in_depth(reorder_out_depth),
+        .in_depth_low(reorder_out_depth_low),
+        .in_depth_high(reorder_out_depth_high),
+        .in_attribute_0(reorder_out_attribute_0),
+        .in_attribute_1(reorder_out_attribute_1),
+        .in_attribute_2(reorder_out_attribute_2),
+        .in_attribute_3(reorder_out_attribute_3),
+        .in_attribute_4(reorder_out_attribute_4),
+        .in_attribute_5(reorder_out_attribute_5),
+        .in_attribute_6(reorder_out_attribute_6),
+        .in_attribute_7(reorder_out_attribute_7),
+        .in_attribute_8(reorder_out_attribute_8),
+        .in_attribute_9(reorder_out_attribute_9),
+        .in_attribute_10(reorder_out_attribute_10),
+        .in_attribute_11(reorder_out_attribute_11),
+        .in_attribute_12(reorder_out_attribute_12),
+        .in_cardinal_0(reorder_out_cardinal_0),
+        .in_left(reorder_out_left),
+        .in_right(reorder_out_right),
+        .in_top(reorder_out_top),
+        .in_bottom(reorder_out_bottom),
+        .in_tile(reorder_out_tile),
+        .out_valid(tile_cache_out_valid),
+        .out_ready(tile_cache_out_ready),
+        .out_end(tile_cache_out_end),
+        .out_center_x(tile_cache_out_center_x),
+        .out_center_y(tile_cache_out_center_y),
+        .out_ax(tile_cache_out_ax),
+        .out_bx(tile_cache_out_bx),
+        .out_ay(tile_cache_out_ay),
+        .out_by(tile_cache_out_by),
+        .out_delta(tile_cache_out_delta),
+        .out_mx(tile_cache_out_mx),
+        .out_my(tile_cache_out_my),
+        .out_depth(tile_cache_out_depth),
+        .out_depth_low(tile_cache_out_depth_low),
+        .out_depth_high(tile_cache_out_depth_high),
+        .out_attribute_0(tile_cache_out_attribute_0),
+        .out_attribute_1(tile_cache_out_attribute_1),
+        .out_attribute_2(tile_cache_out_attribute_2),
+        .out_attribute_3(tile_cache_out_attribute_3),
+        .out_attribute_4(tile_cache_out_attribute_4),
+        .out_attribute_5(tile_cache_out_attribute_5),
+        .out_attribute_6(tile_cache_out_attribute_6),
+        .out_attribute_7(tile_cache_out_attribute_7),
+        .out_attribute_8(tile_cache_out_attribute_8),
+        .out_attribute_9(tile_cache_out_attribute_9),
+        .out_attribute_10(tile_cache_out_attribute_10),
+        .out_attribute_11(tile_cache_out_attribute_11),
+        .out_attribute_12(tile_cache_out_attribute_12),
+        .out_cardinal_0(tile_cache_out_cardinal_0),
+        .out_left(tile_cache_out_left),
+        .out_right(tile_cache_out_right),
+        .out_top(tile_cache_out_top),
+        .out_bottom(tile_cache_out_bottom),
+        .out_tile(tile_cache_out_tile),
+        .out_slot(tile_cache_out_slot),
+        .read_valid(tile_cache_read_valid),
+        .read_ready(tile_cache_read_ready),
+        .read_tile(tile_cache_read_tile),
+        .data_valid(data_valid),
+        .data_ready(tile_cache_data_ready),
+        .data_weight(data_weight),
+        .data_depth(data_depth),
+        .data_peak(data_peak),
+        .data_attribute_0(data_attribute_0),
+        .data_attribute_1(data_attribute_1),
+        .data_attribute_2(data_attribute_2),
+        .data_attribute_3(data_attribute_3),
+        .data_attribute_4(data_attribute_4),
+        .data_attribute_5(data_attribute_5),
+        .data_attribute_6(data_attribute_6),
+        .data_attribute_7(data_attribute_7),
+        .data_attribute_8(data_attribute_8),
+        .data_attribute_9(data_attribute_9),
+        .data_attribute_10(data_attribute_10),
+        .data_attribute_11(data_attribute_11),
+        .data_attribute_12(data_attribute_12),
+        .data_cardinal_0(data_cardinal_0),
+        .write_valid(tile_cache_write_valid),
+        .write_ready(tile_cache_write_ready),
+        .write_tile(tile_cache_write_tile),
+        .write_pixel(tile_cache_write_pixel),
+        .write_weight(tile_cache_write_weight),
+        .write_depth(tile_cache_write_depth),
+        .write_peak(tile_cache_write_peak),
+        .write_attribute_0(tile_cache_write_attribute_0),
+        .write_attribute_1(tile_cache_write_attribute_1),
+        .write_attribute_2(tile_cache_write_attribute_2),
+        .write_attribute_3(tile_cache_write_attribute_3),
+        .write_attribute_4(tile_cache_write_attribute_4),
+        .write_attribute_5(tile_cache_write_attribute_5),
+        .write_attribute_6(tile_cache_write_attribute_6),
+        .write_attribute_7(tile_cache_write_attribute_7),
+        .write_attribute_8(tile_cache_write_attribute_8),
+        .write_attribute_9(tile_cache_write_attribute_9),
+        .write_attribute_10(tile_cache_write_attribute_10),
+        .write_attribute_11(tile_cache_write_attribute_11),
+        .write_attribute_12(tile_cache_write_attribute_12),
+        .write_cardinal_0(tile_cache_write_cardinal_0),
+        .pixel_valid(tile_cache_pixel_valid),
+        .pixel_ready(tile_cache_pixel_ready),
+        .pixel_end(tile_cache_pixel_end),
+        .pixel_tile(tile_cache_pixel_tile),
+        .pixel_pixel(tile_cache_pixel_pixel),
+        .pixel_weight(tile_cache_pixel_weight),
+        .pixel_depth(tile_cache_pixel_depth),
+        .pixel_peak(tile_cache_pixel_peak),
+        .pixel_attribute_0(tile_cache_pixel_attribute_0),
+        .pixel_attribute_1(tile_cache_pixel_attribute_1),
+        .pixel_attribute_2(tile_cache_pixel_attribute_2),
+        .pixel_attribute_3(tile_cache_pixel_attribute_3),
+        .pixel_attribute_4(tile_cache_pixel_attribute_4),
+        .pixel_attribute_5(tile_cache_pixel_attribute_5),
+        .pixel_attribute_6(tile_cache_pixel_attribute_6),
+        .pixel_attribute_7(tile_cache_pixel_attribute_7),
+        .pixel_attribute_8(tile_cache_pixel_attribute_8),
+        .pixel_attribute_9(tile_cache_pixel_attribute_9),
+        .pixel_attribute_10(tile_cache_pixel_attribute_10),
+        .pixel_attribute_11(tile_cache_pixel_attribute_11),
+        .pixel_attribute_12(tile_cache_pixel_attribute_12),
+        .pixel_cardinal_0(tile_cache_pixel_cardinal_0),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid),
+        .retire_slot(accumulator_retire_slot),
+        .frame_end(accumulator_frame_end),
+        .fill_valid(tile_cache_fill_valid),
+        .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel),
+        .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth),
+        .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2),
+        .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4),
+        .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6),
+        .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8),
+        .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10),
+        .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12),
+        .fill_cardinal_0(tile_cache_fill_cardinal_0),
+        .drain_enable(tile_cache_drain_enable),
+        .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth),
+        .drain_peak(accumulator_drain_peak),
+        .drain_attribute_0(accumulator_drain_attribute_0),
+        .drain_attribute_1(accumulator_drain_attribute_1),
+        .drain_attribute_2(accumulator_drain_attribute_2),
+        .drain_attribute_3(accumulator_drain_attribute_3),
+        .drain_attribute_4(accumulator_drain_attribute_4),
+        .drain_attribute_5(accumulator_drain_attribute_5),
+        .drain_attribute_6(accumulator_drain_attribute_6),
+        .drain_attribute_7(accumulator_drain_attribute_7),
+        .drain_attribute_8(accumulator_drain_attribute_8),
+        .drain_attribute_9(accumulator_drain_attribute_9),
+        .drain_attribute_10(accumulator_drain_attribute_10),
+        .drain_attribute_11(accumulator_drain_attribute_11),
+        .drain_attribute_12(accumulator_drain_attribute_12),
+        .drain_cardinal_0(accumulator_drain_cardinal_0)
+    );
+
+    core_a_rasterizer rasterizer (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(tile_cache_out_valid),
+        .in_ready(rasterizer_in_ready),
+        .in_end(tile_cache_out_end),
+        .in_center_x(tile_cache_out_center_x),
+        .in_center_y(tile_cache_out_center_y),
+        .in_ax(tile_cache_out_ax),
+        .in_bx(tile_cache_out_bx),
+        .in_ay(tile_cache_out_ay),
+        .in_by(tile_cache_out_by),
+        .in_delta(tile_cache_out_delta),
+        .in_mx(tile_cache_out_mx),
+        .in_my(tile_cache_out_my),
+        .in_depth(tile_cache_out_depth),
+        .in_depth_low(tile_cache_out_depth_low),
+        .in_depth_high(tile_cache_out_depth_high),
+        .in_attribute_0(tile_cache_out_attribute_0),
+        .in_attribute_1(tile_cache_out_attribute_1),
+        .in_attribute_2(tile_cache_out_attribute_2),
+        .in_attribute_3(tile_cache_out_attribute_3),
+        .in_attribute_4(tile_cache_out_attribute_4),
+        .in_attribute_5(tile_cache_out_attribute_5),
+        .in_attribute_6(tile_cache_out_attribute_6),
+        .in_attribute_7(tile_cache_out_attribute_7),
+        .in_attribute_8(tile_cache_out_attribute_8),
+        .in_attribute_9(tile_cache_out_attribute_9),
+        .in_attribute_10(tile_cache_out_attribute_10),
+        .in_attribute_11(tile_cache_out_attribute_11),
+        .in_attribute_12(tile_cache_out_attribute_12),
+        .in_cardinal_0(tile_cache_out_cardinal_0),
+        .in_left(tile_cache_out_left),
+        .in_right(tile_cache_out_right),
+        .in_top(tile_cache_out_top),
+        .in_bottom(tile_cache_out_bottom),
+        .in_tile(tile_cache_out_tile),
+        .in_slot(tile_cache_out_slot),
+        .out_valid(rasterizer_out_valid),
+        .out_ready(rasterizer_out_ready),
+        .out_end(rasterizer_out_end),
+        .out_last(rasterizer_out_last),
+        .out_inside(rasterizer_out_inside),
+        .out_slot(rasterizer_out_slot),
+        .out_pixel(rasterizer_out_pixel),
+        .out_weight(rasterizer_out_weight),
+        .out_depth(rasterizer_out_depth),
+        .out_depth_low(rasterizer_out_depth_low),
+        .out_depth_high(rasterizer_out_depth_high),
+        .out_attribute_0(rasterizer_out_attribute_0),
+        .out_attribute_1(rasterizer_out_attribute_1),
+        .out_attribute_2(rasterizer_out_attribute_2),
+        .out_attribute_3(rasterizer_out_attribute_3),
+        .out_attribute_4(rasterizer_out_attribute_4),
+        .out_attribute_5(rasterizer_out_attribute_5),
+        .out_attribute_6(rasterizer_out_attribute_6),
+        .out_attribute_7(rasterizer_out_attribute_7),
+        .out_attribute_8(rasterizer_out_attribute_8),
+        .out_attribute_9(rasterizer_out_attribute_9),
+        .out_attribute_10(rasterizer_out_attribute_10),
+        .out_attribute_11(rasterizer_out_attribute_11),
+        .out_attribute_12(rasterizer_out_attribute_12),
+        .out_cardinal_0(rasterizer_out_cardinal_0),
+        .filter_scale(uniform_filter_scale),
+        .event_sample(rasterizer_event_sample),
+        .event_starved(rasterizer_event_starved),
+        .event_blocked(rasterizer_event_blocked)
+    );
+
+    core_a_weighting weighting (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(rasterizer_out_valid),
+        .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end),
+        .in_last(rasterizer_out_last),
+        .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot),
+        .in_pixel(rasterizer_out_pixel),
+        .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth),
+        .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high),
+        .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1),
+        .in_attribute_2(rasterizer_out_attribute_2),
+        .in_attribute_3(rasterizer_out_attribute_3),
+        .in_attribute_4(rasterizer_out_attribute_4),
+        .in_attribute_5(rasterizer_out_attribute_5),
+        .in_attribute_6(rasterizer_out_attribute_6),
+        .in_attribute_7(rasterizer_out_attribute_7),
+        .in_attribute_8(rasterizer_out_attribute_8),
+        .in_attribute_9(rasterizer_out_attribute_9),
+        .in_attribute_10(rasterizer_out_attribute_10),
+        .in_attribute_11(rasterizer_out_attribute_11),
+        .in_attribute_12(rasterizer_out_attribute_12),
+        .in_cardinal_0(rasterizer_out_cardinal_0),
+        .out_valid(weighting_out_valid),
+        .out_ready(weighting_out_ready),
+        .out_end(weighting_out_end),
+        .out_last(weighting_out_last),
+        .out_inside(weighting_out_inside),
+        .out_slot(weighting_out_slot),
+        .out_pixel(weighting_out_pixel),
+        .out_weight(weighting_out_weight),
+        .out_weighted_depth(weighting_out_weighted_depth),
+        .out_depth_low(weighting_out_depth_low),
+        .out_depth_high(weighting_out_depth_high),
+        .out_attribute_0(weighting_out_attribute_0),
+        .out_attribute_1(weighting_out_attribute_1),
+        .out_attribute_2(weighting_out_attribute_2),
+        .out_attribute_3(weighting_out_attribute_3),
+        .out_attribute_4(weighting_out_attribute_4),
+        .out_attribute_5(weighting_out_attribute_5),
+        .out_attribute_6(weighting_out_attribute_6),
+        .out_attribute_7(weighting_out_attribute_7),
+        .out_attribute_8(weighting_out_attribute_8),
+        .out_attribute_9(weighting_out_attribute_9),
+        .out_attribute_10(weighting_out_attribute_10),
+        .out_attribute_11(weighting_out_attribute_11),
+        .out_attribute_12(weighting_out_attribute_12),
+        .out_cardinal_0(weighting_out_cardinal_0)
+    );
+
+    core_a_accumulator accumulator (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(weighting_out_valid),
+        .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end),
+        .in_last(weighting_out_last),
+        .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot),
+        .in_pixel(weighting_out_pixel),
+        .in_weight(weighting_out_weight),
+        .in_weighted_depth(weighting_out_weighted_depth),
+        .in_depth_low(weighting_out_depth_low),
+        .in_depth_high(weighting_out_depth_high),
+        .in_attribute_0(weighting_out_attribute_0),
+        .in_attribute_1(weighting_out_attribute_1),
+        .in_attribute_2(weighting_out_attribute_2),
+        .in_attribute_3(weighting_out_attribute_3),
+        .in_attribute_4(weighting_out_attribute_4),
+        .in_attribute_5(weighting_out_attribute_5),
+        .in_attribute_6(weighting_out_attribute_6),
+        .in_attribute_7(weighting_out_attribute_7),
+        .in_attribute_8(weighting_out_attribute_8),
+        .in_attribute_9(weighting_out_attribute_9),
+        .in_attribute_10(weighting_out_attribute_10),
+        .in_attribute_11(weighting_out_attribute_11),
+        .in_attribute_12(weighting_out_attribute_12),
+        .in_cardinal_0(weighting_out_cardinal_0),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid),
+        .retire_slot(accumulator_retire_slot),
+        .frame_end(accumulator_frame_end),
+        .fill_valid(tile_cache_fill_valid),
+        .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel),
+        .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth),
+        .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2),
+        .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4),
+        .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6),
+        .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8),
+        .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10),
+        .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12),
+        .fill_cardinal_0(tile_cache_fill_cardinal_0),
+        .drain_enable(tile_cache_drain_enable),
+        .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth),
+        .drain_peak(accumulator_drain_peak),
+        .drain_attribute_0(accumulator_drain_attribute_0),
+        .drain_attribute_1(accumulator_drain_attribute_1),
+        .drain_attribute_2(accumulator_drain_attribute_2),
+        .drain_attribute_3(accumulator_drain_attribute_3),
+        .drain_attribute_4(accumulator_drain_attribute_4),
+        .drain_attribute_5(accumulator_drain_attribute_5),
+        .drain_attribute_6(accumulator_drain_attribute_6),
+        .drain_attribute_7(accumulator_drain_attribute_7),
+        .drain_attribute_8(accumulator_drain_attribute_8),
+        .drain_attribute_9(accumulator_drain_attribute_9),
+        .drain_attribute_10(accumulator_drain_attribute_10),
+        .drain_attribute_11(accumulator_drain_attribute_11),
+        .drain_attribute_12(accumulator_drain_attribute_12),
+        .drain_cardinal_0(accumulator_drain_cardinal_0),
+        .event_accumulate(accumulator_event_accumulate),
+        .event_hazard(accumulator_event_hazard),
+        .event_slot_wait(accumulator_event_slot_wait)
+    );
+
+    core_a_normalizer normalizer (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(tile_cache_pixel_valid),
+        .in_ready(normalizer_in_ready),
+        .in_end(tile_cache_pixel_end),
+        .in_tile(tile_cache_pixel_tile),
+        .in_pixel(tile_cache_pixel_pixel),
+        .in_weight(tile_cache_pixel_weight),
+        .in_depth(tile_cache_pixel_depth),
+        .in_peak(tile_cache_pixel_peak),
+        .in_attribute_0(tile_cache_pixel_attribute_0),
+        .in_attribute_1(tile_cache_pixel_attribute_1),
+        .in_attribute_2(tile_cache_pixel_attribute_2),
+        .in_attribute_3(tile_cache_pixel_attribute_3),
+        .in_attribute_4(tile_cache_pixel_attribute_4),
+        .in_attribute_5(tile_cache_pixel_attribute_5),
+        .in_attribute_6(tile_cache_pixel_attribute_6),
+        .in_attribute_7(tile_cache_pixel_attribute_7),
+        .in_attribute_8(tile_cache_pixel_attribute_8),
+        .in_attribute_9(tile_cache_pixel_attribute_9),
+        .in_attribute_10(tile_cache_pixel_attribute_10),
+        .in_attribute_11(tile_cache_pixel_attribute_11),
+        .in_attribute_12(tile_cache_pixel_attribute_12),
+        .in_cardinal_0(tile_cache_pixel_cardinal_0),
+        .out_valid(normalizer_out_valid),
+        .out_ready(normalizer_out_ready),
+        .out_end(normalizer_out_end),
+        .out_column(normalizer_out_column),
+        .out_row(normalizer_out_row),
+        .out_depth(normalizer_out_depth),
+        .out_attribute_0(normalizer_out_attribute_0),
+        .out_attribute_1(normalizer_out_attribute_1),
+        .out_attribute_2(normalizer_out_attribute_2),
+        .out_attribute_3(normalizer_out_attribute_3),
+        .out_attribute_4(normalizer_out_attribute_4),
+        .out_attribute_5(normalizer_out_attribute_5),
+        .out_attribute_6(normalizer_out_attribute_6),
+        .out_attribute_7(normalizer_out_attribute_7),
+        .out_attribute_8(normalizer_out_attribute_8),
+        .out_attribute_9(normalizer_out_attribute_9),
+        .out_attribute_10(normalizer_out_attribute_10),
+        .out_attribute_11(normalizer_out_attribute_11),
+        .out_attribute_12(normalizer_out_attribute_12),
+        .out_cardinal_0(normalizer_out_cardinal_0)
+    );
+
+    always @(posedge clk) begin
+        if (uniform_valid & (uniform_address == 5'd0)) begin
+            uniform_m00 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd1)) begin
+            uniform_m01 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd2)) begin
+            uniform_m02 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd3)) begin
+            uniform_m03 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd4)) begin
+            uniform_m10 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd5)) begin
+            uniform_m11 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd6)) begin
+            uniform_m12 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd7)) begin
+            uniform_m13 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd8)) begin
+            uniform_m20 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd9)) begin
+            uniform_m21 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd10)) begin
+            uniform_m22 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd11)) begin
+            uniform_m23 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd12)) begin
+            uniform_scale_x <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd13)) begin
+            uniform_scale_y <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd14)) begin
+            uniform_origin_x <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd15)) begin
+            uniform_origin_y <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd16)) begin
+            uniform_depth_a <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd17)) begin
+            uniform_depth_b <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd18)) begin
+            uniform_near_plane <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd19)) begin
+            uniform_epsilon_scale <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd20)) begin
+            uniform_epsilon_bias <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd21)) begin
+            uniform_filter_radius <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd22)) begin
+            uniform_filter_scale <= uniform_data;
+        end
+    end
+endmodule
+
+// A finished pixel's sums divided by its weight.
+// latency = 39
+// initiation_interval = 1
+module core_a_normalizer (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [11:0] in_tile,
+    input  wire [5:0] in_pixel,
+    input  wire [27:0] in_weight,
+    input  wire [51:0] in_depth,
+    input  wire [15:0] in_peak,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [8:0] out_column,
+    output wire [8:0] out_row,
+    output wire [31:0] out_depth,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    (* ram_style = "distributed" *)
+    reg [239:0] delay_28_from_0 [0:26];
+    (* ram_style = "distributed" *)
+    reg [34:0] delay_39_from_0 [0:37];
+    reg [4:0] delay_28_from_0_pointer;
+    reg [239:0] delay_28_from_0_out;
+    reg [5:0] delay_39_from_0_pointer;
+    reg [34:0] delay_39_from_0_out;
+    reg [31:0] mul_23_d1;
+    reg [31:0] mul_23_d2;
+    reg [31:0] mul_23_d3;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+    reg valid_d11;
+    reg valid_d12;
+    reg valid_d13;
+    reg valid_d14;
+    reg valid_d15;
+    reg valid_d16;
+    reg valid_d17;
+    reg valid_d18;
+    reg valid_d19;
+    reg valid_d20;
+    reg valid_d21;
+    reg valid_d22;
+    reg valid_d23;
+    reg valid_d24;
+    reg valid_d25;
+    reg valid_d26;
+    reg valid_d27;
+    reg valid_d28;
+    reg valid_d29;
+    reg valid_d30;
+    reg valid_d31;
+    reg valid_d32;
+    reg valid_d33;
+    reg valid_d34;
+    reg valid_d35;
+    reg valid_d36;
+    reg valid_d37;
+    reg valid_d38;
+    reg valid_d39;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire [8:0] queue_out_column;
+    wire [8:0] queue_out_row;
+    wire [31:0] queue_out_depth;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [15:0] queue_out_attribute_3;
+    wire [15:0] queue_out_attribute_4;
+    wire [15:0] queue_out_attribute_5;
+    wire [15:0] queue_out_attribute_6;
+    wire [15:0] queue_out_attribute_7;
+    wire [15:0] queue_out_attribute_8;
+    wire [15:0] queue_out_attribute_9;
+    wire [15:0] queue_out_attribute_10;
+    wire [15:0] queue_out_attribute_11;
+    wire [15:0] queue_out_attribute_12;
+    wire [15:0] queue_out_cardinal_0;
+    wire [31:0] to_float_u28q16_f32_ftz_unit_y;
+    wire [31:0] recip_f32_ftz_unit_y;
+    wire [31:0] to_float_u52q40_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_f32_ftz_unit_copy4_y;
+    wire [31:0] mul_f32_ftz_unit_copy5_y;
+    wire [31:0] mul_f32_ftz_unit_copy6_y;
+    wire [31:0] mul_f32_ftz_unit_copy7_y;
+    wire [31:0] mul_f32_ftz_unit_copy8_y;
+    wire [31:0] mul_f32_ftz_unit_copy9_y;
+    wire [31:0] mul_f32_ftz_unit_copy10_y;
+    wire [31:0] mul_f32_ftz_unit_copy11_y;
+    wire [31:0] mul_f32_ftz_unit_copy12_y;
+    wire [31:0] mul_f32_ftz_unit_copy13_y;
+    wire [31:0] mul_f32_ftz_unit_copy14_y;
+    wire [31:0] convert_f16_f32_ftz_unit_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy2_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy3_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy4_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy5_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy6_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy7_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy8_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy9_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy10_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy11_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy12_y;
+    wire [31:0] convert_f16_f32_ftz_unit_copy13_y;
+    wire [15:0] convert_f32_ftz_f16_unit_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy2_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy3_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy4_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy5_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy6_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy7_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy8_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy9_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy10_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy11_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy12_y;
+    wire [15:0] convert_f32_ftz_f16_unit_copy13_y;
+
+    assign in_ready = queue_in_ready;
+    wire queue_out_ready = out_ready;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_column = queue_out_column;
+    assign out_row = queue_out_row;
+    assign out_depth = queue_out_depth;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+    assign out_attribute_3 = queue_out_attribute_3;
+    assign out_attribute_4 = queue_out_attribute_4;
+    assign out_attribute_5 = queue_out_attribute_5;
+    assign out_attribute_6 = queue_out_attribute_6;
+    assign out_attribute_7 = queue_out_attribute_7;
+    assign out_attribute_8 = queue_out_attribute_8;
+    assign out_attribute_9 = queue_out_attribute_9;
+    assign out_attribute_10 = queue_out_attribute_10;
+    assign out_attribute_11 = queue_out_attribute_11;
+    assign out_attribute_12 = queue_out_attribute_12;
+    assign out_cardinal_0 = queue_out_cardinal_0;
+
+    stream_skid_w275 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d39),
+        .in_ready(queue_in_ready),
+        .in_end(delay_39_from_0_out[0]),
+        .in_column(delay_39_from_0_out[25:17]),
+        .in_row(delay_39_from_0_out[34:26]),
+        .in_depth(mul_23_d3),
+        .in_attribute_0(convert_f32_ftz_f16_unit_y),
+        .in_attribute_1(convert_f32_ftz_f16_unit_copy2_y),
+        .in_attribute_2(convert_f32_ftz_f16_unit_copy3_y),
+        .in_attribute_3(convert_f32_ftz_f16_unit_copy4_y),
+        .in_attribute_4(convert_f32_ftz_f16_unit_copy5_y),
+        .in_attribute_5(convert_f32_ftz_f16_unit_copy6_y),
+        .in_attribute_6(convert_f32_ftz_f16_unit_copy7_y),
+        .in_attribute_7(convert_f32_ftz_f16_unit_copy8_y),
+        .in_attribute_8(convert_f32_ftz_f16_unit_copy9_y),
+        .in_attribute_9(convert_f32_ftz_f16_unit_copy10_y),
+        .in_attribute_10(convert_f32_ftz_f16_unit_copy11_y),
+        .in_attribute_11(convert_f32_ftz_f16_unit_copy12_y),
+        .in_attribute_12(convert_f32_ftz_f16_unit_copy13_y),
+        .in_cardinal_0(delay_39_from_0_out[16:1]),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_column(queue_out_column),
+        .out_row(queue_out_row),
+        .out_depth(queue_out_depth),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2),
+        .out_attribute_3(queue_out_attribute_3),
+        .out_attribute_4(queue_out_attribute_4),
+        .out_attribute_5(queue_out_attribute_5),
+        .out_attribute_6(queue_out_attribute_6),
+        .out_attribute_7(queue_out_attribute_7),
+        .out_attribute_8(queue_out_attribute_8),
+        .out_attribute_9(queue_out_attribute_9),
+        .out_attribute_10(queue_out_attribute_10),
+        .out_attribute_11(queue_out_attribute_11),
+        .out_attribute_12(queue_out_attribute_12),
+        .out_cardinal_0(queue_out_cardinal_0)
+    );
+
+    float_from_fixed_s3_formatf32ftz_w28_fraction16 to_float_u28q16_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(in_weight),
+        .y(to_float_u28q16_f32_ftz_unit_y)
+    );
+
+    float_recip recip_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u28q16_f32_ftz_unit_y),
+        .y(recip_f32_ftz_unit_y)
+    );
+
+    float_from_fixed_s3_formatf32ftz_w52_fraction40 to_float_u52q40_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(in_depth),
+        .y(to_float_u52q40_f32_ftz_unit_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(delay_28_from_0_out[31:0]),
+        .y(mul_f32_ftz_unit_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_y),
+        .y(mul_f32_ftz_unit_copy2_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy2_y),
+        .y(mul_f32_ftz_unit_copy3_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy3_y),
+        .y(mul_f32_ftz_unit_copy4_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy4_y),
+        .y(mul_f32_ftz_unit_copy5_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy5_y),
+        .y(mul_f32_ftz_unit_copy6_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy6_y),
+        .y(mul_f32_ftz_unit_copy7_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy7_y),
+        .y(mul_f32_ftz_unit_copy8_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy8_y),
+        .y(mul_f32_ftz_unit_copy9_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy9_y),
+        .y(mul_f32_ftz_unit_copy10_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy10_y),
+        .y(mul_f32_ftz_unit_copy11_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy11_y),
+        .y(mul_f32_ftz_unit_copy12_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy12_y),
+        .y(mul_f32_ftz_unit_copy13_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy14 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f32_ftz_unit_y),
+        .b(convert_f16_f32_ftz_unit_copy13_y),
+        .y(mul_f32_ftz_unit_copy14_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[47:32]),
+        .y(convert_f16_f32_ftz_unit_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[63:48]),
+        .y(convert_f16_f32_ftz_unit_copy2_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[79:64]),
+        .y(convert_f16_f32_ftz_unit_copy3_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[95:80]),
+        .y(convert_f16_f32_ftz_unit_copy4_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[111:96]),
+        .y(convert_f16_f32_ftz_unit_copy5_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[127:112]),
+        .y(convert_f16_f32_ftz_unit_copy6_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[143:128]),
+        .y(convert_f16_f32_ftz_unit_copy7_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[159:144]),
+        .y(convert_f16_f32_ftz_unit_copy8_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[175:160]),
+        .y(convert_f16_f32_ftz_unit_copy9_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[191:176]),
+        .y(convert_f16_f32_ftz_unit_copy10_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[207:192]),
+        .y(convert_f16_f32_ftz_unit_copy11_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[223:208]),
+        .y(convert_f16_f32_ftz_unit_copy12_y)
+    );
+
+    float_convert_ff16_tf32ftz convert_f16_f32_ftz_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_28_from_0_out[239:224]),
+        .y(convert_f16_f32_ftz_unit_copy13_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy2_y),
+        .y(convert_f32_ftz_f16_unit_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy3_y),
+        .y(convert_f32_ftz_f16_unit_copy2_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy4_y),
+        .y(convert_f32_ftz_f16_unit_copy3_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy5_y),
+        .y(convert_f32_ftz_f16_unit_copy4_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy6_y),
+        .y(convert_f32_ftz_f16_unit_copy5_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy7_y),
+        .y(convert_f32_ftz_f16_unit_copy6_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy8_y),
+        .y(convert_f32_ftz_f16_unit_copy7_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy9_y),
+        .y(convert_f32_ftz_f16_unit_copy8_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy10_y),
+        .y(convert_f32_ftz_f16_unit_copy9_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy11_y),
+        .y(convert_f32_ftz_f16_unit_copy10_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy12_y),
+        .y(convert_f32_ftz_f16_unit_copy11_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy13_y),
+        .y(convert_f32_ftz_f16_unit_copy12_y)
+    );
+
+    float_convert_ff32ftz_tf16 convert_f32_ftz_f16_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy14_y),
+        .y(convert_f32_ftz_f16_unit_copy13_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            delay_28_from_0_pointer <= 5'd0;
+            delay_39_from_0_pointer <= 6'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+            valid_d11 <= 1'd0;
+            valid_d12 <= 1'd0;
+            valid_d13 <= 1'd0;
+            valid_d14 <= 1'd0;
+            valid_d15 <= 1'd0;
+            valid_d16 <= 1'd0;
+            valid_d17 <= 1'd0;
+            valid_d18 <= 1'd0;
+            valid_d19 <= 1'd0;
+            valid_d20 <= 1'd0;
+            valid_d21 <= 1'd0;
+            valid_d22 <= 1'd0;
+            valid_d23 <= 1'd0;
+            valid_d24 <= 1'd0;
+            valid_d25 <= 1'd0;
+            valid_d26 <= 1'd0;
+            valid_d27 <= 1'd0;
+            valid_d28 <= 1'd0;
+            valid_d29 <= 1'd0;
+            valid_d30 <= 1'd0;
+            valid_d31 <= 1'd0;
+            valid_d32 <= 1'd0;
+            valid_d33 <= 1'd0;
+            valid_d34 <= 1'd0;
+            valid_d35 <= 1'd0;
+            valid_d36 <= 1'd0;
+            valid_d37 <= 1'd0;
+            valid_d38 <= 1'd0;
+            valid_d39 <= 1'd0;
+        end else if (queue_in_ready) begin
+            delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
+            delay_39_from_0_pointer <= (delay_39_from_0_pointer == 6'd37) ? (delay_39_from_0_pointer - 6'd37) : (delay_39_from_0_pointer + 6'd1);
+            valid_d1 <= in_valid;
+            valid_d2 <= valid_d1;
+            valid_d3 <= valid_d2;
+            valid_d4 <= valid_d3;
+            valid_d5 <= valid_d4;
+            valid_d6 <= valid_d5;
+            valid_d7 <= valid_d6;
+            valid_d8 <= valid_d7;
+            valid_d9 <= valid_d8;
+            valid_d10 <= valid_d9;
+            valid_d11 <= valid_d10;
+            valid_d12 <= valid_d11;
+            valid_d13 <= valid_d12;
+            valid_d14 <= valid_d13;
+            valid_d15 <= valid_d14;
+            valid_d16 <= valid_d15;
+            valid_d17 <= valid_d16;
+            valid_d18 <= valid_d17;
+            valid_d19 <= valid_d18;
+            valid_d20 <= valid_d19;
+            valid_d21 <= valid_d20;
+            valid_d22 <= valid_d21;
+            valid_d23 <= valid_d22;
+            valid_d24 <= valid_d23;
+            valid_d25 <= valid_d24;
+            valid_d26 <= valid_d25;
+            valid_d27 <= valid_d26;
+            valid_d28 <= valid_d27;
+            valid_d29 <= valid_d28;
+            valid_d30 <= valid_d29;
+            valid_d31 <= valid_d30;
+            valid_d32 <= valid_d31;
+            valid_d33 <= valid_d32;
+            valid_d34 <= valid_d33;
+            valid_d35 <= valid_d34;
+            valid_d36 <= valid_d35;
+            valid_d37 <= valid_d36;
+            valid_d38 <= valid_d37;
+            valid_d39 <= valid_d38;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            mul_23_d1 <= mul_f32_ftz_unit_y;
+            mul_23_d2 <= mul_23_d1;
+            mul_23_d3 <= mul_23_d2;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_28_from_0[delay_28_from_0_pointer] <= {
+                in_attribute_12,
+                in_attribute_11,
+                in_attribute_10,
+                in_attribute_9,
+                in_attribute_8,
+                in_attribute_7,
+                in_attribute_6,
+                in_attribute_5,
+                in_attribute_4,
+                in_attribute_3,
+                in_attribute_2,
+                in_attribute_1,
+                in_attribute_0,
+                to_float_u52q40_f32_ftz_unit_y
+            };
+        end
+        if (queue_in_ready) begin
+            delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_39_from_0[delay_39_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
+        end
+        if (queue_in_ready) begin
+            delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
+        end
+    end
+
+    wire _unused = &{1'b0, in_peak};
+endmodule
+
+// Floating-point format conversion.
+// stages = 3
+// from = f32-ftz
+// to = f16
+module float_convert_ff32ftz_tf16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    output reg  [15:0] y
+);
+    reg [9:0] distance_s1;
+    reg [12:0] significand_s1;
+    reg [12:0] significand_s2;
+    reg [9:0] exponent_s1;
+    reg [9:0] exponent_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire [7:0] a_field = a[30:23];
+    wire [9:0] sum_1 = {2'd0, a_field} + 10'd912;
+    wire term_2 = sum_1[9] | (sum_1 == 10'd0);
+    wire [22:0] a_fraction = a[22:0];
+    wire [22:0] term_3 = a_fraction & {23{|a_field}};
+    wire [12:0] choice_4 = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
+    wire [12:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
+    wire [12:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
+    wire [12:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
+    wire term_8 = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |choice_4[3:0]);
+    wire term_9 = term_8 | (distance_s1[1] & |choice_5[1:0]) | (distance_s1[0] & choice_6[0]);
+    wire term_10 = infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2));
+    wire [14:0] joined_11 = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [14:0] rounded = joined_11 + {14'd0, round_up};
+    wire [15:0] joined_12 = {sign_s2, zero_s2 ? 15'd0 : term_10 ? 15'h7c00 : rounded};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= (10'd1 - sum_1) & {10{term_2}};
+            significand_s1 <= {|a_field, term_3[22:12], |term_3[11:0]};
+            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : {choice_7[12:1], choice_7[0] | term_9};
+            exponent_s1 <= term_2 ? 10'd1 : sum_1;
+            exponent_s2 <= exponent_s1;
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            infinite_s1 <= &a_field & (a_fraction == 23'd0);
+            infinite_s2 <= infinite_s1;
+            zero_s1 <= ~(|a_field);
+            zero_s2 <= zero_s1;
+            y <= nan_s2 ? 16'h7e00 : joined_12;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Floating-point format conversion.
+// stages = 3
+// from = f16
+// to = f32-ftz
+module float_convert_ff16_tf32ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    output reg  [31:0] y
+);
+    reg [3:0] a_zeros_s1;
+    reg [7:0] a_exponent_s1;
+    reg [10:0] a_significand_s1;
+    reg [9:0] exponent_s2;
+    reg [25:0] significand_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire [4:0] a_field = a[14:10];
+    wire term_1 = ~(|a_field);
+    wire [9:0] a_fraction = a[9:0];
+    wire term_2 = term_1 & ~a_fraction[9];
+    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
+    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
+    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
+    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
+    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
+    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
+    wire [7:0] difference_9 = a_exponent_s1 - {4'd0, a_zeros_s1};
+    wire term_10 = (exponent_s2 == 10'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
+    wire term_11 = infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2));
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_12 = (zero_s2 | ((exponent_s2[9] | term_10) & ~infinite_s2)) ? 31'd0 : term_11 ? 31'h7f800000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_zeros_s1 <= {term_5, choice_8};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_significand_s1 <= {|a_field, a_fraction};
+            exponent_s2 <= {{2{difference_9[7]}}, difference_9} + 10'd112;
+            significand_s2 <= {a_significand_s1 << a_zeros_s1, 15'd0};
+            sign_s1 <= a[15];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            infinite_s1 <= &a_field & (a_fraction == 10'd0);
+            infinite_s2 <= infinite_s1;
+            zero_s1 <= ~(|a_field | |a_fraction);
+            zero_s2 <= zero_s1;
+            y <= nan_s2 ? 32'h7fc00000 : {sign_s2, choice_12};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s2[25]};
+endmodule
+
+// Fixed to floating point.
+// stages = 3
+// format = f32-ftz
+// width = 52
+// fraction = 40
+// integer = unsigned
+module float_from_fixed_s3_formatf32ftz_w52_fraction40 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [51:0] a,
+    output reg  [31:0] y
+);
+    reg [51:0] magnitude_s1;
+    reg [5:0] zeros_s1;
+    reg [8:0] exponent_s2;
+    reg [25:0] significand_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire term_1 = ~a[51] & ~a[50];
+    wire term_2 = term_1 & (~a[49] & ~a[48]);
+    wire term_3 = ~a[47] & ~a[46];
+    wire term_4 = term_2 & (term_3 & (~a[45] & ~a[44]));
+    wire term_5 = ~a[43] & ~a[42];
+    wire term_6 = term_5 & (~a[41] & ~a[40]);
+    wire term_7 = ~a[39] & ~a[38];
+    wire term_8 = term_4 & (term_6 & (term_7 & (~a[37] & ~a[36])));
+    wire term_9 = ~a[35] & ~a[34];
+    wire term_10 = term_9 & (~a[33] & ~a[32]);
+    wire term_11 = ~a[31] & ~a[30];
+    wire term_12 = term_10 & (term_11 & (~a[29] & ~a[28]));
+    wire term_13 = ~a[27] & ~a[26];
+    wire term_14 = term_13 & (~a[25] & ~a[24]);
+    wire term_15 = ~a[23] & ~a[22];
+    wire term_16 = term_8 & (term_12 & (term_14 & (term_15 & (~a[21] & ~a[20]))));
+    wire term_17 = ~a[19] & ~a[18];
+    wire term_18 = term_17 & (~a[17] & ~a[16]);
+    wire term_19 = ~a[15] & ~a[14];
+    wire term_20 = term_18 & (term_19 & (~a[13] & ~a[12]));
+    wire term_21 = ~a[11] & ~a[10];
+    wire term_22 = term_21 & (~a[9] & ~a[8]);
+    wire term_23 = ~a[7] & ~a[6];
+    wire term_24 = term_20 & (term_22 & (term_23 & (~a[5] & ~a[4])));
+    wire term_25 = ~a[3] & ~a[2];
+    wire term_26 = term_25 & (~a[1] & ~a[0]);
+    wire [3:0] joined_27 = {1'd0, term_26, term_26 ? 2'd0 : {term_25, term_25 ? ~a[1] : ~a[3]}};
+    wire [1:0] choice_28 = term_22 ? {term_23, term_23 ? ~a[5] : ~a[7]} : {term_21, term_21 ? ~a[9] : ~a[11]};
+    wire [1:0] choice_29 = term_18 ? {term_19, term_19 ? ~a[13] : ~a[15]} : {term_17, term_17 ? ~a[17] : ~a[19]};
+    wire [3:0] joined_30 = {term_20, term_20 ? {term_22, choice_28} : {term_18, choice_29}};
+    wire [1:0] choice_31 = term_14 ? {term_15, term_15 ? ~a[21] : ~a[23]} : {term_13, term_13 ? ~a[25] : ~a[27]};
+    wire [1:0] choice_32 = term_10 ? {term_11, term_11 ? ~a[29] : ~a[31]} : {term_9, term_9 ? ~a[33] : ~a[35]};
+    wire [3:0] joined_33 = {term_12, term_12 ? {term_14, choice_31} : {term_10, choice_32}};
+    wire [1:0] choice_34 = term_6 ? {term_7, term_7 ? ~a[37] : ~a[39]} : {term_5, term_5 ? ~a[41] : ~a[43]};
+    wire [1:0] choice_35 = term_2 ? {term_3, term_3 ? ~a[45] : ~a[47]} : {term_1, term_1 ? ~a[49] : ~a[51]};
+    wire [3:0] joined_36 = {term_4, term_4 ? {term_6, choice_34} : {term_2, choice_35}};
+    wire [4:0] choice_37 = term_16 ? {term_24, term_24 ? joined_27 : joined_30} : {term_8, term_8 ? joined_33 : joined_36};
+    wire [51:0] shifted_38 = magnitude_s1 << zeros_s1;
+    wire term_39 = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_40 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
+    wire [30:0] choice_41 = (zero_s2 | (exponent_s2[8] | term_39)) ? 31'd0 : choice_40;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            magnitude_s1 <= a;
+            zeros_s1 <= {term_16, choice_37};
+            exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
+            significand_s2 <= {shifted_38[51:27], |shifted_38[26:0]};
+            zero_s1 <= a == 52'd0;
+            zero_s2 <= zero_s1;
+            y <= {1'd0, choice_41};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s2[25]};
+endmodule
+
+// Fixed to floating point.
+// stages = 3
+// format = f32-ftz
+// width = 28
+// fraction = 16
+// integer = unsigned
+module float_from_fixed_s3_formatf32ftz_w28_fraction16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [27:0] a,
+    output reg  [31:0] y
+);
+    reg [27:0] magnitude_s1;
+    reg [4:0] zeros_s1;
+    reg [8:0] exponent_s2;
+    reg [25:0] significand_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire term_1 = ~a[27] & ~a[26];
+    wire term_2 = term_1 & (~a[25] & ~a[24]);
+    wire term_3 = ~a[23] & ~a[22];
+    wire term_4 = term_2 & (term_3 & (~a[21] & ~a[20]));
+    wire term_5 = ~a[19] & ~a[18];
+    wire term_6 = term_5 & (~a[17] & ~a[16]);
+    wire term_7 = ~a[15] & ~a[14];
+    wire term_8 = term_4 & (term_6 & (term_7 & (~a[13] & ~a[12])));
+    wire term_9 = ~a[11] & ~a[10];
+    wire term_10 = term_9 & (~a[9] & ~a[8]);
+    wire term_11 = ~a[7] & ~a[6];
+    wire term_12 = term_10 & (term_11 & (~a[5] & ~a[4]));
+    wire term_13 = ~a[3] & ~a[2];
+    wire term_14 = term_13 & (~a[1] & ~a[0]);
+    wire [2:0] joined_15 = {term_14, term_14 ? 2'd0 : {term_13, term_13 ? ~a[1] : ~a[3]}};
+    wire [1:0] choice_16 = term_10 ? {term_11, term_11 ? ~a[5] : ~a[7]} : {term_9, term_9 ? ~a[9] : ~a[11]};
+    wire [1:0] choice_17 = term_6 ? {term_7, term_7 ? ~a[13] : ~a[15]} : {term_5, term_5 ? ~a[17] : ~a[19]};
+    wire [1:0] choice_18 = term_2 ? {term_3, term_3 ? ~a[21] : ~a[23]} : {term_1, term_1 ? ~a[25] : ~a[27]};
+    wire [3:0] joined_19 = {term_4, term_4 ? {term_6, choice_17} : {term_2, choice_18}};
+    wire [3:0] choice_20 = term_8 ? {term_12, term_12 ? joined_15 : {term_10, choice_16}} : joined_19;
+    wire [27:0] shifted_21 = magnitude_s1 << zeros_s1;
+    wire term_22 = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_23 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
+    wire [30:0] choice_24 = (zero_s2 | (exponent_s2[8] | term_22)) ? 31'd0 : choice_23;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            magnitude_s1 <= a;
+            zeros_s1 <= {term_8, choice_20};
+            exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
+            significand_s2 <= {shifted_21[27:3], |shifted_21[2:0]};
+            zero_s1 <= a == 28'd0;
+            zero_s2 <= zero_s1;
+            y <= {1'd0, choice_24};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s2[25]};
+endmodule
+
+// Queue of two in registers.
+// width = 275
+module stream_skid_w275 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [8:0] in_column,
+    input  wire [8:0] in_row,
+    input  wire [31:0] in_depth,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [8:0] out_column,
+    output wire [8:0] out_row,
+    output wire [31:0] out_depth,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    reg second_valid;
+    reg [274:0] head;
+    reg [274:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [274:0] in_item = {
+        in_end,
+        in_column,
+        in_row,
+        in_depth,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0
+    };
+
+    assign out_end = head[274];
+    assign out_column = head[273:265];
+    assign out_row = head[264:256];
+    assign out_depth = head[255:224];
+    assign out_attribute_0 = head[223:208];
+    assign out_attribute_1 = head[207:192];
+    assign out_attribute_2 = head[191:176];
+    assign out_attribute_3 = head[175:160];
+    assign out_attribute_4 = head[159:144];
+    assign out_attribute_5 = head[143:128];
+    assign out_attribute_6 = head[127:112];
+    assign out_attribute_7 = head[111:96];
+    assign out_attribute_8 = head[95:80];
+    assign out_attribute_9 = head[79:64];
+    assign out_attribute_10 = head[63:48];
+    assign out_attribute_11 = head[47:32];
+    assign out_attribute_12 = head[31:16];
+    assign out_cardinal_0 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Blends samples into the pixels of the tile slots.
+// slots = 4
+// stages = 6
+module core_a_accumulator (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire [1:0] in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    input  wire [39:0] in_weighted_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [3:0] slot_ready,
+    output reg  retire_valid,
+    output reg  [1:0] retire_slot,
+    output reg  frame_end,
+    input  wire fill_valid,
+    input  wire [1:0] fill_slot,
+    input  wire [5:0] fill_pixel,
+    input  wire [27:0] fill_weight,
+    input  wire [51:0] fill_depth,
+    input  wire [15:0] fill_peak,
+    input  wire [15:0] fill_attribute_0,
+    input  wire [15:0] fill_attribute_1,
+    input  wire [15:0] fill_attribute_2,
+    input  wire [15:0] fill_attribute_3,
+    input  wire [15:0] fill_attribute_4,
+    input  wire [15:0] fill_attribute_5,
+    input  wire [15:0] fill_attribute_6,
+    input  wire [15:0] fill_attribute_7,
+    input  wire [15:0] fill_attribute_8,
+    input  wire [15:0] fill_attribute_9,
+    input  wire [15:0] fill_attribute_10,
+    input  wire [15:0] fill_attribute_11,
+    input  wire [15:0] fill_attribute_12,
+    input  wire [15:0] fill_cardinal_0,
+    input  wire drain_enable,
+    input  wire [1:0] drain_slot,
+    input  wire [5:0] drain_pixel,
+    output wire [27:0] drain_weight,
+    output wire [51:0] drain_depth,
+    output wire [15:0] drain_peak,
+    output wire [15:0] drain_attribute_0,
+    output wire [15:0] drain_attribute_1,
+    output wire [15:0] drain_attribute_2,
+    output wire [15:0] drain_attribute_3,
+    output wire [15:0] drain_attribute_4,
+    output wire [15:0] drain_attribute_5,
+    output wire [15:0] drain_attribute_6,
+    output wire [15:0] drain_attribute_7,
+    output wire [15:0] drain_attribute_8,
+    output wire [15:0] drain_attribute_9,
+    output wire [15:0] drain_attribute_10,
+    output wire [15:0] drain_attribute_11,
+    output wire [15:0] drain_attribute_12,
+    output wire [15:0] drain_cardinal_0,
+    output reg  event_accumulate,
+    output reg  event_hazard,
+    output reg  event_slot_wait
+);
+    reg [319:0] slot_0_pixels [0:63];
+    reg [319:0] slot_1_pixels [0:63];
+    reg [319:0] slot_2_pixels [0:63];
+    reg [319:0] slot_3_pixels [0:63];
+    reg valid_1;
+    reg inside_1;
+    reg last_1;
+    reg [1:0] slot_1;
+    reg [5:0] pixel_1;
+    reg valid_2;
+    reg inside_2;
+    reg last_2;
+    reg [1:0] slot_2;
+    reg [5:0] pixel_2;
+    reg valid_3;
+    reg inside_3;
+    reg last_3;
+    reg [1:0] slot_3;
+    reg [5:0] pixel_3;
+    reg valid_4;
+    reg inside_4;
+    reg last_4;
+    reg [1:0] slot_4;
+    reg [5:0] pixel_4;
+    reg valid_5;
+    reg inside_5;
+    reg last_5;
+    reg [1:0] slot_5;
+    reg [5:0] pixel_5;
+    reg valid_6;
+    reg inside_6;
+    reg last_6;
+    reg [1:0] slot_6;
+    reg [5:0] pixel_6;
+    reg valid_7;
+    reg inside_7;
+    reg last_7;
+    reg [1:0] slot_7;
+    reg [5:0] pixel_7;
+    reg head_valid;
+    reg head_end;
+    reg head_last;
+    reg head_inside;
+    reg [1:0] head_slot;
+    reg [5:0] head_pixel;
+    reg [15:0] head_weight;
+    reg [39:0] head_weighted_depth;
+    reg [23:0] head_depth_low;
+    reg [23:0] head_depth_high;
+    reg [15:0] head_attribute_0;
+    reg [15:0] head_attribute_1;
+    reg [15:0] head_attribute_2;
+    reg [15:0] head_attribute_3;
+    reg [15:0] head_attribute_4;
+    reg [15:0] head_attribute_5;
+    reg [15:0] head_attribute_6;
+    reg [15:0] head_attribute_7;
+    reg [15:0] head_attribute_8;
+    reg [15:0] head_attribute_9;
+    reg [15:0] head_attribute_10;
+    reg [15:0] head_attribute_11;
+    reg [15:0] head_attribute_12;
+    reg [15:0] head_cardinal_0;
+    reg [6:0] collisions;
+    reg [319:0] slot_0_read;
+    reg [319:0] slot_1_read;
+    reg [319:0] slot_2_read;
+    reg [319:0] slot_3_read;
+    reg [319:0] stored;
+    reg [1:0] drained_slot;
+    reg [15:0] sample_1_weight;
+    reg [39:0] sample_1_weighted_depth;
+    reg [23:0] sample_1_depth_low;
+    reg [23:0] sample_1_depth_high;
+    reg [15:0] sample_1_attribute_0;
+    reg [15:0] sample_1_attribute_1;
+    reg [15:0] sample_1_attribute_2;
+    reg [15:0] sample_1_attribute_3;
+    reg [15:0] sample_1_attribute_4;
+    reg [15:0] sample_1_attribute_5;
+    reg [15:0] sample_1_attribute_6;
+    reg [15:0] sample_1_attribute_7;
+    reg [15:0] sample_1_attribute_8;
+    reg [15:0] sample_1_attribute_9;
+    reg [15:0] sample_1_attribute_10;
+    reg [15:0] sample_1_attribute_11;
+    reg [15:0] sample_1_attribute_12;
+    reg [15:0] sample_1_cardinal_0;
+    reg [15:0] sample_2_weight;
+    reg [39:0] sample_2_weighted_depth;
+    reg [23:0] sample_2_depth_low;
+    reg [23:0] sample_2_depth_high;
+    reg [15:0] sample_2_attribute_0;
+    reg [15:0] sample_2_attribute_1;
+    reg [15:0] sample_2_attribute_2;
+    reg [15:0] sample_2_attribute_3;
+    reg [15:0] sample_2_attribute_4;
+    reg [15:0] sample_2_attribute_5;
+    reg [15:0] sample_2_attribute_6;
+    reg [15:0] sample_2_attribute_7;
+    reg [15:0] sample_2_attribute_8;
+    reg [15:0] sample_2_attribute_9;
+    reg [15:0] sample_2_attribute_10;
+    reg [15:0] sample_2_attribute_11;
+    reg [15:0] sample_2_attribute_12;
+    reg [15:0] sample_2_cardinal_0;
+    reg late_fail_3;
+    reg late_fail_4;
+    reg late_pass_3;
+    reg late_pass_4;
+    reg [28:0] weight_sum_3;
+    reg [28:0] weight_sum_4;
+    reg [28:0] weight_sum_5;
+    reg [28:0] weight_sum_6;
+    reg [28:0] weight_sum_7;
+    reg [15:0] weight_3;
+    reg [15:0] weight_4;
+    reg [15:0] weight_5;
+    reg [15:0] weight_6;
+    reg [15:0] weight_7;
+    reg [51:0] depth_sum_3;
+    reg [51:0] depth_sum_4;
+    reg [51:0] depth_sum_5;
+    reg [51:0] depth_sum_6;
+    reg [51:0] depth_sum_7;
+    reg [39:0] depth_3;
+    reg [39:0] depth_4;
+    reg [39:0] depth_5;
+    reg [39:0] depth_6;
+    reg [39:0] depth_7;
+    reg stronger_3;
+    reg stronger_4;
+    reg stronger_5;
+    reg stronger_6;
+    reg stronger_7;
+    reg [15:0] peak_3;
+    reg [15:0] peak_4;
+    reg [15:0] peak_5;
+    reg [15:0] peak_6;
+    reg [15:0] peak_7;
+    reg [15:0] attribute_0_3;
+    reg [15:0] attribute_0_4;
+    reg [15:0] attribute_0_5;
+    reg [15:0] attribute_0_6;
+    reg [15:0] attribute_0_7;
+    reg [15:0] attribute_1_3;
+    reg [15:0] attribute_1_4;
+    reg [15:0] attribute_1_5;
+    reg [15:0] attribute_1_6;
+    reg [15:0] attribute_1_7;
+    reg [15:0] attribute_2_3;
+    reg [15:0] attribute_2_4;
+    reg [15:0] attribute_2_5;
+    reg [15:0] attribute_2_6;
+    reg [15:0] attribute_2_7;
+    reg [15:0] attribute_3_3;
+    reg [15:0] attribute_3_4;
+    reg [15:0] attribute_3_5;
+    reg [15:0] attribute_3_6;
+    reg [15:0] attribute_3_7;
+    reg [15:0] attribute_4_3;
+    reg [15:0] attribute_4_4;
+    reg [15:0] attribute_4_5;
+    reg [15:0] attribute_4_6;
+    reg [15:0] attribute_4_7;
+    reg [15:0] attribute_5_3;
+    reg [15:0] attribute_5_4;
+    reg [15:0] attribute_5_5;
+    reg [15:0] attribute_5_6;
+    reg [15:0] attribute_5_7;
+    reg [15:0] attribute_6_3;
+    reg [15:0] attribute_6_4;
+    reg [15:0] attribute_6_5;
+    reg [15:0] attribute_6_6;
+    reg [15:0] attribute_6_7;
+    reg [15:0] attribute_7_3;
+    reg [15:0] attribute_7_4;
+    reg [15:0] attribute_7_5;
+    reg [15:0] attribute_7_6;
+    reg [15:0] attribute_7_7;
+    reg [15:0] attribute_8_3;
+    reg [15:0] attribute_8_4;
+    reg [15:0] attribute_8_5;
+    reg [15:0] attribute_8_6;
+    reg [15:0] attribute_8_7;
+    reg [15:0] attribute_9_3;
+    reg [15:0] attribute_9_4;
+    reg [15:0] attribute_9_5;
+    reg [15:0] attribute_9_6;
+    reg [15:0] attribute_9_7;
+    reg [15:0] attribute_10_3;
+    reg [15:0] attribute_10_4;
+    reg [15:0] attribute_10_5;
+    reg [15:0] attribute_10_6;
+    reg [15:0] attribute_10_7;
+    reg [15:0] attribute_11_3;
+    reg [15:0] attribute_11_4;
+    reg [15:0] attribute_11_5;
+    reg [15:0] attribute_11_6;
+    reg [15:0] attribute_11_7;
+    reg [15:0] attribute_12_3;
+    reg [15:0] attribute_12_4;
+    reg [15:0] attribute_12_5;
+    reg [15:0] attribute_12_6;
+    reg [15:0] attribute_12_7;
+    reg [15:0] cardinal_0_3;
+    reg [15:0] cardinal_0_4;
+    reg [15:0] cardinal_0_5;
+    reg [15:0] cardinal_0_6;
+    reg [15:0] cardinal_0_7;
+    reg [15:0] stored_cardinal_0_3;
+    reg [15:0] stored_cardinal_0_4;
+    reg [15:0] stored_cardinal_0_5;
+    reg [15:0] stored_cardinal_0_6;
+    reg [15:0] stored_cardinal_0_7;
+
+    wire samples_in_ready;
+    wire samples_out_valid;
+    wire samples_out_end;
+    wire samples_out_last;
+    wire samples_out_inside;
+    wire [1:0] samples_out_slot;
+    wire [5:0] samples_out_pixel;
+    wire [15:0] samples_out_weight;
+    wire [39:0] samples_out_weighted_depth;
+    wire [23:0] samples_out_depth_low;
+    wire [23:0] samples_out_depth_high;
+    wire [15:0] samples_out_attribute_0;
+    wire [15:0] samples_out_attribute_1;
+    wire [15:0] samples_out_attribute_2;
+    wire [15:0] samples_out_attribute_3;
+    wire [15:0] samples_out_attribute_4;
+    wire [15:0] samples_out_attribute_5;
+    wire [15:0] samples_out_attribute_6;
+    wire [15:0] samples_out_attribute_7;
+    wire [15:0] samples_out_attribute_8;
+    wire [15:0] samples_out_attribute_9;
+    wire [15:0] samples_out_attribute_10;
+    wire [15:0] samples_out_attribute_11;
+    wire [15:0] samples_out_attribute_12;
+    wire [15:0] samples_out_cardinal_0;
+    wire depth_test_fail;
+    wire depth_test_pass;
+    wire [15:0] add_attribute_0_y;
+    wire [15:0] add_attribute_1_y;
+    wire [15:0] add_attribute_2_y;
+    wire [15:0] add_attribute_3_y;
+    wire [15:0] add_attribute_4_y;
+    wire [15:0] add_attribute_5_y;
+    wire [15:0] add_attribute_6_y;
+    wire [15:0] add_attribute_7_y;
+    wire [15:0] add_attribute_8_y;
+    wire [15:0] add_attribute_9_y;
+    wire [15:0] add_attribute_10_y;
+    wire [15:0] add_attribute_11_y;
+    wire [15:0] add_attribute_12_y;
+
+    assign in_ready = samples_in_ready;
+    wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_read : slot_2_read) : drained_slot[0] ? slot_1_read : slot_0_read;
+    wire term_1 = head_valid & ~head_end;
+    wire may_issue_inside = term_1 & head_inside;
+    wire [3:0] shifted_2 = slot_ready >> head_slot;
+    wire arrived = shifted_2[0];
+    wire slot_wait = may_issue_inside & ~arrived;
+    wire on_the_way = |collisions;
+    wire hazard = may_issue_inside & (arrived & on_the_way);
+    wire issue = term_1 & ~(slot_wait | hazard);
+    wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
+    wire issue_end = head_valid & head_end & ~(term_3 | valid_7);
+    wire head_takes = ~head_valid | (issue | issue_end);
+    wire samples_out_ready = head_takes;
+    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
+    wire term_4 = {samples_out_slot, samples_out_pixel} == {slot_6, pixel_6};
+    wire term_5 = {samples_out_slot, samples_out_pixel} == {slot_5, pixel_5};
+    wire term_6 = {samples_out_slot, samples_out_pixel} == {slot_4, pixel_4};
+    wire term_7 = {samples_out_slot, samples_out_pixel} == {slot_3, pixel_3};
+    wire term_8 = {samples_out_slot, samples_out_pixel} == {slot_2, pixel_2};
+    wire term_9 = {samples_out_slot, samples_out_pixel} == {slot_1, pixel_1};
+    wire term_10 = {samples_out_slot, samples_out_pixel} == {head_slot, head_pixel};
+    wire [6:0] joined_11 = {
+        inside_6 & term_4,
+        inside_5 & term_5,
+        inside_4 & term_6,
+        inside_3 & term_7,
+        inside_2 & term_8,
+        inside_1 & term_9,
+        head_valid & (head_inside & ~head_end) & term_10
+    };
+    wire filling_0 = fill_valid & (fill_slot == 2'd0);
+    wire writes = inside_7 & (~late_fail_4 & (late_pass_4 | ~weight_sum_7[28]));
+    wire [319:0] joined_12 = {
+        fill_weight,
+        fill_depth,
+        fill_peak,
+        fill_attribute_0,
+        fill_attribute_1,
+        fill_attribute_2,
+        fill_attribute_3,
+        fill_attribute_4,
+        fill_attribute_5,
+        fill_attribute_6,
+        fill_attribute_7,
+        fill_attribute_8,
+        fill_attribute_9,
+        fill_attribute_10,
+        fill_attribute_11,
+        fill_attribute_12,
+        fill_cardinal_0
+    };
+    wire selected = late_pass_4 | stronger_7;
+    wire [319:0] result = {
+        late_pass_4 ? {12'd0, weight_7} : weight_sum_7[27:0],
+        late_pass_4 ? {12'd0, depth_7} : depth_sum_7,
+        selected ? weight_7 : peak_7,
+        late_pass_4 ? attribute_0_7 : add_attribute_0_y,
+        late_pass_4 ? attribute_1_7 : add_attribute_1_y,
+        late_pass_4 ? attribute_2_7 : add_attribute_2_y,
+        late_pass_4 ? attribute_3_7 : add_attribute_3_y,
+        late_pass_4 ? attribute_4_7 : add_attribute_4_y,
+        late_pass_4 ? attribute_5_7 : add_attribute_5_y,
+        late_pass_4 ? attribute_6_7 : add_attribute_6_y,
+        late_pass_4 ? attribute_7_7 : add_attribute_7_y,
+        late_pass_4 ? attribute_8_7 : add_attribute_8_y,
+        late_pass_4 ? attribute_9_7 : add_attribute_9_y,
+        late_pass_4 ? attribute_10_7 : add_attribute_10_y,
+        late_pass_4 ? attribute_11_7 : add_attribute_11_y,
+        late_pass_4 ? attribute_12_7 : add_attribute_12_y,
+        selected ? cardinal_0_7 : stored_cardinal_0_7
+    };
+    wire filling_1 = fill_valid & (fill_slot == 2'd1);
+    wire filling_2 = fill_valid & (fill_slot == 2'd2);
+    wire filling_3 = fill_valid & (fill_slot == 2'd3);
+
+    assign drain_weight = drained[319:292];
+    assign drain_depth = drained[291:240];
+    assign drain_peak = drained[239:224];
+    assign drain_attribute_0 = drained[223:208];
+    assign drain_attribute_1 = drained[207:192];
+    assign drain_attribute_2 = drained[191:176];
+    assign drain_attribute_3 = drained[175:160];
+    assign drain_attribute_4 = drained[159:144];
+    assign drain_attribute_5 = drained[143:128];
+    assign drain_attribute_6 = drained[127:112];
+    assign drain_attribute_7 = drained[111:96];
+    assign drain_attribute_8 = drained[95:80];
+    assign drain_attribute_9 = drained[79:64];
+    assign drain_attribute_10 = drained[63:48];
+    assign drain_attribute_11 = drained[47:32];
+    assign drain_attribute_12 = drained[31:16];
+    assign drain_cardinal_0 = drained[15:0];
+
+    stream_fifo_d64_w339 samples (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(samples_in_ready),
+        .in_end(in_end),
+        .in_last(in_last),
+        .in_inside(in_inside),
+        .in_slot(in_slot),
+        .in_pixel(in_pixel),
+        .in_weight(in_weight),
+        .in_weighted_depth(in_weighted_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .in_attribute_3(in_attribute_3),
+        .in_attribute_4(in_attribute_4),
+        .in_attribute_5(in_attribute_5),
+        .in_attribute_6(in_attribute_6),
+        .in_attribute_7(in_attribute_7),
+        .in_attribute_8(in_attribute_8),
+        .in_attribute_9(in_attribute_9),
+        .in_attribute_10(in_attribute_10),
+        .in_attribute_11(in_attribute_11),
+        .in_attribute_12(in_attribute_12),
+        .in_cardinal_0(in_cardinal_0),
+        .out_valid(samples_out_valid),
+        .out_ready(samples_out_ready),
+        .out_end(samples_out_end),
+        .out_last(samples_out_last),
+        .out_inside(samples_out_inside),
+        .out_slot(samples_out_slot),
+        .out_pixel(samples_out_pixel),
+        .out_weight(samples_out_weight),
+        .out_weighted_depth(samples_out_weighted_depth),
+        .out_depth_low(samples_out_depth_low),
+        .out_depth_high(samples_out_depth_high),
+        .out_attribute_0(samples_out_attribute_0),
+        .out_attribute_1(samples_out_attribute_1),
+        .out_attribute_2(samples_out_attribute_2),
+        .out_attribute_3(samples_out_attribute_3),
+        .out_attribute_4(samples_out_attribute_4),
+        .out_attribute_5(samples_out_attribute_5),
+        .out_attribute_6(samples_out_attribute_6),
+        .out_attribute_7(samples_out_attribute_7),
+        .out_attribute_8(samples_out_attribute_8),
+        .out_attribute_9(samples_out_attribute_9),
+        .out_attribute_10(samples_out_attribute_10),
+        .out_attribute_11(samples_out_attribute_11),
+        .out_attribute_12(samples_out_attribute_12),
+        .out_cardinal_0(samples_out_cardinal_0)
+    );
+
+    core_a_depth_test depth_test (
+        .clk(clk),
+        .rst(rst),
+        .weight(stored[319:292]),
+        .depth(stored[291:240]),
+        .depth_low(sample_2_depth_low),
+        .depth_high(sample_2_depth_high),
+        .fail(depth_test_fail),
+        .pass(depth_test_pass)
+    );
+
+    float_add_s5_ff16 add_attribute_0 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[223:208]),
+        .b(sample_2_attribute_0),
+        .y(add_attribute_0_y)
+    );
+
+    float_add_s5_ff16 add_attribute_1 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[207:192]),
+        .b(sample_2_attribute_1),
+        .y(add_attribute_1_y)
+    );
+
+    float_add_s5_ff16 add_attribute_2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[191:176]),
+        .b(sample_2_attribute_2),
+        .y(add_attribute_2_y)
+    );
+
+    float_add_s5_ff16 add_attribute_3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[175:160]),
+        .b(sample_2_attribute_3),
+        .y(add_attribute_3_y)
+    );
+
+    float_add_s5_ff16 add_attribute_4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[159:144]),
+        .b(sample_2_attribute_4),
+        .y(add_attribute_4_y)
+    );
+
+    float_add_s5_ff16 add_attribute_5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[143:128]),
+        .b(sample_2_attribute_5),
+        .y(add_attribute_5_y)
+    );
+
+    float_add_s5_ff16 add_attribute_6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[127:112]),
+        .b(sample_2_attribute_6),
+        .y(add_attribute_6_y)
+    );
+
+    float_add_s5_ff16 add_attribute_7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[111:96]),
+        .b(sample_2_attribute_7),
+        .y(add_attribute_7_y)
+    );
+
+    float_add_s5_ff16 add_attribute_8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[95:80]),
+        .b(sample_2_attribute_8),
+        .y(add_attribute_8_y)
+    );
+
+    float_add_s5_ff16 add_attribute_9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[79:64]),
+        .b(sample_2_attribute_9),
+        .y(add_attribute_9_y)
+    );
+
+    float_add_s5_ff16 add_attribute_10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[63:48]),
+        .b(sample_2_attribute_10),
+        .y(add_attribute_10_y)
+    );
+
+    float_add_s5_ff16 add_attribute_11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[47:32]),
+        .b(sample_2_attribute_11),
+        .y(add_attribute_11_y)
+    );
+
+    float_add_s5_ff16 add_attribute_12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[31:16]),
+        .b(sample_2_attribute_12),
+        .y(add_attribute_12_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            retire_valid <= 1'd0;
+            frame_end <= 1'd0;
+            valid_1 <= 1'd0;
+            inside_1 <= 1'd0;
+            valid_2 <= 1'd0;
+            inside_2 <= 1'd0;
+            valid_3 <= 1'd0;
+            inside_3 <= 1'd0;
+            valid_4 <= 1'd0;
+            inside_4 <= 1'd0;
+            valid_5 <= 1'd0;
+            inside_5 <= 1'd0;
+            valid_6 <= 1'd0;
+            inside_6 <= 1'd0;
+            valid_7 <= 1'd0;
+            inside_7 <= 1'd0;
+            head_valid <= 1'd0;
+            event_accumulate <= 1'd0;
+            event_hazard <= 1'd0;
+            event_slot_wait <= 1'd0;
+        end else begin
+            retire_valid <= valid_7 & last_7;
+            frame_end <= issue_end;
+            valid_1 <= issue;
+            inside_1 <= issue_inside;
+            valid_2 <= valid_1;
+            inside_2 <= inside_1;
+            valid_3 <= valid_2;
+            inside_3 <= inside_2;
+            valid_4 <= valid_3;
+            inside_4 <= inside_3;
+            valid_5 <= valid_4;
+            inside_5 <= inside_4;
+            valid_6 <= valid_5;
+            inside_6 <= inside_5;
+            valid_7 <= valid_6;
+            inside_7 <= inside_6;
+            event_accumulate <= issue_inside;
+            event_hazard <= hazard;
+            event_slot_wait <= slot_wait;
+            if (head_takes) begin
+                head_valid <= samples_out_valid;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        retire_slot <= slot_7;
+        last_1 <= head_last;
+        slot_1 <= head_slot;
+        pixel_1 <= head_pixel;
+        last_2 <= last_1;
+        slot_2 <= slot_1;
+        pixel_2 <= pixel_1;
+        last_3 <= last_2;
+        slot_3 <= slot_2;
+        pixel_3 <= pixel_2;
+        last_4 <= last_3;
+        slot_4 <= slot_3;
+        pixel_4 <= pixel_3;
+        last_5 <= last_4;
+        slot_5 <= slot_4;
+        pixel_5 <= pixel_4;
+        last_6 <= last_5;
+        slot_6 <= slot_5;
+        pixel_6 <= pixel_5;
+        last_7 <= last_6;
+        slot_7 <= slot_6;
+        pixel_7 <= pixel_6;
+        collisions <= head_takes ? joined_11 : (collisions << 1);
+        stored <= slot_1[1] ? (slot_1[0] ? slot_3_read : slot_2_read) : slot_1[0] ? slot_1_read : slot_0_read;
+        sample_1_weight <= head_weight;
+        sample_1_weighted_depth <= head_weighted_depth;
+        sample_1_depth_low <= head_depth_low;
+        sample_1_depth_high <= head_depth_high;
+        sample_1_attribute_0 <= head_attribute_0;
+        sample_1_attribute_1 <= head_attribute_1;
+        sample_1_attribute_2 <= head_attribute_2;
+        sample_1_attribute_3 <= head_attribute_3;
+        sample_1_attribute_4 <= head_attribute_4;
+        sample_1_attribute_5 <= head_attribute_5;
+        sample_1_attribute_6 <= head_attribute_6;
+        sample_1_attribute_7 <= head_attribute_7;
+        sample_1_attribute_8 <= head_attribute_8;
+        sample_1_attribute_9 <= head_attribute_9;
+        sample_1_attribute_10 <= head_attribute_10;
+        sample_1_attribute_11 <= head_attribute_11;
+        sample_1_attribute_12 <= head_attribute_12;
+        sample_1_cardinal_0 <= head_cardinal_0;
+        sample_2_weight <= sample_1_weight;
+        sample_2_weighted_depth <= sample_1_weighted_depth;
+        sample_2_depth_low <= sample_1_depth_low;
+        sample_2_depth_high <= sample_1_depth_high;
+        sample_2_attribute_0 <= sample_1_attribute_0;
+        sample_2_attribute_1 <= sample_1_attribute_1;
+        sample_2_attribute_2 <= sample_1_attribute_2;
+        sample_2_attribute_3 <= sample_1_attribute_3;
+        sample_2_attribute_4 <= sample_1_attribute_4;
+        sample_2_attribute_5 <= sample_1_attribute_5;
+        sample_2_attribute_6 <= sample_1_attribute_6;
+        sample_2_attribute_7 <= sample_1_attribute_7;
+        sample_2_attribute_8 <= sample_1_attribute_8;
+        sample_2_attribute_9 <= sample_1_attribute_9;
+        sample_2_attribute_10 <= sample_1_attribute_10;
+        sample_2_attribute_11 <= sample_1_attribute_11;
+        sample_2_attribute_12 <= sample_1_attribute_12;
+        sample_2_cardinal_0 <= sample_1_cardinal_0;
+        late_fail_3 <= depth_test_fail;
+        late_fail_4 <= late_fail_3;
+        late_pass_3 <= depth_test_pass;
+        late_pass_4 <= late_pass_3;
+        weight_sum_3 <= {1'd0, stored[319:292]} + {13'd0, sample_2_weight};
+        weight_sum_4 <= weight_sum_3;
+        weight_sum_5 <= weight_sum_4;
+        weight_sum_6 <= weight_sum_5;
+        weight_sum_7 <= weight_sum_6;
+        weight_3 <= sample_2_weight;
+        weight_4 <= weight_3;
+        weight_5 <= weight_4;
+        weight_6 <= weight_5;
+        weight_7 <= weight_6;
+        depth_sum_3 <= stored[291:240] + {12'd0, sample_2_weighted_depth};
+        depth_sum_4 <= depth_sum_3;
+        depth_sum_5 <= depth_sum_4;
+        depth_sum_6 <= depth_sum_5;
+        depth_sum_7 <= depth_sum_6;
+        depth_3 <= sample_2_weighted_depth;
+        depth_4 <= depth_3;
+        depth_5 <= depth_4;
+        depth_6 <= depth_5;
+        depth_7 <= depth_6;
+        stronger_3 <= stored[239:224] < sample_2_weight;
+        stronger_4 <= stronger_3;
+        stronger_5 <= stronger_4;
+        stronger_6 <= stronger_5;
+        stronger_7 <= stronger_6;
+        peak_3 <= stored[239:224];
+        peak_4 <= peak_3;
+        peak_5 <= peak_4;
+        peak_6 <= peak_5;
+        peak_7 <= peak_6;
+        attribute_0_3 <= sample_2_attribute_0;
+        attribute_0_4 <= attribute_0_3;
+        attribute_0_5 <= attribute_0_4;
+        attribute_0_6 <= attribute_0_5;
+        attribute_0_7 <= attribute_0_6;
+        attribute_1_3 <= sample_2_attribute_1;
+        attribute_1_4 <= attribute_1_3;
+        attribute_1_5 <= attribute_1_4;
+        attribute_1_6 <= attribute_1_5;
+        attribute_1_7 <= attribute_1_6;
+        attribute_2_3 <= sample_2_attribute_2;
+        attribute_2_4 <= attribute_2_3;
+        attribute_2_5 <= attribute_2_4;
+        attribute_2_6 <= attribute_2_5;
+        attribute_2_7 <= attribute_2_6;
+        attribute_3_3 <= sample_2_attribute_3;
+        attribute_3_4 <= attribute_3_3;
+        attribute_3_5 <= attribute_3_4;
+        attribute_3_6 <= attribute_3_5;
+        attribute_3_7 <= attribute_3_6;
+        attribute_4_3 <= sample_2_attribute_4;
+        attribute_4_4 <= attribute_4_3;
+        attribute_4_5 <= attribute_4_4;
+        attribute_4_6 <= attribute_4_5;
+        attribute_4_7 <= attribute_4_6;
+        attribute_5_3 <= sample_2_attribute_5;
+        attribute_5_4 <= attribute_5_3;
+        attribute_5_5 <= attribute_5_4;
+        attribute_5_6 <= attribute_5_5;
+        attribute_5_7 <= attribute_5_6;
+        attribute_6_3 <= sample_2_attribute_6;
+        attribute_6_4 <= attribute_6_3;
+        attribute_6_5 <= attribute_6_4;
+        attribute_6_6 <= attribute_6_5;
+        attribute_6_7 <= attribute_6_6;
+        attribute_7_3 <= sample_2_attribute_7;
+        attribute_7_4 <= attribute_7_3;
+        attribute_7_5 <= attribute_7_4;
+        attribute_7_6 <= attribute_7_5;
+        attribute_7_7 <= attribute_7_6;
+        attribute_8_3 <= sample_2_attribute_8;
+        attribute_8_4 <= attribute_8_3;
+        attribute_8_5 <= attribute_8_4;
+        attribute_8_6 <= attribute_8_5;
+        attribute_8_7 <= attribute_8_6;
+        attribute_9_3 <= sample_2_attribute_9;
+        attribute_9_4 <= attribute_9_3;
+        attribute_9_5 <= attribute_9_4;
+        attribute_9_6 <= attribute_9_5;
+        attribute_9_7 <= attribute_9_6;
+        attribute_10_3 <= sample_2_attribute_10;
+        attribute_10_4 <= attribute_10_3;
+        attribute_10_5 <= attribute_10_4;
+        attribute_10_6 <= attribute_10_5;
+        attribute_10_7 <= attribute_10_6;
+        attribute_11_3 <= sample_2_attribute_11;
+        attribute_11_4 <= attribute_11_3;
+        attribute_11_5 <= attribute_11_4;
+        attribute_11_6 <= attribute_11_5;
+        attribute_11_7 <= attribute_11_6;
+        attribute_12_3 <= sample_2_attribute_12;
+        attribute_12_4 <= attribute_12_3;
+        attribute_12_5 <= attribute_12_4;
+        attribute_12_6 <= attribute_12_5;
+        attribute_12_7 <= attribute_12_6;
+        cardinal_0_3 <= sample_2_cardinal_0;
+        cardinal_0_4 <= cardinal_0_3;
+        cardinal_0_5 <= cardinal_0_4;
+        cardinal_0_6 <= cardinal_0_5;
+        cardinal_0_7 <= cardinal_0_6;
+        stored_cardinal_0_3 <= stored[15:0];
+        stored_cardinal_0_4 <= stored_cardinal_0_3;
+        stored_cardinal_0_5 <= stored_cardinal_0_4;
+        stored_cardinal_0_6 <= stored_cardinal_0_5;
+        stored_cardinal_0_7 <= stored_cardinal_0_6;
+        if (head_takes) begin
+            head_end <= samples_out_end;
+            head_last <= samples_out_last;
+            head_inside <= samples_out_inside;
+            head_slot <= samples_out_slot;
+            head_pixel <= samples_out_pixel;
+            head_weight <= samples_out_weight;
+            head_weighted_depth <= samples_out_weighted_depth;
+            head_depth_low <= samples_out_depth_low;
+            head_depth_high <= samples_out_depth_high;
+            head_attribute_0 <= samples_out_attribute_0;
+            head_attribute_1 <= samples_out_attribute_1;
+            head_attribute_2 <= samples_out_attribute_2;
+            head_attribute_3 <= samples_out_attribute_3;
+            head_attribute_4 <= samples_out_attribute_4;
+            head_attribute_5 <= samples_out_attribute_5;
+            head_attribute_6 <= samples_out_attribute_6;
+            head_attribute_7 <= samples_out_attribute_7;
+            head_attribute_8 <= samples_out_attribute_8;
+            head_attribute_9 <= samples_out_attribute_9;
+            head_attribute_10 <= samples_out_attribute_10;
+            head_attribute_11 <= samples_out_attribute_11;
+            head_attribute_12 <= samples_out_attribute_12;
+            head_cardinal_0 <= samples_out_cardinal_0;
+        end
+        if (drain_enable) begin
+            drained_slot <= drain_slot;
+        end
+    end
+    always @(posedge clk) begin
+        if (filling_0 | (writes & (slot_7 == 2'd0))) begin
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_7] <= filling_0 ? joined_12 : result;
+        end
+        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : (drain_enable & (drain_slot == 2'd0))) begin
+            slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
+        end
+    end
+    always @(posedge clk) begin
+        if (filling_1 | (writes & (slot_7 == 2'd1))) begin
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_7] <= filling_1 ? joined_12 : result;
+        end
+        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : (drain_enable & (drain_slot == 2'd1))) begin
+            slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
+        end
+    end
+    always @(posedge clk) begin
+        if (filling_2 | (writes & (slot_7 == 2'd2))) begin
+            slot_2_pixels[filling_2 ? fill_pixel : pixel_7] <= filling_2 ? joined_12 : result;
+        end
+        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : (drain_enable & (drain_slot == 2'd2))) begin
+            slot_2_read <= slot_2_pixels[slot_ready[2] ? head_pixel : drain_pixel];
+        end
+    end
+    always @(posedge clk) begin
+        if (filling_3 | (writes & (slot_7 == 2'd3))) begin
+            slot_3_pixels[filling_3 ? fill_pixel : pixel_7] <= filling_3 ? joined_12 : result;
+        end
+        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : (drain_enable & (drain_slot == 2'd3))) begin
+            slot_3_read <= slot_3_pixels[slot_ready[3] ? head_pixel : drain_pixel];
+        end
+    end
+
+    wire _unused = &{1'b0, shifted_2[3:1]};
+endmodule
+
+// Floating-point sum.
+// stages = 5
+// format = f16
+module float_add_s5_ff16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    input  wire [15:0] b,
+    output reg  [15:0] y
+);
+    reg [7:0] distance_s1;
+    reg [10:0] large_s1;
+    reg [10:0] small_s1;
+    reg [7:0] limit_s1;
+    reg subtract_s1;
+    reg [14:0] sum_s2;
+    reg [14:0] stop_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg subtract_s2;
+    reg [14:0] value_s3;
+    reg [3:0] zeros_s3;
+    reg [7:0] limit_s2;
+    reg [7:0] limit_s3;
+    reg [7:0] exponent_s4;
+    reg [12:0] significand_s4;
+    reg sign_s3;
+    reg sign_s4;
+    reg nan_s3;
+    reg nan_s4;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg zero_s3;
+    reg zero_s4;
+
+    wire swap = a[14:0] < b[14:0];
+    wire [4:0] b_field = b[14:10];
+    wire [7:0] joined_1 = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
+    wire [4:0] a_field = a[14:10];
+    wire [7:0] joined_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
+    wire [9:0] b_fraction = b[9:0];
+    wire [10:0] joined_3 = {|b_field, b_fraction};
+    wire [9:0] a_fraction = a[9:0];
+    wire [10:0] joined_4 = {|a_field, a_fraction};
+    wire term_5 = a[15] ^ b[15];
+    wire [13:0] choice_6 = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
+    wire [13:0] choice_7 = distance_s1[2] ? (choice_6 >> 4) : choice_6;
+    wire [13:0] choice_8 = distance_s1[1] ? (choice_7 >> 2) : choice_7;
+    wire [13:0] choice_9 = distance_s1[0] ? (choice_8 >> 1) : choice_8;
+    wire term_10 = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |choice_6[3:0]);
+    wire term_11 = term_10 | (distance_s1[1] & |choice_7[1:0]) | (distance_s1[0] & choice_8[0]);
+    wire [13:0] choice_12 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {choice_9[13:1], choice_9[0] | term_11};
+    wire [15:0] sum_13 = {1'd0, large_s1, 4'd1} + {{1'd0, choice_12} ^ {15{subtract_s1}}, subtract_s1};
+    wire term_14 = &a_field & (a_fraction == 10'd0);
+    wire term_15 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] term_16 = sum_s2 | stop_s2;
+    wire term_17 = ~term_16[14] & ~term_16[13];
+    wire term_18 = term_17 & (~term_16[12] & ~term_16[11]);
+    wire term_19 = ~term_16[10] & ~term_16[9];
+    wire term_20 = term_18 & (term_19 & (~term_16[8] & ~term_16[7]));
+    wire term_21 = ~term_16[6] & ~term_16[5];
+    wire term_22 = term_21 & (~term_16[4] & ~term_16[3]);
+    wire term_23 = ~term_16[2] & ~term_16[1];
+    wire [1:0] choice_24 = term_22 ? {term_23, term_23 ? ~term_16[0] : ~term_16[2]} : {term_21, term_21 ? ~term_16[4] : ~term_16[6]};
+    wire [1:0] choice_25 = term_18 ? {term_19, term_19 ? ~term_16[8] : ~term_16[10]} : {term_17, term_17 ? ~term_16[12] : ~term_16[14]};
+    wire [14:0] shifted_26 = value_s3 << zeros_s3;
+    wire term_27 = sum_s2 == 15'd0;
+    wire [14:0] joined_28 = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
+    wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
+    wire [14:0] rounded = joined_28 + {14'd0, round_up};
+    wire [14:0] choice_29 = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= swap ? (joined_1 - joined_2) : (joined_2 - joined_1);
+            large_s1 <= swap ? joined_3 : joined_4;
+            small_s1 <= swap ? joined_4 : joined_3;
+            limit_s1 <= swap ? joined_1 : joined_2;
+            subtract_s1 <= term_5;
+            sum_s2 <= sum_13[15:1];
+            stop_s2 <= 15'h4000 >> limit_s1;
+            sign_s1 <= swap ? b[15] : a[15];
+            sign_s2 <= sign_s1;
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_14 & term_15 & term_5);
+            nan_s2 <= nan_s1;
+            infinite_s1 <= term_14 | term_15;
+            infinite_s2 <= infinite_s1;
+            subtract_s2 <= subtract_s1;
+            value_s3 <= sum_s2;
+            zeros_s3 <= {term_20, term_20 ? {term_22, choice_24} : {term_18, choice_25}};
+            limit_s2 <= limit_s1;
+            limit_s3 <= limit_s2;
+            exponent_s4 <= (limit_s3 + 8'd1) - {4'd0, zeros_s3};
+            significand_s4 <= {shifted_26[14:3], |shifted_26[2:0]};
+            sign_s3 <= sign_s2 & ~(term_27 & subtract_s2);
+            sign_s4 <= sign_s3;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            zero_s3 <= term_27 & ~infinite_s2;
+            zero_s4 <= zero_s3;
+            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : choice_29};
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1[7:5], rst, sum_13[0]};
+endmodule
+
+// Compares a pixel's normalized depth with a splat's depth band.
+module core_a_depth_test (
+    input  wire clk,
+    input  wire rst,
+    input  wire [27:0] weight,
+    input  wire [51:0] depth,
+    input  wire [23:0] depth_low,
+    input  wire [23:0] depth_high,
+    output reg  fail,
+    output reg  pass
+);
+    reg [51:0] arrived;
+    reg [51:0] stored;
+    reg [25:0] low_bound_low_low;
+    reg [25:0] low_bound_high_high;
+    reg [25:0] low_bound_high_low;
+    reg [25:0] low_bound_low_high;
+    reg [51:0] low_bound;
+    reg [25:0] high_bound_low_low;
+    reg [25:0] high_bound_high_high;
+    reg [25:0] high_bound_high_low;
+    reg [25:0] high_bound_low_high;
+    reg [51:0] high_bound;
+
+    wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
+    wire [51:0] term_2 = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
+
+    always @(posedge clk) begin
+        if (rst) begin
+            fail <= 1'd0;
+            pass <= 1'd0;
+        end else begin
+            fail <= stored < low_bound;
+            pass <= high_bound < stored;
+        end
+    end
+    always @(posedge clk) begin
+        arrived <= depth;
+        stored <= arrived;
+        low_bound_low_low <= {14'd0, depth_low[11:0]} * {12'd0, weight[13:0]};
+        low_bound_high_high <= {14'd0, depth_low[23:12]} * {12'd0, weight[27:14]};
+        low_bound_high_low <= {14'd0, depth_low[23:12]} * {12'd0, weight[13:0]};
+        low_bound_low_high <= {14'd0, depth_low[11:0]} * {12'd0, weight[27:14]};
+        low_bound <= term_1 + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
+        high_bound_low_low <= {14'd0, depth_high[11:0]} * {12'd0, weight[13:0]};
+        high_bound_high_high <= {14'd0, depth_high[23:12]} * {12'd0, weight[27:14]};
+        high_bound_high_low <= {14'd0, depth_high[23:12]} * {12'd0, weight[13:0]};
+        high_bound_low_high <= {14'd0, depth_high[11:0]} * {12'd0, weight[27:14]};
+        high_bound <= term_2 + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
+    end
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 339
+module stream_fifo_d64_w339 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire [1:0] in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    input  wire [39:0] in_weighted_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire [1:0] out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight,
+    output wire [39:0] out_weighted_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    reg [338:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [338:0] item;
+
+    wire has_room = ~(held == 7'd64);
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_end = item[338];
+    assign out_last = item[337];
+    assign out_inside = item[336];
+    assign out_slot = item[335:334];
+    assign out_pixel = item[333:328];
+    assign out_weight = item[327:312];
+    assign out_weighted_depth = item[311:272];
+    assign out_depth_low = item[271:248];
+    assign out_depth_high = item[247:224];
+    assign out_attribute_0 = item[223:208];
+    assign out_attribute_1 = item[207:192];
+    assign out_attribute_2 = item[191:176];
+    assign out_attribute_3 = item[175:160];
+    assign out_attribute_4 = item[159:144];
+    assign out_attribute_5 = item[143:128];
+    assign out_attribute_6 = item[127:112];
+    assign out_attribute_7 = item[111:96];
+    assign out_attribute_8 = item[95:80];
+    assign out_attribute_9 = item[79:64];
+    assign out_attribute_10 = item[63:48];
+    assign out_attribute_11 = item[47:32];
+    assign out_attribute_12 = item[31:16];
+    assign out_cardinal_0 = item[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {
+                in_end,
+                in_last,
+                in_inside,
+                in_slot,
+                in_pixel,
+                in_weight,
+                in_weighted_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_attribute_3,
+                in_attribute_4,
+                in_attribute_5,
+                in_attribute_6,
+                in_attribute_7,
+                in_attribute_8,
+                in_attribute_9,
+                in_attribute_10,
+                in_attribute_11,
+                in_attribute_12,
+                in_cardinal_0
+            };
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Weighted depth and attributes of a sample.
+// latency = 10
+// initiation_interval = 1
+module core_a_weighting (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire [1:0] in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire [1:0] out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight,
+    output wire [39:0] out_weighted_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    (* ram_style = "distributed" *)
+    reg [39:0] delay_8_from_0 [0:6];
+    (* ram_style = "distributed" *)
+    reg [74:0] delay_10_from_0 [0:8];
+    reg [2:0] delay_8_from_0_pointer;
+    reg [39:0] delay_8_from_0_out;
+    reg [3:0] delay_10_from_0_pointer;
+    reg [74:0] delay_10_from_0_out;
+    reg [15:0] weight_d9;
+    reg [15:0] weight_d10;
+    reg [15:0] reinterpret_25_d1;
+    reg [15:0] reinterpret_25_d2;
+    reg [15:0] reinterpret_25_d3;
+    reg [15:0] reinterpret_25_d4;
+    reg [15:0] reinterpret_27_d1;
+    reg [15:0] reinterpret_27_d2;
+    reg [15:0] reinterpret_27_d3;
+    reg [15:0] reinterpret_27_d4;
+    reg [15:0] reinterpret_29_d1;
+    reg [15:0] reinterpret_29_d2;
+    reg [15:0] reinterpret_29_d3;
+    reg [15:0] reinterpret_29_d4;
+    reg [15:0] reinterpret_31_d1;
+    reg [15:0] reinterpret_31_d2;
+    reg [15:0] reinterpret_31_d3;
+    reg [15:0] reinterpret_31_d4;
+    reg [15:0] reinterpret_33_d1;
+    reg [15:0] reinterpret_33_d2;
+    reg [15:0] reinterpret_33_d3;
+    reg [15:0] reinterpret_33_d4;
+    reg [15:0] reinterpret_35_d1;
+    reg [15:0] reinterpret_35_d2;
+    reg [15:0] reinterpret_35_d3;
+    reg [15:0] reinterpret_35_d4;
+    reg [15:0] reinterpret_37_d1;
+    reg [15:0] reinterpret_37_d2;
+    reg [15:0] reinterpret_37_d3;
+    reg [15:0] reinterpret_37_d4;
+    reg [15:0] reinterpret_39_d1;
+    reg [15:0] reinterpret_39_d2;
+    reg [15:0] reinterpret_39_d3;
+    reg [15:0] reinterpret_39_d4;
+    reg [15:0] reinterpret_41_d1;
+    reg [15:0] reinterpret_41_d2;
+    reg [15:0] reinterpret_41_d3;
+    reg [15:0] reinterpret_41_d4;
+    reg [15:0] reinterpret_43_d1;
+    reg [15:0] reinterpret_43_d2;
+    reg [15:0] reinterpret_43_d3;
+    reg [15:0] reinterpret_43_d4;
+    reg [15:0] reinterpret_45_d1;
+    reg [15:0] reinterpret_45_d2;
+    reg [15:0] reinterpret_45_d3;
+    reg [15:0] reinterpret_45_d4;
+    reg [15:0] reinterpret_47_d1;
+    reg [15:0] reinterpret_47_d2;
+    reg [15:0] reinterpret_47_d3;
+    reg [15:0] reinterpret_47_d4;
+    reg [15:0] reinterpret_49_d1;
+    reg [15:0] reinterpret_49_d2;
+    reg [15:0] reinterpret_49_d3;
+    reg [15:0] reinterpret_49_d4;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire queue_out_last;
+    wire queue_out_inside;
+    wire [1:0] queue_out_slot;
+    wire [5:0] queue_out_pixel;
+    wire [15:0] queue_out_weight;
+    wire [39:0] queue_out_weighted_depth;
+    wire [23:0] queue_out_depth_low;
+    wire [23:0] queue_out_depth_high;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [15:0] queue_out_attribute_3;
+    wire [15:0] queue_out_attribute_4;
+    wire [15:0] queue_out_attribute_5;
+    wire [15:0] queue_out_attribute_6;
+    wire [15:0] queue_out_attribute_7;
+    wire [15:0] queue_out_attribute_8;
+    wire [15:0] queue_out_attribute_9;
+    wire [15:0] queue_out_attribute_10;
+    wire [15:0] queue_out_attribute_11;
+    wire [15:0] queue_out_attribute_12;
+    wire [15:0] queue_out_cardinal_0;
+    wire [15:0] to_float_u16q16_f16_unit_y;
+    wire [39:0] mul_u16_u24_unit_y;
+    wire [15:0] mul_f16_unit_y;
+    wire [15:0] mul_f16_unit_copy2_y;
+    wire [15:0] mul_f16_unit_copy3_y;
+    wire [15:0] mul_f16_unit_copy4_y;
+    wire [15:0] mul_f16_unit_copy5_y;
+    wire [15:0] mul_f16_unit_copy6_y;
+    wire [15:0] mul_f16_unit_copy7_y;
+    wire [15:0] mul_f16_unit_copy8_y;
+    wire [15:0] mul_f16_unit_copy9_y;
+    wire [15:0] mul_f16_unit_copy10_y;
+    wire [15:0] mul_f16_unit_copy11_y;
+    wire [15:0] mul_f16_unit_copy12_y;
+    wire [15:0] mul_f16_unit_copy13_y;
+
+    assign in_ready = queue_in_ready;
+    wire queue_out_ready = out_ready;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_last = queue_out_last;
+    assign out_inside = queue_out_inside;
+    assign out_slot = queue_out_slot;
+    assign out_pixel = queue_out_pixel;
+    assign out_weight = queue_out_weight;
+    assign out_weighted_depth = queue_out_weighted_depth;
+    assign out_depth_low = queue_out_depth_low;
+    assign out_depth_high = queue_out_depth_high;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+    assign out_attribute_3 = queue_out_attribute_3;
+    assign out_attribute_4 = queue_out_attribute_4;
+    assign out_attribute_5 = queue_out_attribute_5;
+    assign out_attribute_6 = queue_out_attribute_6;
+    assign out_attribute_7 = queue_out_attribute_7;
+    assign out_attribute_8 = queue_out_attribute_8;
+    assign out_attribute_9 = queue_out_attribute_9;
+    assign out_attribute_10 = queue_out_attribute_10;
+    assign out_attribute_11 = queue_out_attribute_11;
+    assign out_attribute_12 = queue_out_attribute_12;
+    assign out_cardinal_0 = queue_out_cardinal_0;
+
+    stream_skid_w339_v2 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d10),
+        .in_ready(queue_in_ready),
+        .in_end(delay_10_from_0_out[0]),
+        .in_last(delay_10_from_0_out[1]),
+        .in_inside(delay_10_from_0_out[2]),
+        .in_slot(delay_10_from_0_out[4:3]),
+        .in_pixel(delay_10_from_0_out[10:5]),
+        .in_weight(weight_d10),
+        .in_weighted_depth(mul_u16_u24_unit_y),
+        .in_depth_low(delay_10_from_0_out[34:11]),
+        .in_depth_high(delay_10_from_0_out[58:35]),
+        .in_attribute_0(mul_f16_unit_y),
+        .in_attribute_1(mul_f16_unit_copy2_y),
+        .in_attribute_2(mul_f16_unit_copy3_y),
+        .in_attribute_3(mul_f16_unit_copy4_y),
+        .in_attribute_4(mul_f16_unit_copy5_y),
+        .in_attribute_5(mul_f16_unit_copy6_y),
+        .in_attribute_6(mul_f16_unit_copy7_y),
+        .in_attribute_7(mul_f16_unit_copy8_y),
+        .in_attribute_8(mul_f16_unit_copy9_y),
+        .in_attribute_9(mul_f16_unit_copy10_y),
+        .in_attribute_10(mul_f16_unit_copy11_y),
+        .in_attribute_11(mul_f16_unit_copy12_y),
+        .in_attribute_12(mul_f16_unit_copy13_y),
+        .in_cardinal_0(delay_10_from_0_out[74:59]),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_last(queue_out_last),
+        .out_inside(queue_out_inside),
+        .out_slot(queue_out_slot),
+        .out_pixel(queue_out_pixel),
+        .out_weight(queue_out_weight),
+        .out_weighted_depth(queue_out_weighted_depth),
+        .out_depth_low(queue_out_depth_low),
+        .out_depth_high(queue_out_depth_high),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2),
+        .out_attribute_3(queue_out_attribute_3),
+        .out_attribute_4(queue_out_attribute_4),
+        .out_attribute_5(queue_out_attribute_5),
+        .out_attribute_6(queue_out_attribute_6),
+        .out_attribute_7(queue_out_attribute_7),
+        .out_attribute_8(queue_out_attribute_8),
+        .out_attribute_9(queue_out_attribute_9),
+        .out_attribute_10(queue_out_attribute_10),
+        .out_attribute_11(queue_out_attribute_11),
+        .out_attribute_12(queue_out_attribute_12),
+        .out_cardinal_0(queue_out_cardinal_0)
+    );
+
+    float_from_fixed_s4_formatf16_w16_fraction16 to_float_u16q16_f16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(in_weight),
+        .y(to_float_u16q16_f16_unit_y)
+    );
+
+    integer_mul mul_u16_u24_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_8_from_0_out[15:0]),
+        .b(delay_8_from_0_out[39:16]),
+        .y(mul_u16_u24_unit_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_25_d4),
+        .y(mul_f16_unit_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_27_d4),
+        .y(mul_f16_unit_copy2_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_29_d4),
+        .y(mul_f16_unit_copy3_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_31_d4),
+        .y(mul_f16_unit_copy4_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_33_d4),
+        .y(mul_f16_unit_copy5_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_35_d4),
+        .y(mul_f16_unit_copy6_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_37_d4),
+        .y(mul_f16_unit_copy7_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_39_d4),
+        .y(mul_f16_unit_copy8_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_41_d4),
+        .y(mul_f16_unit_copy9_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_43_d4),
+        .y(mul_f16_unit_copy10_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_45_d4),
+        .y(mul_f16_unit_copy11_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_47_d4),
+        .y(mul_f16_unit_copy12_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_49_d4),
+        .y(mul_f16_unit_copy13_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            delay_8_from_0_pointer <= 3'd0;
+            delay_10_from_0_pointer <= 4'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+        end else if (queue_in_ready) begin
+            delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+            delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+            valid_d1 <= in_valid;
+            valid_d2 <= valid_d1;
+            valid_d3 <= valid_d2;
+            valid_d4 <= valid_d3;
+            valid_d5 <= valid_d4;
+            valid_d6 <= valid_d5;
+            valid_d7 <= valid_d6;
+            valid_d8 <= valid_d7;
+            valid_d9 <= valid_d8;
+            valid_d10 <= valid_d9;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            weight_d9 <= delay_8_from_0_out[15:0];
+            weight_d10 <= weight_d9;
+            reinterpret_25_d1 <= in_attribute_0;
+            reinterpret_25_d2 <= reinterpret_25_d1;
+            reinterpret_25_d3 <= reinterpret_25_d2;
+            reinterpret_25_d4 <= reinterpret_25_d3;
+            reinterpret_27_d1 <= in_attribute_1;
+            reinterpret_27_d2 <= reinterpret_27_d1;
+            reinterpret_27_d3 <= reinterpret_27_d2;
+            reinterpret_27_d4 <= reinterpret_27_d3;
+            reinterpret_29_d1 <= in_attribute_2;
+            reinterpret_29_d2 <= reinterpret_29_d1;
+            reinterpret_29_d3 <= reinterpret_29_d2;
+            reinterpret_29_d4 <= reinterpret_29_d3;
+            reinterpret_31_d1 <= in_attribute_3;
+            reinterpret_31_d2 <= reinterpret_31_d1;
+            reinterpret_31_d3 <= reinterpret_31_d2;
+            reinterpret_31_d4 <= reinterpret_31_d3;
+            reinterpret_33_d1 <= in_attribute_4;
+            reinterpret_33_d2 <= reinterpret_33_d1;
+            reinterpret_33_d3 <= reinterpret_33_d2;
+            reinterpret_33_d4 <= reinterpret_33_d3;
+            reinterpret_35_d1 <= in_attribute_5;
+            reinterpret_35_d2 <= reinterpret_35_d1;
+            reinterpret_35_d3 <= reinterpret_35_d2;
+            reinterpret_35_d4 <= reinterpret_35_d3;
+            reinterpret_37_d1 <= in_attribute_6;
+            reinterpret_37_d2 <= reinterpret_37_d1;
+            reinterpret_37_d3 <= reinterpret_37_d2;
+            reinterpret_37_d4 <= reinterpret_37_d3;
+            reinterpret_39_d1 <= in_attribute_7;
+            reinterpret_39_d2 <= reinterpret_39_d1;
+            reinterpret_39_d3 <= reinterpret_39_d2;
+            reinterpret_39_d4 <= reinterpret_39_d3;
+            reinterpret_41_d1 <= in_attribute_8;
+            reinterpret_41_d2 <= reinterpret_41_d1;
+            reinterpret_41_d3 <= reinterpret_41_d2;
+            reinterpret_41_d4 <= reinterpret_41_d3;
+            reinterpret_43_d1 <= in_attribute_9;
+            reinterpret_43_d2 <= reinterpret_43_d1;
+            reinterpret_43_d3 <= reinterpret_43_d2;
+            reinterpret_43_d4 <= reinterpret_43_d3;
+            reinterpret_45_d1 <= in_attribute_10;
+            reinterpret_45_d2 <= reinterpret_45_d1;
+            reinterpret_45_d3 <= reinterpret_45_d2;
+            reinterpret_45_d4 <= reinterpret_45_d3;
+            reinterpret_47_d1 <= in_attribute_11;
+            reinterpret_47_d2 <= reinterpret_47_d1;
+            reinterpret_47_d3 <= reinterpret_47_d2;
+            reinterpret_47_d4 <= reinterpret_47_d3;
+            reinterpret_49_d1 <= in_attribute_12;
+            reinterpret_49_d2 <= reinterpret_49_d1;
+            reinterpret_49_d3 <= reinterpret_49_d2;
+            reinterpret_49_d4 <= reinterpret_49_d3;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_8_from_0[delay_8_from_0_pointer] <= {in_depth, in_weight};
+        end
+        if (queue_in_ready) begin
+            delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
+        end
+        if (queue_in_ready) begin
+            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        end
+    end
+endmodule
+
+// Floating-point product.
+// stages = 6
+// format = f16
+module float_mul_s6_ff16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    input  wire [15:0] b,
+    output reg  [15:0] y
+);
+    reg [3:0] a_zeros_s1;
+    reg [7:0] a_exponent_s1;
+    reg [10:0] a_significand_s1;
+    reg [3:0] b_zeros_s1;
+    reg [7:0] b_exponent_s1;
+    reg [10:0] b_significand_s1;
+    reg [10:0] left_s2;
+    reg [10:0] right_s2;
+    reg [7:0] exponent_s2;
+    reg [21:0] product_s3;
+    reg [7:0] exponent_s3;
+    reg [7:0] distance_s4;
+    reg [12:0] significand_s4;
+    reg [12:0] significand_s5;
+    reg [7:0] exponent_s4;
+    reg [7:0] exponent_s5;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg sign_s5;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg nan_s5;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg zero_s5;
+
+    wire [4:0] a_field = a[14:10];
+    wire term_1 = ~(|a_field);
+    wire [9:0] a_fraction = a[9:0];
+    wire term_2 = term_1 & ~a_fraction[9];
+    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
+    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
+    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
+    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
+    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
+    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
+    wire [4:0] b_field = b[14:10];
+    wire term_9 = ~(|b_field);
+    wire [9:0] b_fraction = b[9:0];
+    wire term_10 = term_9 & ~b_fraction[9];
+    wire term_11 = term_10 & (~b_fraction[8] & ~b_fraction[7]);
+    wire term_12 = ~b_fraction[6] & ~b_fraction[5];
+    wire term_13 = term_11 & (term_12 & (~b_fraction[4] & ~b_fraction[3]));
+    wire term_14 = ~b_fraction[2] & ~b_fraction[1];
+    wire [2:0] joined_15 = {1'd0, term_14, term_14 ? ~b_fraction[0] : ~b_fraction[2]};
+    wire [1:0] choice_16 = term_11 ? {term_12, term_12 ? ~b_fraction[4] : ~b_fraction[6]} : {term_10, term_10 ? ~b_fraction[8] : term_9};
+    wire [7:0] sum_17 = exponent_s3 + {7'd0, product_s3[21]};
+    wire term_18 = sum_17[7] | (sum_17 == 8'd0);
+    wire [21:0] choice_19 = product_s3[21] ? product_s3 : (product_s3 << 1);
+    wire [12:0] choice_20 = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
+    wire [12:0] choice_21 = distance_s4[2] ? (choice_20 >> 4) : choice_20;
+    wire [12:0] choice_22 = distance_s4[1] ? (choice_21 >> 2) : choice_21;
+    wire [12:0] choice_23 = distance_s4[0] ? (choice_22 >> 1) : choice_22;
+    wire term_24 = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |choice_20[3:0]);
+    wire term_25 = term_24 | (distance_s4[1] & |choice_21[1:0]) | (distance_s4[0] & choice_22[0]);
+    wire term_26 = &a_field & (a_fraction == 10'd0);
+    wire term_27 = ~(|b_field | |b_fraction);
+    wire term_28 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_26 & term_27);
+    wire term_29 = ~(|a_field | |a_fraction);
+    wire term_30 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] joined_31 = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
+    wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
+    wire [14:0] rounded = joined_31 + {14'd0, round_up};
+    wire [14:0] choice_32 = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_zeros_s1 <= {term_5, choice_8};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_significand_s1 <= {|a_field, a_fraction};
+            b_zeros_s1 <= {term_13, term_13 ? joined_15 : {term_11, choice_16}};
+            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | term_9};
+            b_significand_s1 <= {|b_field, b_fraction};
+            left_s2 <= a_significand_s1 << a_zeros_s1;
+            right_s2 <= b_significand_s1 << b_zeros_s1;
+            exponent_s2 <= (a_exponent_s1 - {4'd0, a_zeros_s1}) + (b_exponent_s1 - {4'd0, b_zeros_s1});
+            product_s3 <= {11'd0, left_s2} * {11'd0, right_s2};
+            exponent_s3 <= exponent_s2 - 8'd15;
+            distance_s4 <= (8'd1 - sum_17) & {8{term_18}};
+            significand_s4 <= {choice_19[21:10], |choice_19[9:0]};
+            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : {choice_23[12:1], choice_23[0] | term_25};
+            exponent_s4 <= term_18 ? 8'd1 : sum_17;
+            exponent_s5 <= exponent_s4;
+            sign_s1 <= a[15] ^ b[15];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            sign_s5 <= sign_s4;
+            nan_s1 <= term_28 | (term_29 & term_30);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            infinite_s1 <= term_26 | term_30;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            zero_s1 <= term_29 | term_27;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            zero_s5 <= zero_s4;
+            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : choice_32};
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Integer product, pipelined.
+// a = u16
+// b = u24
+// stages = 2
+module integer_mul (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    input  wire [23:0] b,
+    output wire [39:0] y
+);
+    reg [15:0] a_s1;
+    reg [23:0] b_s1;
+    reg [39:0] product_s2;
+
+    assign y = product_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_s1 <= a;
+            b_s1 <= b;
+            product_s2 <= {24'd0, a_s1} * {16'd0, b_s1};
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Fixed to floating point.
+// stages = 4
+// format = f16
+// width = 16
+// fraction = 16
+// integer = unsigned
+module float_from_fixed_s4_formatf16_w16_fraction16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    output reg  [15:0] y
+);
+    reg [15:0] magnitude_s1;
+    reg [15:0] magnitude_s2;
+    reg [3:0] zeros_s2;
+    reg [5:0] distance_s3;
+    reg [12:0] significand_s3;
+    reg [5:0] exponent_s3;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+
+    wire term_1 = ~magnitude_s1[15] & ~magnitude_s1[14];
+    wire term_2 = term_1 & (~magnitude_s1[13] & ~magnitude_s1[12]);
+    wire term_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
+    wire term_4 = term_2 & (term_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
+    wire term_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
+    wire term_6 = term_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
+    wire term_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
+    wire [1:0] choice_8 = term_6 ? {term_7, term_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_5, term_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
+    wire [1:0] choice_9 = term_2 ? {term_3, term_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]} : {term_1, term_1 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
+    wire [5:0] difference_10 = 6'd14 - {2'd0, zeros_s2};
+    wire term_11 = difference_10[5] | (difference_10 == 6'd0);
+    wire [15:0] shifted_12 = magnitude_s2 << zeros_s2;
+    wire [12:0] choice_13 = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
+    wire [12:0] choice_14 = distance_s3[2] ? (choice_13 >> 4) : choice_13;
+    wire [12:0] choice_15 = distance_s3[1] ? (choice_14 >> 2) : choice_14;
+    wire [12:0] choice_16 = distance_s3[0] ? (choice_15 >> 1) : choice_15;
+    wire term_17 = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |choice_13[3:0]);
+    wire term_18 = term_17 | (distance_s3[1] & |choice_14[1:0]) | (distance_s3[0] & choice_15[0]);
+    wire [12:0] choice_19 = |distance_s3[5:4] ? {12'd0, |significand_s3} : {choice_16[12:1], choice_16[0] | term_18};
+    wire round_up = choice_19[1] & (choice_19[0] | choice_19[2]);
+    wire [14:0] rounded = {exponent_s3[4:0] & {5{choice_19[12]}}, choice_19[11:2]} + {14'd0, round_up};
+    wire [14:0] choice_20 = (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            magnitude_s1 <= a;
+            magnitude_s2 <= magnitude_s1;
+            zeros_s2 <= {term_4, term_4 ? {term_6, choice_8} : {term_2, choice_9}};
+            distance_s3 <= (6'd1 - difference_10) & {6{term_11}};
+            significand_s3 <= {shifted_12[15:4], |shifted_12[3:0]};
+            exponent_s3 <= term_11 ? 6'd1 : difference_10;
+            zero_s1 <= a == 16'd0;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            y <= {1'd0, zero_s3 ? 15'd0 : choice_20};
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Queue of two in registers.
+// width = 339
+module stream_skid_w339_v2 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire [1:0] in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    input  wire [39:0] in_weighted_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire [1:0] out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight,
+    output wire [39:0] out_weighted_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    reg second_valid;
+    reg [338:0] head;
+    reg [338:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [338:0] in_item = {
+        in_end,
+        in_last,
+        in_inside,
+        in_slot,
+        in_pixel,
+        in_weight,
+        in_weighted_depth,
+        in_depth_low,
+        in_depth_high,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0
+    };
+
+    assign out_end = head[338];
+    assign out_last = head[337];
+    assign out_inside = head[336];
+    assign out_slot = head[335:334];
+    assign out_pixel = head[333:328];
+    assign out_weight = head[327:312];
+    assign out_weighted_depth = head[311:272];
+    assign out_depth_low = head[271:248];
+    assign out_depth_high = head[247:224];
+    assign out_attribute_0 = head[223:208];
+    assign out_attribute_1 = head[207:192];
+    assign out_attribute_2 = head[191:176];
+    assign out_attribute_3 = head[175:160];
+    assign out_attribute_4 = head[159:144];
+    assign out_attribute_5 = head[143:128];
+    assign out_attribute_6 = head[127:112];
+    assign out_attribute_7 = head[111:96];
+    assign out_attribute_8 = head[95:80];
+    assign out_attribute_9 = head[79:64];
+    assign out_attribute_10 = head[63:48];
+    assign out_attribute_11 = head[47:32];
+    assign out_attribute_12 = head[31:16];
+    assign out_cardinal_0 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Samples of a splat copy, one a cycle, with their kernel weights.
+module core_a_rasterizer (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [11:0] in_tile,
+    input  wire [1:0] in_slot,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire [1:0] out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    input  wire [31:0] filter_scale,
+    output reg  event_sample,
+    output reg  event_starved,
+    output reg  event_blocked
+);
+    reg busy;
+    reg is_end;
+    reg [1:0] slot;
+    reg [11:0] tile;
+    reg [2:0] column;
+    reg [2:0] row;
+    reg [2:0] left;
+    reg [2:0] right;
+    reg [2:0] bottom;
+    reg [31:0] center_x;
+    reg [31:0] center_y;
+    reg [31:0] ax;
+    reg [31:0] bx;
+    reg [31:0] ay;
+    reg [31:0] by;
+    reg [31:0] delta;
+    reg [31:0] mx;
+    reg [31:0] my;
+
+    wire evaluation_in_ready;
+    wire evaluation_out_valid;
+    wire evaluation_out_end;
+    wire evaluation_out_last;
+    wire evaluation_out_inside;
+    wire [1:0] evaluation_out_slot;
+    wire [5:0] evaluation_out_pixel;
+    wire [15:0] evaluation_out_weight;
+    wire shared_in_ready;
+    wire shared_out_valid;
+    wire [23:0] shared_out_depth;
+    wire [23:0] shared_out_depth_low;
+    wire [23:0] shared_out_depth_high;
+    wire [15:0] shared_out_attribute_0;
+    wire [15:0] shared_out_attribute_1;
+    wire [15:0] shared_out_attribute_2;
+    wire [15:0] shared_out_attribute_3;
+    wire [15:0] shared_out_attribute_4;
+    wire [15:0] shared_out_attribute_5;
+    wire [15:0] shared_out_attribute_6;
+    wire [15:0] shared_out_attribute_7;
+    wire [15:0] shared_out_attribute_8;
+    wire [15:0] shared_out_attribute_9;
+    wire [15:0] shared_out_attribute_10;
+    wire [15:0] shared_out_attribute_11;
+    wire [15:0] shared_out_attribute_12;
+    wire [15:0] shared_out_cardinal_0;
+
+    wire term_1 = column == right;
+    wire term_2 = is_end | (term_1 & (row == bottom));
+    wire take = evaluation_in_ready & (~busy | term_2) & shared_in_ready;
+    assign in_ready = take;
+    wire load = take & in_valid;
+
+    assign out_valid = evaluation_out_valid;
+    assign out_end = evaluation_out_end;
+    assign out_last = evaluation_out_last;
+    assign out_inside = evaluation_out_inside;
+    assign out_slot = evaluation_out_slot;
+    assign out_pixel = evaluation_out_pixel;
+    assign out_weight = evaluation_out_weight;
+    assign out_depth = shared_out_depth;
+    assign out_depth_low = shared_out_depth_low;
+    assign out_depth_high = shared_out_depth_high;
+    assign out_attribute_0 = shared_out_attribute_0;
+    assign out_attribute_1 = shared_out_attribute_1;
+    assign out_attribute_2 = shared_out_attribute_2;
+    assign out_attribute_3 = shared_out_attribute_3;
+    assign out_attribute_4 = shared_out_attribute_4;
+    assign out_attribute_5 = shared_out_attribute_5;
+    assign out_attribute_6 = shared_out_attribute_6;
+    assign out_attribute_7 = shared_out_attribute_7;
+    assign out_attribute_8 = shared_out_attribute_8;
+    assign out_attribute_9 = shared_out_attribute_9;
+    assign out_attribute_10 = shared_out_attribute_10;
+    assign out_attribute_11 = shared_out_attribute_11;
+    assign out_attribute_12 = shared_out_attribute_12;
+    assign out_cardinal_0 = shared_out_cardinal_0;
+
+    core_a_evaluation evaluation (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(busy),
+        .in_ready(evaluation_in_ready),
+        .in_end(is_end),
+        .in_last(term_2 & ~is_end),
+        .in_slot(slot),
+        .in_column({tile[5:0], column}),
+        .in_row({tile[11:6], row}),
+        .in_center_x(center_x),
+        .in_center_y(center_y),
+        .in_ax(ax),
+        .in_bx(bx),
+        .in_ay(ay),
+        .in_by(by),
+        .in_delta(delta),
+        .in_mx(mx),
+        .in_my(my),
+        .filter_scale(filter_scale),
+        .out_valid(evaluation_out_valid),
+        .out_ready(out_ready),
+        .out_end(evaluation_out_end),
+        .out_last(evaluation_out_last),
+        .out_inside(evaluation_out_inside),
+        .out_slot(evaluation_out_slot),
+        .out_pixel(evaluation_out_pixel),
+        .out_weight(evaluation_out_weight)
+    );
+
+    stream_fifo_d64_w296 shared (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(load & ~in_end),
+        .in_ready(shared_in_ready),
+        .in_depth(in_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .in_attribute_3(in_attribute_3),
+        .in_attribute_4(in_attribute_4),
+        .in_attribute_5(in_attribute_5),
+        .in_attribute_6(in_attribute_6),
+        .in_attribute_7(in_attribute_7),
+        .in_attribute_8(in_attribute_8),
+        .in_attribute_9(in_attribute_9),
+        .in_attribute_10(in_attribute_10),
+        .in_attribute_11(in_attribute_11),
+        .in_attribute_12(in_attribute_12),
+        .in_cardinal_0(in_cardinal_0),
+        .out_valid(shared_out_valid),
+        .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
+        .out_depth(shared_out_depth),
+        .out_depth_low(shared_out_depth_low),
+        .out_depth_high(shared_out_depth_high),
+        .out_attribute_0(shared_out_attribute_0),
+        .out_attribute_1(shared_out_attribute_1),
+        .out_attribute_2(shared_out_attribute_2),
+        .out_attribute_3(shared_out_attribute_3),
+        .out_attribute_4(shared_out_attribute_4),
+        .out_attribute_5(shared_out_attribute_5),
+        .out_attribute_6(shared_out_attribute_6),
+        .out_attribute_7(shared_out_attribute_7),
+        .out_attribute_8(shared_out_attribute_8),
+        .out_attribute_9(shared_out_attribute_9),
+        .out_attribute_10(shared_out_attribute_10),
+        .out_attribute_11(shared_out_attribute_11),
+        .out_attribute_12(shared_out_attribute_12),
+        .out_cardinal_0(shared_out_cardinal_0)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            busy <= 1'd0;
+            event_sample <= 1'd0;
+            event_starved <= 1'd0;
+            event_blocked <= 1'd0;
+        end else begin
+            if (evaluation_in_ready) begin
+                busy <= load | (busy & ~term_2);
+            end
+            event_sample <= evaluation_in_ready & busy & ~is_end;
+            event_starved <= evaluation_in_ready & ~busy;
+            event_blocked <= busy & ~evaluation_in_ready;
+        end
+    end
+    always @(posedge clk) begin
+        if (load) begin
+            is_end <= in_end;
+            slot <= in_slot;
+            tile <= in_tile;
+            left <= in_left;
+            right <= in_right;
+            bottom <= in_bottom;
+            center_x <= in_center_x;
+            center_y <= in_center_y;
+            ax <= in_ax;
+            bx <= in_bx;
+            ay <= in_ay;
+            by <= in_by;
+            delta <= in_delta;
+            mx <= in_mx;
+            my <= in_my;
+        end
+        if (evaluation_in_ready) begin
+            column <= load ? in_left : term_1 ? left : (column + 3'd1);
+            row <= load ? in_top : term_1 ? (row + 3'd1) : row;
+        end
+    end
+
+    wire _unused = &{1'b0, shared_out_valid};
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 296
+module stream_fifo_d64_w296 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    reg [295:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [295:0] item;
+
+    wire has_room = ~(held == 7'd64);
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_depth = item[295:272];
+    assign out_depth_low = item[271:248];
+    assign out_depth_high = item[247:224];
+    assign out_attribute_0 = item[223:208];
+    assign out_attribute_1 = item[207:192];
+    assign out_attribute_2 = item[191:176];
+    assign out_attribute_3 = item[175:160];
+    assign out_attribute_4 = item[159:144];
+    assign out_attribute_5 = item[143:128];
+    assign out_attribute_6 = item[127:112];
+    assign out_attribute_7 = item[111:96];
+    assign out_attribute_8 = item[95:80];
+    assign out_attribute_9 = item[79:64];
+    assign out_attribute_10 = item[63:48];
+    assign out_attribute_11 = item[47:32];
+    assign out_attribute_12 = item[31:16];
+    assign out_cardinal_0 = item[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_attribute_3,
+                in_attribute_4,
+                in_attribute_5,
+                in_attribute_6,
+                in_attribute_7,
+                in_attribute_8,
+                in_attribute_9,
+                in_attribute_10,
+                in_attribute_11,
+                in_attribute_12,
+                in_cardinal_0
+            };
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Distance of a sample from its splat's centre, and its kernel weight.
+// latency = 66
+// initiation_interval = 1
+module core_a_evaluation (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire [1:0] in_slot,
+    input  wire [8:0] in_column,
+    input  wire [8:0] in_row,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [31:0] filter_scale,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire [1:0] out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight
+);
+    (* ram_style = "distributed" *)
+    reg [3:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
+    reg [191:0] delay_9_from_0 [0:7];
+    (* ram_style = "distributed" *)
+    reg delay_12_from_0 [0:10];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_14_from_0 [0:12];
+    (* ram_style = "distributed" *)
+    reg delay_33_from_0 [0:31];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_34_from_0 [0:32];
+    (* ram_style = "distributed" *)
+    reg delay_60_from_0 [0:58];
+    (* ram_style = "distributed" *)
+    reg delay_61_from_0 [0:59];
+    reg [7:0] delay_66_from_0 [0:64];
+    reg [1:0] delay_5_from_0_pointer;
+    reg [3:0] delay_5_from_0_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [31:0] delay_6_from_0_out;
+    reg [2:0] delay_9_from_0_pointer;
+    reg [191:0] delay_9_from_0_out;
+    reg [3:0] delay_12_from_0_pointer;
+    reg delay_12_from_0_out;
+    reg [3:0] delay_14_from_0_pointer;
+    reg [31:0] delay_14_from_0_out;
+    reg [4:0] delay_33_from_0_pointer;
+    reg delay_33_from_0_out;
+    reg [5:0] delay_34_from_0_pointer;
+    reg [31:0] delay_34_from_0_out;
+    reg [5:0] delay_60_from_0_pointer;
+    reg delay_60_from_0_out;
+    reg [5:0] delay_61_from_0_pointer;
+    reg delay_61_from_0_out;
+    reg [6:0] delay_66_from_0_pointer;
+    reg [7:0] delay_66_from_0_out;
+    reg end_d61;
+    reg [31:0] neg_18_d1;
+    reg [31:0] neg_18_d2;
+    reg [31:0] neg_18_d3;
+    reg [31:0] neg_23_d1;
+    reg [31:0] neg_23_d2;
+    reg [31:0] neg_23_d3;
+    reg not_62_d1;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+    reg valid_d11;
+    reg valid_d12;
+    reg valid_d13;
+    reg valid_d14;
+    reg valid_d15;
+    reg valid_d16;
+    reg valid_d17;
+    reg valid_d18;
+    reg valid_d19;
+    reg valid_d20;
+    reg valid_d21;
+    reg valid_d22;
+    reg valid_d23;
+    reg valid_d24;
+    reg valid_d25;
+    reg valid_d26;
+    reg valid_d27;
+    reg valid_d28;
+    reg valid_d29;
+    reg valid_d30;
+    reg valid_d31;
+    reg valid_d32;
+    reg valid_d33;
+    reg valid_d34;
+    reg valid_d35;
+    reg valid_d36;
+    reg valid_d37;
+    reg valid_d38;
+    reg valid_d39;
+    reg valid_d40;
+    reg valid_d41;
+    reg valid_d42;
+    reg valid_d43;
+    reg valid_d44;
+    reg valid_d45;
+    reg valid_d46;
+    reg valid_d47;
+    reg valid_d48;
+    reg valid_d49;
+    reg valid_d50;
+    reg valid_d51;
+    reg valid_d52;
+    reg valid_d53;
+    reg valid_d54;
+    reg valid_d55;
+    reg valid_d56;
+    reg valid_d57;
+    reg valid_d58;
+    reg valid_d59;
+    reg valid_d60;
+    reg valid_d61;
+    reg valid_d62;
+    reg valid_d63;
+    reg valid_d64;
+    reg valid_d65;
+    reg valid_d66;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire queue_out_last;
+    wire queue_out_inside;
+    wire [1:0] queue_out_slot;
+    wire [5:0] queue_out_pixel;
+    wire [15:0] queue_out_weight;
+    wire [31:0] to_float_u10q1_f32_ftz_unit_y;
+    wire [31:0] to_float_u10q1_f32_ftz_unit_copy2_y;
+    wire [31:0] add_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy2_y;
+    wire [31:0] add_f32_ftz_unit_copy3_y;
+    wire [31:0] add_f32_ftz_unit_copy4_y;
+    wire [31:0] add_f32_ftz_unit_copy5_y;
+    wire [31:0] add_f32_ftz_unit_copy6_y;
+    wire [31:0] add_f32_ftz_unit_copy7_y;
+    wire [31:0] add_f32_ftz_unit_copy8_y;
+    wire [31:0] mul_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_f32_ftz_unit_copy4_y;
+    wire [31:0] mul_f32_ftz_unit_copy5_y;
+    wire [31:0] mul_f32_ftz_unit_copy6_y;
+    wire [31:0] mul_f32_ftz_unit_copy7_y;
+    wire [31:0] mul_f32_ftz_unit_copy8_y;
+    wire [31:0] mul_f32_ftz_unit_copy9_y;
+    wire [31:0] mul_f32_ftz_unit_copy10_y;
+    wire [31:0] mul_f32_ftz_unit_copy11_y;
+    wire [31:0] mul_f32_ftz_unit_copy12_y;
+    wire [31:0] div_f32_ftz_unit_y;
+    wire [31:0] min_f32_ftz_unit_y;
+    wire lt_f32_ftz_unit_y;
+    wire [15:0] to_fixed_f32_ftz_u16q16_unit_y;
+    wire [15:0] interpolate_8_8_16_unit_y;
+
+    assign in_ready = queue_in_ready;
+    wire queue_out_ready = out_ready;
+    wire [31:0] select_53 = delay_33_from_0_out ? 32'h7f800000 : div_f32_ftz_unit_y;
+    wire not_62 = ~delay_60_from_0_out;
+    wire and_63 = lt_f32_ftz_unit_y & not_62_d1;
+    wire or_64 = delay_61_from_0_out | and_63;
+    wire or_65 = end_d61 | or_64;
+    wire xor_51 = add_f32_ftz_unit_copy6_y[31] ^ delay_12_from_0_out;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_last = queue_out_last;
+    assign out_inside = queue_out_inside;
+    assign out_slot = queue_out_slot;
+    assign out_pixel = queue_out_pixel;
+    assign out_weight = queue_out_weight;
+
+    stream_skid_w27 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d66 & delay_5_from_0_out[3]),
+        .in_ready(queue_in_ready),
+        .in_end(delay_5_from_0_out[0]),
+        .in_last(delay_5_from_0_out[1]),
+        .in_inside(delay_5_from_0_out[2]),
+        .in_slot(delay_66_from_0_out[1:0]),
+        .in_pixel(delay_66_from_0_out[7:2]),
+        .in_weight(interpolate_8_8_16_unit_y),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_last(queue_out_last),
+        .out_inside(queue_out_inside),
+        .out_slot(queue_out_slot),
+        .out_pixel(queue_out_pixel),
+        .out_weight(queue_out_weight)
+    );
+
+    float_from_fixed_s3_formatf32ftz_w10_fraction1 to_float_u10q1_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a({in_column, 1'd1}),
+        .y(to_float_u10q1_f32_ftz_unit_y)
+    );
+
+    float_from_fixed_s3_formatf32ftz_w10_fraction1 to_float_u10q1_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a({in_row, 1'd1}),
+        .y(to_float_u10q1_f32_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u10q1_f32_ftz_unit_y),
+        .b(neg_18_d3),
+        .y(add_f32_ftz_unit_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u10q1_f32_ftz_unit_copy2_y),
+        .b(neg_23_d3),
+        .y(add_f32_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_y),
+        .b({~mul_f32_ftz_unit_copy2_y[31], mul_f32_ftz_unit_copy2_y[30:0]}),
+        .y(add_f32_ftz_unit_copy3_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy3_y),
+        .b({~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]}),
+        .y(add_f32_ftz_unit_copy4_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_14_from_0_out),
+        .b(mul_f32_ftz_unit_copy5_y),
+        .y(add_f32_ftz_unit_copy5_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy5_y),
+        .b(delay_6_from_0_out),
+        .y(add_f32_ftz_unit_copy6_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy7_y),
+        .b(mul_f32_ftz_unit_copy8_y),
+        .y(add_f32_ftz_unit_copy7_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy10_y),
+        .b(mul_f32_ftz_unit_copy11_y),
+        .y(add_f32_ftz_unit_copy8_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_y),
+        .b(delay_9_from_0_out[31:0]),
+        .y(mul_f32_ftz_unit_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy2_y),
+        .b(delay_9_from_0_out[63:32]),
+        .y(mul_f32_ftz_unit_copy2_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_y),
+        .b(delay_9_from_0_out[95:64]),
+        .y(mul_f32_ftz_unit_copy3_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy2_y),
+        .b(delay_9_from_0_out[127:96]),
+        .y(mul_f32_ftz_unit_copy4_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_y),
+        .b(delay_9_from_0_out[159:128]),
+        .y(mul_f32_ftz_unit_copy5_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy2_y),
+        .b(delay_9_from_0_out[191:160]),
+        .y(mul_f32_ftz_unit_copy6_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy3_y),
+        .b(add_f32_ftz_unit_copy3_y),
+        .y(mul_f32_ftz_unit_copy7_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy4_y),
+        .b(add_f32_ftz_unit_copy4_y),
+        .y(mul_f32_ftz_unit_copy8_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy6_y),
+        .b(add_f32_ftz_unit_copy6_y),
+        .y(mul_f32_ftz_unit_copy9_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_y),
+        .b(add_f32_ftz_unit_y),
+        .y(mul_f32_ftz_unit_copy10_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy2_y),
+        .b(add_f32_ftz_unit_copy2_y),
+        .y(mul_f32_ftz_unit_copy11_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy8_y),
+        .b(filter_scale),
+        .y(mul_f32_ftz_unit_copy12_y)
+    );
+
+    float_div div_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy7_y),
+        .b(mul_f32_ftz_unit_copy9_y),
+        .y(div_f32_ftz_unit_y)
+    );
+
+    float_min min_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(select_53),
+        .b(delay_34_from_0_out),
+        .y(min_f32_ftz_unit_y)
+    );
+
+    float_lt lt_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(min_f32_ftz_unit_y),
+        .b(32'h3f800000),
+        .y(lt_f32_ftz_unit_y)
+    );
+
+    float_to_fixed_w16_fraction16 to_fixed_f32_ftz_u16q16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(min_f32_ftz_unit_y),
+        .y(to_fixed_f32_ftz_u16q16_unit_y)
+    );
+
+    float_table interpolate_8_8_16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_fixed_f32_ftz_u16q16_unit_y),
+        .y(interpolate_8_8_16_unit_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            delay_5_from_0_pointer <= 2'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_9_from_0_pointer <= 3'd0;
+            delay_12_from_0_pointer <= 4'd0;
+            delay_14_from_0_pointer <= 4'd0;
+            delay_33_from_0_pointer <= 5'd0;
+            delay_34_from_0_pointer <= 6'd0;
+            delay_60_from_0_pointer <= 6'd0;
+            delay_61_from_0_pointer <= 6'd0;
+            delay_66_from_0_pointer <= 7'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+            valid_d11 <= 1'd0;
+            valid_d12 <= 1'd0;
+            valid_d13 <= 1'd0;
+            valid_d14 <= 1'd0;
+            valid_d15 <= 1'd0;
+            valid_d16 <= 1'd0;
+            valid_d17 <= 1'd0;
+            valid_d18 <= 1'd0;
+            valid_d19 <= 1'd0;
+            valid_d20 <= 1'd0;
+            valid_d21 <= 1'd0;
+            valid_d22 <= 1'd0;
+            valid_d23 <= 1'd0;
+            valid_d24 <= 1'd0;
+            valid_d25 <= 1'd0;
+            valid_d26 <= 1'd0;
+            valid_d27 <= 1'd0;
+            valid_d28 <= 1'd0;
+            valid_d29 <= 1'd0;
+            valid_d30 <= 1'd0;
+            valid_d31 <= 1'd0;
+            valid_d32 <= 1'd0;
+            valid_d33 <= 1'd0;
+            valid_d34 <= 1'd0;
+            valid_d35 <= 1'd0;
+            valid_d36 <= 1'd0;
+            valid_d37 <= 1'd0;
+            valid_d38 <= 1'd0;
+            valid_d39 <= 1'd0;
+            valid_d40 <= 1'd0;
+            valid_d41 <= 1'd0;
+            valid_d42 <= 1'd0;
+            valid_d43 <= 1'd0;
+            valid_d44 <= 1'd0;
+            valid_d45 <= 1'd0;
+            valid_d46 <= 1'd0;
+            valid_d47 <= 1'd0;
+            valid_d48 <= 1'd0;
+            valid_d49 <= 1'd0;
+            valid_d50 <= 1'd0;
+            valid_d51 <= 1'd0;
+            valid_d52 <= 1'd0;
+            valid_d53 <= 1'd0;
+            valid_d54 <= 1'd0;
+            valid_d55 <= 1'd0;
+            valid_d56 <= 1'd0;
+            valid_d57 <= 1'd0;
+            valid_d58 <= 1'd0;
+            valid_d59 <= 1'd0;
+            valid_d60 <= 1'd0;
+            valid_d61 <= 1'd0;
+            valid_d62 <= 1'd0;
+            valid_d63 <= 1'd0;
+            valid_d64 <= 1'd0;
+            valid_d65 <= 1'd0;
+            valid_d66 <= 1'd0;
+        end else if (queue_in_ready) begin
+            delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+            delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
+            delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
+            delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+            delay_33_from_0_pointer <= (delay_33_from_0_pointer == 5'd31) ? (delay_33_from_0_pointer - 5'd31) : (delay_33_from_0_pointer + 5'd1);
+            delay_34_from_0_pointer <= (delay_34_from_0_pointer == 6'd32) ? (delay_34_from_0_pointer - 6'd32) : (delay_34_from_0_pointer + 6'd1);
+            delay_60_from_0_pointer <= (delay_60_from_0_pointer == 6'd58) ? (delay_60_from_0_pointer - 6'd58) : (delay_60_from_0_pointer + 6'd1);
+            delay_61_from_0_pointer <= (delay_61_from_0_pointer == 6'd59) ? (delay_61_from_0_pointer - 6'd59) : (delay_61_from_0_pointer + 6'd1);
+            delay_66_from_0_pointer <= (delay_66_from_0_pointer == 7'd64) ? (delay_66_from_0_pointer - 7'd64) : (delay_66_from_0_pointer + 7'd1);
+            valid_d1 <= in_valid;
+            valid_d2 <= valid_d1;
+            valid_d3 <= valid_d2;
+            valid_d4 <= valid_d3;
+            valid_d5 <= valid_d4;
+            valid_d6 <= valid_d5;
+            valid_d7 <= valid_d6;
+            valid_d8 <= valid_d7;
+            valid_d9 <= valid_d8;
+            valid_d10 <= valid_d9;
+            valid_d11 <= valid_d10;
+            valid_d12 <= valid_d11;
+            valid_d13 <= valid_d12;
+            valid_d14 <= valid_d13;
+            valid_d15 <= valid_d14;
+            valid_d16 <= valid_d15;
+            valid_d17 <= valid_d16;
+            valid_d18 <= valid_d17;
+            valid_d19 <= valid_d18;
+            valid_d20 <= valid_d19;
+            valid_d21 <= valid_d20;
+            valid_d22 <= valid_d21;
+            valid_d23 <= valid_d22;
+            valid_d24 <= valid_d23;
+            valid_d25 <= valid_d24;
+            valid_d26 <= valid_d25;
+            valid_d27 <= valid_d26;
+            valid_d28 <= valid_d27;
+            valid_d29 <= valid_d28;
+            valid_d30 <= valid_d29;
+            valid_d31 <= valid_d30;
+            valid_d32 <= valid_d31;
+            valid_d33 <= valid_d32;
+            valid_d34 <= valid_d33;
+            valid_d35 <= valid_d34;
+            valid_d36 <= valid_d35;
+            valid_d37 <= valid_d36;
+            valid_d38 <= valid_d37;
+            valid_d39 <= valid_d38;
+            valid_d40 <= valid_d39;
+            valid_d41 <= valid_d40;
+            valid_d42 <= valid_d41;
+            valid_d43 <= valid_d42;
+            valid_d44 <= valid_d43;
+            valid_d45 <= valid_d44;
+            valid_d46 <= valid_d45;
+            valid_d47 <= valid_d46;
+            valid_d48 <= valid_d47;
+            valid_d49 <= valid_d48;
+            valid_d50 <= valid_d49;
+            valid_d51 <= valid_d50;
+            valid_d52 <= valid_d51;
+            valid_d53 <= valid_d52;
+            valid_d54 <= valid_d53;
+            valid_d55 <= valid_d54;
+            valid_d56 <= valid_d55;
+            valid_d57 <= valid_d56;
+            valid_d58 <= valid_d57;
+            valid_d59 <= valid_d58;
+            valid_d60 <= valid_d59;
+            valid_d61 <= valid_d60;
+            valid_d62 <= valid_d61;
+            valid_d63 <= valid_d62;
+            valid_d64 <= valid_d63;
+            valid_d65 <= valid_d64;
+            valid_d66 <= valid_d65;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            end_d61 <= delay_60_from_0_out;
+            neg_18_d1 <= {~in_center_x[31], in_center_x[30:0]};
+            neg_18_d2 <= neg_18_d1;
+            neg_18_d3 <= neg_18_d2;
+            neg_23_d1 <= {~in_center_y[31], in_center_y[30:0]};
+            neg_23_d2 <= neg_23_d1;
+            neg_23_d3 <= neg_23_d2;
+            not_62_d1 <= not_62;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_61_from_0_out, end_d61};
+        end
+        if (queue_in_ready) begin
+            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy6_y;
+        end
+        if (queue_in_ready) begin
+            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_9_from_0[delay_9_from_0_pointer] <= {in_my, in_mx, in_bx, in_by, in_ax, in_ay};
+        end
+        if (queue_in_ready) begin
+            delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_12_from_0[delay_12_from_0_pointer] <= delay_14_from_0_out[31];
+        end
+        if (queue_in_ready) begin
+            delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_14_from_0[delay_14_from_0_pointer] <= in_delta;
+        end
+        if (queue_in_ready) begin
+            delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_33_from_0[delay_33_from_0_pointer] <= xor_51;
+        end
+        if (queue_in_ready) begin
+            delay_33_from_0_out <= delay_33_from_0[delay_33_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_34_from_0[delay_34_from_0_pointer] <= mul_f32_ftz_unit_copy12_y;
+        end
+        if (queue_in_ready) begin
+            delay_34_from_0_out <= delay_34_from_0[delay_34_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_60_from_0[delay_60_from_0_pointer] <= in_end;
+        end
+        if (queue_in_ready) begin
+            delay_60_from_0_out <= delay_60_from_0[delay_60_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_61_from_0[delay_61_from_0_pointer] <= in_last;
+        end
+        if (queue_in_ready) begin
+            delay_61_from_0_out <= delay_61_from_0[delay_61_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_66_from_0[delay_66_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        end
+        if (queue_in_ready) begin
+            delay_66_from_0_out <= delay_66_from_0[delay_66_from_0_pointer];
+        end
+    end
+endmodule
+
+// Sampled function, interpolated linearly.
+// stages = 3
+// index_bits = 8
+// fraction_bits = 8
+module float_table (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    output reg  [15:0] y
+);
+    reg [16:0] slope_s1;
+    reg [7:0] fraction_s1;
+    reg [15:0] rise_s2;
+    reg [15:0] start_s1;
+    reg [15:0] start_s2;
+
+    reg [32:0] samples;
+    always @(*) begin
+        case (a[15:8])
+            8'd0: samples = 33'h1fffffe02;
+            8'd1: samples = 33'h1fc03fe06;
+            8'd2: samples = 33'h1f80ffe0a;
+            8'd3: samples = 33'h1f423fe0e;
+            8'd4: samples = 33'h1f03ffe11;
+            8'd5: samples = 33'h1ec61fe16;
+            8'd6: samples = 33'h1e88dfe19;
+            8'd7: samples = 33'h1e4bffe1d;
+            8'd8: samples = 33'h1e0f9fe21;
+            8'd9: samples = 33'h1dd3bfe25;
+            8'd10: samples = 33'h1d985fe28;
+            8'd11: samples = 33'h1d5d5fe2c;
+            8'd12: samples = 33'h1d22dfe30;
+            8'd13: samples = 33'h1ce8dfe33;
+            8'd14: samples = 33'h1caf3fe37;
+            8'd15: samples = 33'h1c761fe3a;
+            8'd16: samples = 33'h1c3d5fe3e;
+            8'd17: samples = 33'h1c051fe42;
+            8'd18: samples = 33'h1bcd5fe45;
+            8'd19: samples = 33'h1b95ffe48;
+            8'd20: samples = 33'h1b5effe4c;
+            8'd21: samples = 33'h1b287fe4f;
+            8'd22: samples = 33'h1af25fe53;
+            8'd23: samples = 33'h1abcbfe55;
+            8'd24: samples = 33'h1a875fe5a;
+            8'd25: samples = 33'h1a529fe5c;
+            8'd26: samples = 33'h1a1e1fe60;
+            8'd27: samples = 33'h19ea1fe63;
+            8'd28: samples = 33'h19b67fe66;
+            8'd29: samples = 33'h19833fe69;
+            8'd30: samples = 33'h19505fe6d;
+            8'd31: samples = 33'h191dffe70;
+            8'd32: samples = 33'h18ebffe73;
+            8'd33: samples = 33'h18ba5fe75;
+            8'd34: samples = 33'h1888ffe79;
+            8'd35: samples = 33'h18581fe7c;
+            8'd36: samples = 33'h18279fe7f;
+            8'd37: samples = 33'h17f77fe82;
+            8'd38: samples = 33'h17c7bfe85;
+            8'd39: samples = 33'h17985fe88;
+            8'd40: samples = 33'h17695fe8b;
+            8'd41: samples = 33'h173abfe8e;
+            8'd42: samples = 33'h170c7fe91;
+            8'd43: samples = 33'h16de9fe93;
+            8'd44: samples = 33'h16b0ffe97;
+            8'd45: samples = 33'h1683dfe99;
+            8'd46: samples = 33'h1656ffe9c;
+            8'd47: samples = 33'h162a7fe9f;
+            8'd48: samples = 33'h15fe5fea1;
+            8'd49: samples = 33'h15d27fea4;
+            8'd50: samples = 33'h15a6ffea7;
+            8'd51: samples = 33'h157bdfeaa;
+            8'd52: samples = 33'h15511feac;
+            8'd53: samples = 33'h15269feaf;
+            8'd54: samples = 33'h14fc7feb1;
+            8'd55: samples = 33'h14d29feb5;
+            8'd56: samples = 33'h14a93feb6;
+            8'd57: samples = 33'h147fffeba;
+            8'd58: samples = 33'h14573febb;
+            8'd59: samples = 33'h142e9febf;
+            8'd60: samples = 33'h14067fec1;
+            8'd61: samples = 33'h13de9fec3;
+            8'd62: samples = 33'h13b6ffec6;
+            8'd63: samples = 33'h138fbfec8;
+            8'd64: samples = 33'h1368bfecb;
+            8'd65: samples = 33'h13421fecd;
+            8'd66: samples = 33'h131bbfecf;
+            8'd67: samples = 33'h12f59fed2;
+            8'd68: samples = 33'h12cfdfed4;
+            8'd69: samples = 33'h12aa5fed7;
+            8'd70: samples = 33'h12853fed9;
+            8'd71: samples = 33'h12605fedb;
+            8'd72: samples = 33'h123bbfedd;
+            8'd73: samples = 33'h12175fee0;
+            8'd74: samples = 33'h11f35fee2;
+            8'd75: samples = 33'h11cf9fee4;
+            8'd76: samples = 33'h11ac1fee6;
+            8'd77: samples = 33'h1188dfee9;
+            8'd78: samples = 33'h1165ffeea;
+            8'd79: samples = 33'h11433feed;
+            8'd80: samples = 33'h1120dfeef;
+            8'd81: samples = 33'h10febfef2;
+            8'd82: samples = 33'h10dcffef3;
+            8'd83: samples = 33'h10bb5fef5;
+            8'd84: samples = 33'h1099ffef8;
+            8'd85: samples = 33'h1078ffef9;
+            8'd86: samples = 33'h10581fefc;
+            8'd87: samples = 33'h10379fefd;
+            8'd88: samples = 33'h10173ff00;
+            8'd89: samples = 33'hff73ff01;
+            8'd90: samples = 33'hfd75ff04;
+            8'd91: samples = 33'hfb7dff05;
+            8'd92: samples = 33'hf987ff08;
+            8'd93: samples = 33'hf797ff09;
+            8'd94: samples = 33'hf5a9ff0b;
+            8'd95: samples = 33'hf3bfff0e;
+            8'd96: samples = 33'hf1dbff0f;
+            8'd97: samples = 33'heff9ff11;
+            8'd98: samples = 33'hee1bff12;
+            8'd99: samples = 33'hec3fff15;
+            8'd100: samples = 33'hea69ff17;
+            8'd101: samples = 33'he897ff18;
+            8'd102: samples = 33'he6c7ff1a;
+            8'd103: samples = 33'he4fbff1c;
+            8'd104: samples = 33'he333ff1e;
+            8'd105: samples = 33'he16fff1f;
+            8'd106: samples = 33'hdfadff21;
+            8'd107: samples = 33'hddefff23;
+            8'd108: samples = 33'hdc35ff25;
+            8'd109: samples = 33'hda7fff26;
+            8'd110: samples = 33'hd8cbff28;
+            8'd111: samples = 33'hd71bff2a;
+            8'd112: samples = 33'hd56fff2b;
+            8'd113: samples = 33'hd3c5ff2e;
+            8'd114: samples = 33'hd221ff2e;
+            8'd115: samples = 33'hd07dff31;
+            8'd116: samples = 33'hcedfff31;
+            8'd117: samples = 33'hcd41ff34;
+            8'd118: samples = 33'hcba9ff35;
+            8'd119: samples = 33'hca13ff37;
+            8'd120: samples = 33'hc881ff38;
+            8'd121: samples = 33'hc6f1ff3a;
+            8'd122: samples = 33'hc565ff3b;
+            8'd123: samples = 33'hc3dbff3d;
+            8'd124: samples = 33'hc255ff3f;
+            8'd125: samples = 33'hc0d3ff40;
+            8'd126: samples = 33'hbf53ff41;
+            8'd127: samples = 33'hbdd5ff43;
+            8'd128: samples = 33'hbc5bff44;
+            8'd129: samples = 33'hbae3ff46;
+            8'd130: samples = 33'hb96fff47;
+            8'd131: samples = 33'hb7fdff49;
+            8'd132: samples = 33'hb68fff4a;
+            8'd133: samples = 33'hb523ff4c;
+            8'd134: samples = 33'hb3bbff4d;
+            8'd135: samples = 33'hb255ff4e;
+            8'd136: samples = 33'hb0f1ff50;
+            8'd137: samples = 33'haf91ff51;
+            8'd138: samples = 33'hae33ff53;
+            8'd139: samples = 33'hacd9ff53;
+            8'd140: samples = 33'hab7fff56;
+            8'd141: samples = 33'haa2bff56;
+            8'd142: samples = 33'ha8d7ff58;
+            8'd143: samples = 33'ha787ff59;
+            8'd144: samples = 33'ha639ff5b;
+            8'd145: samples = 33'ha4efff5b;
+            8'd146: samples = 33'ha3a5ff5d;
+            8'd147: samples = 33'ha25fff5f;
+            8'd148: samples = 33'ha11dff5f;
+            8'd149: samples = 33'h9fdbff61;
+            8'd150: samples = 33'h9e9dff62;
+            8'd151: samples = 33'h9d61ff63;
+            8'd152: samples = 33'h9c27ff65;
+            8'd153: samples = 33'h9af1ff65;
+            8'd154: samples = 33'h99bbff67;
+            8'd155: samples = 33'h9889ff68;
+            8'd156: samples = 33'h9759ff69;
+            8'd157: samples = 33'h962bff6b;
+            8'd158: samples = 33'h9501ff6b;
+            8'd159: samples = 33'h93d7ff6d;
+            8'd160: samples = 33'h92b1ff6e;
+            8'd161: samples = 33'h918dff6f;
+            8'd162: samples = 33'h906bff70;
+            8'd163: samples = 33'h8f4bff71;
+            8'd164: samples = 33'h8e2dff73;
+            8'd165: samples = 33'h8d13ff73;
+            8'd166: samples = 33'h8bf9ff75;
+            8'd167: samples = 33'h8ae3ff76;
+            8'd168: samples = 33'h89cfff76;
+            8'd169: samples = 33'h88bbff78;
+            8'd170: samples = 33'h87abff79;
+            8'd171: samples = 33'h869dff7a;
+            8'd172: samples = 33'h8591ff7b;
+            8'd173: samples = 33'h8487ff7c;
+            8'd174: samples = 33'h837fff7d;
+            8'd175: samples = 33'h8279ff7e;
+            8'd176: samples = 33'h8175ff7f;
+            8'd177: samples = 33'h8073ff80;
+            8'd178: samples = 33'h7f73ff81;
+            8'd179: samples = 33'h7e75ff82;
+            8'd180: samples = 33'h7d79ff83;
+            8'd181: samples = 33'h7c7fff84;
+            8'd182: samples = 33'h7b87ff85;
+            8'd183: samples = 33'h7a91ff86;
+            8'd184: samples = 33'h799dff87;
+            8'd185: samples = 33'h78abff88;
+            8'd186: samples = 33'h77bbff88;
+            8'd187: samples = 33'h76cbff8a;
+            8'd188: samples = 33'h75dfff8b;
+            8'd189: samples = 33'h74f5ff8b;
+            8'd190: samples = 33'h740bff8d;
+            8'd191: samples = 33'h7325ff8d;
+            8'd192: samples = 33'h723fff8e;
+            8'd193: samples = 33'h715bff8f;
+            8'd194: samples = 33'h7079ff90;
+            8'd195: samples = 33'h6f99ff91;
+            8'd196: samples = 33'h6ebbff92;
+            8'd197: samples = 33'h6ddfff92;
+            8'd198: samples = 33'h6d03ff94;
+            8'd199: samples = 33'h6c2bff94;
+            8'd200: samples = 33'h6b53ff95;
+            8'd201: samples = 33'h6a7dff96;
+            8'd202: samples = 33'h69a9ff97;
+            8'd203: samples = 33'h68d7ff97;
+            8'd204: samples = 33'h6805ff99;
+            8'd205: samples = 33'h6737ff99;
+            8'd206: samples = 33'h6669ff9a;
+            8'd207: samples = 33'h659dff9b;
+            8'd208: samples = 33'h64d3ff9b;
+            8'd209: samples = 33'h6409ff9d;
+            8'd210: samples = 33'h6343ff9d;
+            8'd211: samples = 33'h627dff9e;
+            8'd212: samples = 33'h61b9ff9e;
+            8'd213: samples = 33'h60f5ffa0;
+            8'd214: samples = 33'h6035ffa0;
+            8'd215: samples = 33'h5f75ffa1;
+            8'd216: samples = 33'h5eb7ffa1;
+            8'd217: samples = 33'h5df9ffa3;
+            8'd218: samples = 33'h5d3fffa3;
+            8'd219: samples = 33'h5c85ffa4;
+            8'd220: samples = 33'h5bcdffa4;
+            8'd221: samples = 33'h5b15ffa6;
+            8'd222: samples = 33'h5a61ffa6;
+            8'd223: samples = 33'h59adffa6;
+            8'd224: samples = 33'h58f9ffa8;
+            8'd225: samples = 33'h5849ffa8;
+            8'd226: samples = 33'h5799ffa8;
+            8'd227: samples = 33'h56e9ffaa;
+            8'd228: samples = 33'h563dffaa;
+            8'd229: samples = 33'h5591ffab;
+            8'd230: samples = 33'h54e7ffab;
+            8'd231: samples = 33'h543dffac;
+            8'd232: samples = 33'h5395ffad;
+            8'd233: samples = 33'h52efffad;
+            8'd234: samples = 33'h5249ffae;
+            8'd235: samples = 33'h51a5ffaf;
+            8'd236: samples = 33'h5103ffaf;
+            8'd237: samples = 33'h5061ffb0;
+            8'd238: samples = 33'h4fc1ffb1;
+            8'd239: samples = 33'h4f23ffb1;
+            8'd240: samples = 33'h4e85ffb2;
+            8'd241: samples = 33'h4de9ffb2;
+            8'd242: samples = 33'h4d4dffb3;
+            8'd243: samples = 33'h4cb3ffb4;
+            8'd244: samples = 33'h4c1bffb4;
+            8'd245: samples = 33'h4b83ffb5;
+            8'd246: samples = 33'h4aedffb5;
+            8'd247: samples = 33'h4a57ffb6;
+            8'd248: samples = 33'h49c3ffb7;
+            8'd249: samples = 33'h4931ffb7;
+            8'd250: samples = 33'h489fffb8;
+            8'd251: samples = 33'h480fffb8;
+            8'd252: samples = 33'h477fffb9;
+            8'd253: samples = 33'h46f1ffb9;
+            8'd254: samples = 33'h4663ffba;
+            default: samples = 33'h45d7ffba;
+        endcase
+    end
+    wire [8:0] joined_1 = {1'd0, fraction_s1};
+    wire [25:0] product_2 = $signed({{9{slope_s1[16]}}, slope_s1}) * $signed({{17{joined_1[8]}}, joined_1});
+
+    always @(posedge clk) begin
+        if (enable) begin
+            slope_s1 <= samples[16:0];
+            fraction_s1 <= a[7:0];
+            rise_s2 <= product_2[23:8];
+            start_s1 <= samples[32:17];
+            start_s2 <= start_s1;
+            y <= start_s2 + rise_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, product_2[7:0], product_2[25:24], rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f32-ftz
+// width = 16
+// fraction = 16
+// integer = unsigned
+module float_to_fixed_w16_fraction16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    output reg  [15:0] y
+);
+    reg [4:0] distance_s1;
+    reg [23:0] significand_s1;
+    reg [15:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[30:23];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
+    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [22:0] a_fraction = a[22:0];
+    wire [23:0] shifted_3 = significand_s1 >> distance_s1;
+    wire term_4 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_5 = &a_field & (a_fraction == 23'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
+            magnitude_s2 <= shifted_3[15:0];
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_4 & ~term_5) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_4 & (11'd17 <= sum_1) & |a_field) | term_5;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 16'd0 : saturates_s2 ? 16'hffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst, shifted_3[23:16]};
+endmodule
+
+// Floating-point quotient, correctly rounded.
+// stages = 28
+// format = f32-ftz
+module float_div (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  [31:0] y
+);
+    reg [24:0] remainder_s1;
+    reg quotient_s1;
+    reg [23:0] divisor_s1;
+    reg [24:0] remainder_s2;
+    reg [1:0] quotient_s2;
+    reg [23:0] divisor_s2;
+    reg [24:0] remainder_s3;
+    reg [2:0] quotient_s3;
+    reg [23:0] divisor_s3;
+    reg [24:0] remainder_s4;
+    reg [3:0] quotient_s4;
+    reg [23:0] divisor_s4;
+    reg [24:0] remainder_s5;
+    reg [4:0] quotient_s5;
+    reg [23:0] divisor_s5;
+    reg [24:0] remainder_s6;
+    reg [5:0] quotient_s6;
+    reg [23:0] divisor_s6;
+    reg [24:0] remainder_s7;
+    reg [6:0] quotient_s7;
+    reg [23:0] divisor_s7;
+    reg [24:0] remainder_s8;
+    reg [7:0] quotient_s8;
+    reg [23:0] divisor_s8;
+    reg [24:0] remainder_s9;
+    reg [8:0] quotient_s9;
+    reg [23:0] divisor_s9;
+    reg [24:0] remainder_s10;
+    reg [9:0] quotient_s10;
+    reg [23:0] divisor_s10;
+    reg [24:0] remainder_s11;
+    reg [10:0] quotient_s11;
+    reg [23:0] divisor_s11;
+    reg [24:0] remainder_s12;
+    reg [11:0] quotient_s12;
+    reg [23:0] divisor_s12;
+    reg [24:0] remainder_s13;
+    reg [12:0] quotient_s13;
+    reg [23:0] divisor_s13;
+    reg [24:0] remainder_s14;
+    reg [13:0] quotient_s14;
+    reg [23:0] divisor_s14;
+    reg [24:0] remainder_s15;
+    reg [14:0] quotient_s15;
+    reg [23:0] divisor_s15;
+    reg [24:0] remainder_s16;
+    reg [15:0] quotient_s16;
+    reg [23:0] divisor_s16;
+    reg [24:0] remainder_s17;
+    reg [16:0] quotient_s17;
+    reg [23:0] divisor_s17;
+    reg [24:0] remainder_s18;
+    reg [17:0] quotient_s18;
+    reg [23:0] divisor_s18;
+    reg [24:0] remainder_s19;
+    reg [18:0] quotient_s19;
+    reg [23:0] divisor_s19;
+    reg [24:0] remainder_s20;
+    reg [19:0] quotient_s20;
+    reg [23:0] divisor_s20;
+    reg [24:0] remainder_s21;
+    reg [20:0] quotient_s21;
+    reg [23:0] divisor_s21;
+    reg [24:0] remainder_s22;
+    reg [21:0] quotient_s22;
+    reg [23:0] divisor_s22;
+    reg [24:0] remainder_s23;
+    reg [22:0] quotient_s23;
+    reg [23:0] divisor_s23;
+    reg [24:0] remainder_s24;
+    reg [23:0] quotient_s24;
+    reg [23:0] divisor_s24;
+    reg [24:0] remainder_s25;
+    reg [24:0] quotient_s25;
+    reg [23:0] divisor_s25;
+    reg [24:0] remainder_s26;
+    reg [25:0] quotient_s26;
+    reg [9:0] exponent_s1;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s4;
+    reg [9:0] exponent_s5;
+    reg [9:0] exponent_s6;
+    reg [9:0] exponent_s7;
+    reg [9:0] exponent_s8;
+    reg [9:0] exponent_s9;
+    reg [9:0] exponent_s10;
+    reg [9:0] exponent_s11;
+    reg [9:0] exponent_s12;
+    reg [9:0] exponent_s13;
+    reg [9:0] exponent_s14;
+    reg [9:0] exponent_s15;
+    reg [9:0] exponent_s16;
+    reg [9:0] exponent_s17;
+    reg [9:0] exponent_s18;
+    reg [9:0] exponent_s19;
+    reg [9:0] exponent_s20;
+    reg [9:0] exponent_s21;
+    reg [9:0] exponent_s22;
+    reg [9:0] exponent_s23;
+    reg [9:0] exponent_s24;
+    reg [9:0] exponent_s25;
+    reg [9:0] exponent_s26;
+    reg [9:0] exponent_s27;
+    reg [25:0] significand_s27;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg sign_s5;
+    reg sign_s6;
+    reg sign_s7;
+    reg sign_s8;
+    reg sign_s9;
+    reg sign_s10;
+    reg sign_s11;
+    reg sign_s12;
+    reg sign_s13;
+    reg sign_s14;
+    reg sign_s15;
+    reg sign_s16;
+    reg sign_s17;
+    reg sign_s18;
+    reg sign_s19;
+    reg sign_s20;
+    reg sign_s21;
+    reg sign_s22;
+    reg sign_s23;
+    reg sign_s24;
+    reg sign_s25;
+    reg sign_s26;
+    reg sign_s27;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg nan_s5;
+    reg nan_s6;
+    reg nan_s7;
+    reg nan_s8;
+    reg nan_s9;
+    reg nan_s10;
+    reg nan_s11;
+    reg nan_s12;
+    reg nan_s13;
+    reg nan_s14;
+    reg nan_s15;
+    reg nan_s16;
+    reg nan_s17;
+    reg nan_s18;
+    reg nan_s19;
+    reg nan_s20;
+    reg nan_s21;
+    reg nan_s22;
+    reg nan_s23;
+    reg nan_s24;
+    reg nan_s25;
+    reg nan_s26;
+    reg nan_s27;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg infinite_s6;
+    reg infinite_s7;
+    reg infinite_s8;
+    reg infinite_s9;
+    reg infinite_s10;
+    reg infinite_s11;
+    reg infinite_s12;
+    reg infinite_s13;
+    reg infinite_s14;
+    reg infinite_s15;
+    reg infinite_s16;
+    reg infinite_s17;
+    reg infinite_s18;
+    reg infinite_s19;
+    reg infinite_s20;
+    reg infinite_s21;
+    reg infinite_s22;
+    reg infinite_s23;
+    reg infinite_s24;
+    reg infinite_s25;
+    reg infinite_s26;
+    reg infinite_s27;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg zero_s5;
+    reg zero_s6;
+    reg zero_s7;
+    reg zero_s8;
+    reg zero_s9;
+    reg zero_s10;
+    reg zero_s11;
+    reg zero_s12;
+    reg zero_s13;
+    reg zero_s14;
+    reg zero_s15;
+    reg zero_s16;
+    reg zero_s17;
+    reg zero_s18;
+    reg zero_s19;
+    reg zero_s20;
+    reg zero_s21;
+    reg zero_s22;
+    reg zero_s23;
+    reg zero_s24;
+    reg zero_s25;
+    reg zero_s26;
+    reg zero_s27;
+
+    wire [7:0] a_field = a[30:23];
+    wire [22:0] a_fraction = a[22:0];
+    wire [22:0] term_1 = a_fraction & {23{|a_field}};
+    wire [7:0] b_field = b[30:23];
+    wire [22:0] b_fraction = b[22:0];
+    wire [22:0] term_2 = b_fraction & {23{|b_field}};
+    wire [25:0] difference_3 = {2'd0, |a_field, term_1} - {2'd0, |b_field, term_2};
+    wire [23:0] choice_4 = ~difference_3[25] ? difference_3[23:0] : {|a_field, term_1};
+    wire [25:0] difference_5 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [23:0] choice_6 = ~difference_5[25] ? difference_5[23:0] : remainder_s1[23:0];
+    wire [25:0] difference_7 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [23:0] choice_8 = ~difference_7[25] ? difference_7[23:0] : remainder_s2[23:0];
+    wire [25:0] difference_9 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [23:0] choice_10 = ~difference_9[25] ? difference_9[23:0] : remainder_s3[23:0];
+    wire [25:0] difference_11 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [23:0] choice_12 = ~difference_11[25] ? difference_11[23:0] : remainder_s4[23:0];
+    wire [25:0] difference_13 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [23:0] choice_14 = ~difference_13[25] ? difference_13[23:0] : remainder_s5[23:0];
+    wire [25:0] difference_15 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [23:0] choice_16 = ~difference_15[25] ? difference_15[23:0] : remainder_s6[23:0];
+    wire [25:0] difference_17 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [23:0] choice_18 = ~difference_17[25] ? difference_17[23:0] : remainder_s7[23:0];
+    wire [25:0] difference_19 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [23:0] choice_20 = ~difference_19[25] ? difference_19[23:0] : remainder_s8[23:0];
+    wire [25:0] difference_21 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [23:0] choice_22 = ~difference_21[25] ? difference_21[23:0] : remainder_s9[23:0];
+    wire [25:0] difference_23 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [23:0] choice_24 = ~difference_23[25] ? difference_23[23:0] : remainder_s10[23:0];
+    wire [25:0] difference_25 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [23:0] choice_26 = ~difference_25[25] ? difference_25[23:0] : remainder_s11[23:0];
+    wire [25:0] difference_27 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [23:0] choice_28 = ~difference_27[25] ? difference_27[23:0] : remainder_s12[23:0];
+    wire [25:0] difference_29 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [23:0] choice_30 = ~difference_29[25] ? difference_29[23:0] : remainder_s13[23:0];
+    wire [25:0] difference_31 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [23:0] choice_32 = ~difference_31[25] ? difference_31[23:0] : remainder_s14[23:0];
+    wire [25:0] difference_33 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [23:0] choice_34 = ~difference_33[25] ? difference_33[23:0] : remainder_s15[23:0];
+    wire [25:0] difference_35 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [23:0] choice_36 = ~difference_35[25] ? difference_35[23:0] : remainder_s16[23:0];
+    wire [25:0] difference_37 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [23:0] choice_38 = ~difference_37[25] ? difference_37[23:0] : remainder_s17[23:0];
+    wire [25:0] difference_39 = {1'd0, remainder_s18} - {2'd0, divisor_s18};
+    wire [23:0] choice_40 = ~difference_39[25] ? difference_39[23:0] : remainder_s18[23:0];
+    wire [25:0] difference_41 = {1'd0, remainder_s19} - {2'd0, divisor_s19};
+    wire [23:0] choice_42 = ~difference_41[25] ? difference_41[23:0] : remainder_s19[23:0];
+    wire [25:0] difference_43 = {1'd0, remainder_s20} - {2'd0, divisor_s20};
+    wire [23:0] choice_44 = ~difference_43[25] ? difference_43[23:0] : remainder_s20[23:0];
+    wire [25:0] difference_45 = {1'd0, remainder_s21} - {2'd0, divisor_s21};
+    wire [23:0] choice_46 = ~difference_45[25] ? difference_45[23:0] : remainder_s21[23:0];
+    wire [25:0] difference_47 = {1'd0, remainder_s22} - {2'd0, divisor_s22};
+    wire [23:0] choice_48 = ~difference_47[25] ? difference_47[23:0] : remainder_s22[23:0];
+    wire [25:0] difference_49 = {1'd0, remainder_s23} - {2'd0, divisor_s23};
+    wire [23:0] choice_50 = ~difference_49[25] ? difference_49[23:0] : remainder_s23[23:0];
+    wire [25:0] difference_51 = {1'd0, remainder_s24} - {2'd0, divisor_s24};
+    wire [23:0] choice_52 = ~difference_51[25] ? difference_51[23:0] : remainder_s24[23:0];
+    wire [25:0] difference_53 = {1'd0, remainder_s25} - {2'd0, divisor_s25};
+    wire [23:0] choice_54 = ~difference_53[25] ? difference_53[23:0] : remainder_s25[23:0];
+    wire [26:0] joined_55 = {quotient_s26, |remainder_s26};
+    wire [26:0] choice_56 = ~quotient_s26[25] ? (joined_55 << 1) : joined_55;
+    wire term_57 = ~(|a_field);
+    wire term_58 = ~(|b_field);
+    wire term_59 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_57 & term_58);
+    wire term_60 = &a_field & (a_fraction == 23'd0);
+    wire term_61 = &b_field & (b_fraction == 23'd0);
+    wire term_62 = (exponent_s27 == 10'd0) & ~(&significand_s27[24:2] & significand_s27[1]);
+    wire term_63 = infinite_s27 | (~exponent_s27[9] & (10'd255 <= exponent_s27));
+    wire round_up = significand_s27[1] & (significand_s27[0] | significand_s27[2]);
+    wire [30:0] rounded = {exponent_s27[7:0], significand_s27[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_64 = (zero_s27 | ((exponent_s27[9] | term_62) & ~infinite_s27)) ? 31'd0 : term_63 ? 31'h7f800000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            remainder_s1 <= {choice_4, 1'd0};
+            quotient_s1 <= ~difference_3[25];
+            divisor_s1 <= {|b_field, term_2};
+            remainder_s2 <= {choice_6, 1'd0};
+            quotient_s2 <= {quotient_s1, ~difference_5[25]};
+            divisor_s2 <= divisor_s1;
+            remainder_s3 <= {choice_8, 1'd0};
+            quotient_s3 <= {quotient_s2, ~difference_7[25]};
+            divisor_s3 <= divisor_s2;
+            remainder_s4 <= {choice_10, 1'd0};
+            quotient_s4 <= {quotient_s3, ~difference_9[25]};
+            divisor_s4 <= divisor_s3;
+            remainder_s5 <= {choice_12, 1'd0};
+            quotient_s5 <= {quotient_s4, ~difference_11[25]};
+            divisor_s5 <= divisor_s4;
+            remainder_s6 <= {choice_14, 1'd0};
+            quotient_s6 <= {quotient_s5, ~difference_13[25]};
+            divisor_s6 <= divisor_s5;
+            remainder_s7 <= {choice_16, 1'd0};
+            quotient_s7 <= {quotient_s6, ~difference_15[25]};
+            divisor_s7 <= divisor_s6;
+            remainder_s8 <= {choice_18, 1'd0};
+            quotient_s8 <= {quotient_s7, ~difference_17[25]};
+            divisor_s8 <= divisor_s7;
+            remainder_s9 <= {choice_20, 1'd0};
+            quotient_s9 <= {quotient_s8, ~difference_19[25]};
+            divisor_s9 <= divisor_s8;
+            remainder_s10 <= {choice_22, 1'd0};
+            quotient_s10 <= {quotient_s9, ~difference_21[25]};
+            divisor_s10 <= divisor_s9;
+            remainder_s11 <= {choice_24, 1'd0};
+            quotient_s11 <= {quotient_s10, ~difference_23[25]};
+            divisor_s11 <= divisor_s10;
+            remainder_s12 <= {choice_26, 1'd0};
+            quotient_s12 <= {quotient_s11, ~difference_25[25]};
+            divisor_s12 <= divisor_s11;
+            remainder_s13 <= {choice_28, 1'd0};
+            quotient_s13 <= {quotient_s12, ~difference_27[25]};
+            divisor_s13 <= divisor_s12;
+            remainder_s14 <= {choice_30, 1'd0};
+            quotient_s14 <= {quotient_s13, ~difference_29[25]};
+            divisor_s14 <= divisor_s13;
+            remainder_s15 <= {choice_32, 1'd0};
+            quotient_s15 <= {quotient_s14, ~difference_31[25]};
+            divisor_s15 <= divisor_s14;
+            remainder_s16 <= {choice_34, 1'd0};
+            quotient_s16 <= {quotient_s15, ~difference_33[25]};
+            divisor_s16 <= divisor_s15;
+            remainder_s17 <= {choice_36, 1'd0};
+            quotient_s17 <= {quotient_s16, ~difference_35[25]};
+            divisor_s17 <= divisor_s16;
+            remainder_s18 <= {choice_38, 1'd0};
+            quotient_s18 <= {quotient_s17, ~difference_37[25]};
+            divisor_s18 <= divisor_s17;
+            remainder_s19 <= {choice_40, 1'd0};
+            quotient_s19 <= {quotient_s18, ~difference_39[25]};
+            divisor_s19 <= divisor_s18;
+            remainder_s20 <= {choice_42, 1'd0};
+            quotient_s20 <= {quotient_s19, ~difference_41[25]};
+            divisor_s20 <= divisor_s19;
+            remainder_s21 <= {choice_44, 1'd0};
+            quotient_s21 <= {quotient_s20, ~difference_43[25]};
+            divisor_s21 <= divisor_s20;
+            remainder_s22 <= {choice_46, 1'd0};
+            quotient_s22 <= {quotient_s21, ~difference_45[25]};
+            divisor_s22 <= divisor_s21;
+            remainder_s23 <= {choice_48, 1'd0};
+            quotient_s23 <= {quotient_s22, ~difference_47[25]};
+            divisor_s23 <= divisor_s22;
+            remainder_s24 <= {choice_50, 1'd0};
+            quotient_s24 <= {quotient_s23, ~difference_49[25]};
+            divisor_s24 <= divisor_s23;
+            remainder_s25 <= {choice_52, 1'd0};
+            quotient_s25 <= {quotient_s24, ~difference_51[25]};
+            divisor_s25 <= divisor_s24;
+            remainder_s26 <= {choice_54, 1'd0};
+            quotient_s26 <= {quotient_s25, ~difference_53[25]};
+            exponent_s1 <= ({2'd0, a_field} - {2'd0, b_field}) + 10'd127;
+            exponent_s2 <= exponent_s1;
+            exponent_s3 <= exponent_s2;
+            exponent_s4 <= exponent_s3;
+            exponent_s5 <= exponent_s4;
+            exponent_s6 <= exponent_s5;
+            exponent_s7 <= exponent_s6;
+            exponent_s8 <= exponent_s7;
+            exponent_s9 <= exponent_s8;
+            exponent_s10 <= exponent_s9;
+            exponent_s11 <= exponent_s10;
+            exponent_s12 <= exponent_s11;
+            exponent_s13 <= exponent_s12;
+            exponent_s14 <= exponent_s13;
+            exponent_s15 <= exponent_s14;
+            exponent_s16 <= exponent_s15;
+            exponent_s17 <= exponent_s16;
+            exponent_s18 <= exponent_s17;
+            exponent_s19 <= exponent_s18;
+            exponent_s20 <= exponent_s19;
+            exponent_s21 <= exponent_s20;
+            exponent_s22 <= exponent_s21;
+            exponent_s23 <= exponent_s22;
+            exponent_s24 <= exponent_s23;
+            exponent_s25 <= exponent_s24;
+            exponent_s26 <= exponent_s25;
+            exponent_s27 <= exponent_s26 - {9'd0, ~quotient_s26[25]};
+            significand_s27 <= {choice_56[26:2], |choice_56[1:0]};
+            sign_s1 <= a[31] ^ b[31];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            sign_s5 <= sign_s4;
+            sign_s6 <= sign_s5;
+            sign_s7 <= sign_s6;
+            sign_s8 <= sign_s7;
+            sign_s9 <= sign_s8;
+            sign_s10 <= sign_s9;
+            sign_s11 <= sign_s10;
+            sign_s12 <= sign_s11;
+            sign_s13 <= sign_s12;
+            sign_s14 <= sign_s13;
+            sign_s15 <= sign_s14;
+            sign_s16 <= sign_s15;
+            sign_s17 <= sign_s16;
+            sign_s18 <= sign_s17;
+            sign_s19 <= sign_s18;
+            sign_s20 <= sign_s19;
+            sign_s21 <= sign_s20;
+            sign_s22 <= sign_s21;
+            sign_s23 <= sign_s22;
+            sign_s24 <= sign_s23;
+            sign_s25 <= sign_s24;
+            sign_s26 <= sign_s25;
+            sign_s27 <= sign_s26;
+            nan_s1 <= term_59 | (term_60 & term_61);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            nan_s6 <= nan_s5;
+            nan_s7 <= nan_s6;
+            nan_s8 <= nan_s7;
+            nan_s9 <= nan_s8;
+            nan_s10 <= nan_s9;
+            nan_s11 <= nan_s10;
+            nan_s12 <= nan_s11;
+            nan_s13 <= nan_s12;
+            nan_s14 <= nan_s13;
+            nan_s15 <= nan_s14;
+            nan_s16 <= nan_s15;
+            nan_s17 <= nan_s16;
+            nan_s18 <= nan_s17;
+            nan_s19 <= nan_s18;
+            nan_s20 <= nan_s19;
+            nan_s21 <= nan_s20;
+            nan_s22 <= nan_s21;
+            nan_s23 <= nan_s22;
+            nan_s24 <= nan_s23;
+            nan_s25 <= nan_s24;
+            nan_s26 <= nan_s25;
+            nan_s27 <= nan_s26;
+            infinite_s1 <= term_60 | term_58;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            infinite_s6 <= infinite_s5;
+            infinite_s7 <= infinite_s6;
+            infinite_s8 <= infinite_s7;
+            infinite_s9 <= infinite_s8;
+            infinite_s10 <= infinite_s9;
+            infinite_s11 <= infinite_s10;
+            infinite_s12 <= infinite_s11;
+            infinite_s13 <= infinite_s12;
+            infinite_s14 <= infinite_s13;
+            infinite_s15 <= infinite_s14;
+            infinite_s16 <= infinite_s15;
+            infinite_s17 <= infinite_s16;
+            infinite_s18 <= infinite_s17;
+            infinite_s19 <= infinite_s18;
+            infinite_s20 <= infinite_s19;
+            infinite_s21 <= infinite_s20;
+            infinite_s22 <= infinite_s21;
+            infinite_s23 <= infinite_s22;
+            infinite_s24 <= infinite_s23;
+            infinite_s25 <= infinite_s24;
+            infinite_s26 <= infinite_s25;
+            infinite_s27 <= infinite_s26;
+            zero_s1 <= term_57 | term_61;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            zero_s5 <= zero_s4;
+            zero_s6 <= zero_s5;
+            zero_s7 <= zero_s6;
+            zero_s8 <= zero_s7;
+            zero_s9 <= zero_s8;
+            zero_s10 <= zero_s9;
+            zero_s11 <= zero_s10;
+            zero_s12 <= zero_s11;
+            zero_s13 <= zero_s12;
+            zero_s14 <= zero_s13;
+            zero_s15 <= zero_s14;
+            zero_s16 <= zero_s15;
+            zero_s17 <= zero_s16;
+            zero_s18 <= zero_s17;
+            zero_s19 <= zero_s18;
+            zero_s20 <= zero_s19;
+            zero_s21 <= zero_s20;
+            zero_s22 <= zero_s21;
+            zero_s23 <= zero_s22;
+            zero_s24 <= zero_s23;
+            zero_s25 <= zero_s24;
+            zero_s26 <= zero_s25;
+            zero_s27 <= zero_s26;
+            y <= nan_s27 ? 32'h7fc00000 : {sign_s27, choice_64};
+        end
+    end
+
+    wire _unused = &{
+        1'b0,
+        difference_11[24],
+        difference_13[24],
+        difference_15[24],
+        difference_17[24],
+        difference_19[24],
+        difference_21[24],
+        difference_23[24],
+        difference_25[24],
+        difference_27[24],
+        difference_29[24],
+        difference_3[24],
+        difference_31[24],
+        difference_33[24],
+        difference_35[24],
+        difference_37[24],
+        difference_39[24],
+        difference_41[24],
+        difference_43[24],
+        difference_45[24],
+        difference_47[24],
+        difference_49[24],
+        difference_5[24],
+        difference_51[24],
+        difference_53[24],
+        difference_7[24],
+        difference_9[24],
+        rst,
+        significand_s27[25]
+    };
+endmodule
+
+// Fixed to floating point.
+// stages = 3
+// format = f32-ftz
+// width = 10
+// fraction = 1
+// integer = unsigned
+module float_from_fixed_s3_formatf32ftz_w10_fraction1 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [9:0] a,
+    output reg  [31:0] y
+);
+    reg [9:0] magnitude_s1;
+    reg [3:0] zeros_s1;
+    reg [8:0] exponent_s2;
+    reg [25:0] significand_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire term_1 = ~a[9] & ~a[8];
+    wire term_2 = term_1 & (~a[7] & ~a[6]);
+    wire term_3 = ~a[5] & ~a[4];
+    wire term_4 = term_2 & (term_3 & (~a[3] & ~a[2]));
+    wire term_5 = ~a[1] & ~a[0];
+    wire [1:0] choice_6 = term_2 ? {term_3, term_3 ? ~a[3] : ~a[5]} : {term_1, term_1 ? ~a[7] : ~a[9]};
+    wire [2:0] choice_7 = term_4 ? {1'd0, term_5, term_5 ? 1'd0 : ~a[1]} : {term_2, choice_6};
+    wire term_8 = (exponent_s2 == 9'd0) & ~(&significand_s2[24:2] & significand_s2[1]);
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [30:0] rounded = {exponent_s2[7:0], significand_s2[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_9 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 31'h7f800000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            magnitude_s1 <= a;
+            zeros_s1 <= {term_4, choice_7};
+            exponent_s2 <= 9'd135 - {5'd0, zeros_s1};
+            significand_s2 <= {magnitude_s1 << zeros_s1, 16'd0};
+            zero_s1 <= a == 10'd0;
+            zero_s2 <= zero_s1;
+            y <= {1'd0, (zero_s2 | (exponent_s2[8] | term_8)) ? 31'd0 : choice_9};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s2[25]};
+endmodule
+
+// Queue of two in registers.
+// width = 27
+module stream_skid_w27 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire [1:0] in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire [1:0] out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight
+);
+    reg second_valid;
+    reg [26:0] head;
+    reg [26:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [26:0] in_item = {in_end, in_last, in_inside, in_slot, in_pixel, in_weight};
+
+    assign out_end = head[26];
+    assign out_last = head[25];
+    assign out_inside = head[24];
+    assign out_slot = head[23:22];
+    assign out_pixel = head[21:16];
+    assign out_weight = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Control of the tile slots: placement, exchange with memory, end of frame.
+// slots = 4
+module core_a_tile_cache (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [11:0] in_tile,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_ax,
+    output wire [31:0] out_bx,
+    output wire [31:0] out_ay,
+    output wire [31:0] out_by,
+    output wire [31:0] out_delta,
+    output wire [31:0] out_mx,
+    output wire [31:0] out_my,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [11:0] out_tile,
+    output wire [1:0] out_slot,
+    output reg  read_valid,
+    input  wire read_ready,
+    output reg  [11:0] read_tile,
+    input  wire data_valid,
+    output wire data_ready,
+    input  wire [27:0] data_weight,
+    input  wire [51:0] data_depth,
+    input  wire [15:0] data_peak,
+    input  wire [15:0] data_attribute_0,
+    input  wire [15:0] data_attribute_1,
+    input  wire [15:0] data_attribute_2,
+    input  wire [15:0] data_attribute_3,
+    input  wire [15:0] data_attribute_4,
+    input  wire [15:0] data_attribute_5,
+    input  wire [15:0] data_attribute_6,
+    input  wire [15:0] data_attribute_7,
+    input  wire [15:0] data_attribute_8,
+    input  wire [15:0] data_attribute_9,
+    input  wire [15:0] data_attribute_10,
+    input  wire [15:0] data_attribute_11,
+    input  wire [15:0] data_attribute_12,
+    input  wire [15:0] data_cardinal_0,
+    output wire write_valid,
+    input  wire write_ready,
+    output wire [11:0] write_tile,
+    output wire [5:0] write_pixel,
+    output wire [27:0] write_weight,
+    output wire [51:0] write_depth,
+    output wire [15:0] write_peak,
+    output wire [15:0] write_attribute_0,
+    output wire [15:0] write_attribute_1,
+    output wire [15:0] write_attribute_2,
+    output wire [15:0] write_attribute_3,
+    output wire [15:0] write_attribute_4,
+    output wire [15:0] write_attribute_5,
+    output wire [15:0] write_attribute_6,
+    output wire [15:0] write_attribute_7,
+    output wire [15:0] write_attribute_8,
+    output wire [15:0] write_attribute_9,
+    output wire [15:0] write_attribute_10,
+    output wire [15:0] write_attribute_11,
+    output wire [15:0] write_attribute_12,
+    output wire [15:0] write_cardinal_0,
+    output wire pixel_valid,
+    input  wire pixel_ready,
+    output wire pixel_end,
+    output wire [11:0] pixel_tile,
+    output wire [5:0] pixel_pixel,
+    output wire [27:0] pixel_weight,
+    output wire [51:0] pixel_depth,
+    output wire [15:0] pixel_peak,
+    output wire [15:0] pixel_attribute_0,
+    output wire [15:0] pixel_attribute_1,
+    output wire [15:0] pixel_attribute_2,
+    output wire [15:0] pixel_attribute_3,
+    output wire [15:0] pixel_attribute_4,
+    output wire [15:0] pixel_attribute_5,
+    output wire [15:0] pixel_attribute_6,
+    output wire [15:0] pixel_attribute_7,
+    output wire [15:0] pixel_attribute_8,
+    output wire [15:0] pixel_attribute_9,
+    output wire [15:0] pixel_attribute_10,
+    output wire [15:0] pixel_attribute_11,
+    output wire [15:0] pixel_attribute_12,
+    output wire [15:0] pixel_cardinal_0,
+    output wire [3:0] slot_ready,
+    input  wire retire_valid,
+    input  wire [1:0] retire_slot,
+    input  wire frame_end,
+    output reg  fill_valid,
+    output wire [1:0] fill_slot,
+    output reg  [5:0] fill_pixel,
+    output reg  [27:0] fill_weight,
+    output reg  [51:0] fill_depth,
+    output reg  [15:0] fill_peak,
+    output reg  [15:0] fill_attribute_0,
+    output reg  [15:0] fill_attribute_1,
+    output reg  [15:0] fill_attribute_2,
+    output reg  [15:0] fill_attribute_3,
+    output reg  [15:0] fill_attribute_4,
+    output reg  [15:0] fill_attribute_5,
+    output reg  [15:0] fill_attribute_6,
+    output reg  [15:0] fill_attribute_7,
+    output reg  [15:0] fill_attribute_8,
+    output reg  [15:0] fill_attribute_9,
+    output reg  [15:0] fill_attribute_10,
+    output reg  [15:0] fill_attribute_11,
+    output reg  [15:0] fill_attribute_12,
+    output reg  [15:0] fill_cardinal_0,
+    output wire drain_enable,
+    output wire [1:0] drain_slot,
+    output wire [5:0] drain_pixel,
+    input  wire [27:0] drain_weight,
+    input  wire [51:0] drain_depth,
+    input  wire [15:0] drain_peak,
+    input  wire [15:0] drain_attribute_0,
+    input  wire [15:0] drain_attribute_1,
+    input  wire [15:0] drain_attribute_2,
+    input  wire [15:0] drain_attribute_3,
+    input  wire [15:0] drain_attribute_4,
+    input  wire [15:0] drain_attribute_5,
+    input  wire [15:0] drain_attribute_6,
+    input  wire [15:0] drain_attribute_7,
+    input  wire [15:0] drain_attribute_8,
+    input  wire [15:0] drain_attribute_9,
+    input  wire [15:0] drain_attribute_10,
+    input  wire [15:0] drain_attribute_11,
+    input  wire [15:0] drain_attribute_12,
+    input  wire [15:0] drain_cardinal_0
+);
+    reg touched_tiles [0:4095];
+    reg head_valid;
+    reg head_end;
+    reg [31:0] head_center_x;
+    reg [31:0] head_center_y;
+    reg [31:0] head_ax;
+    reg [31:0] head_bx;
+    reg [31:0] head_ay;
+    reg [31:0] head_by;
+    reg [31:0] head_delta;
+    reg [31:0] head_mx;
+    reg [31:0] head_my;
+    reg [23:0] head_depth;
+    reg [23:0] head_depth_low;
+    reg [23:0] head_depth_high;
+    reg [15:0] head_attribute_0;
+    reg [15:0] head_attribute_1;
+    reg [15:0] head_attribute_2;
+    reg [15:0] head_attribute_3;
+    reg [15:0] head_attribute_4;
+    reg [15:0] head_attribute_5;
+    reg [15:0] head_attribute_6;
+    reg [15:0] head_attribute_7;
+    reg [15:0] head_attribute_8;
+    reg [15:0] head_attribute_9;
+    reg [15:0] head_attribute_10;
+    reg [15:0] head_attribute_11;
+    reg [15:0] head_attribute_12;
+    reg [15:0] head_cardinal_0;
+    reg [2:0] head_left;
+    reg [2:0] head_right;
+    reg [2:0] head_top;
+    reg [2:0] head_bottom;
+    reg [11:0] head_tile;
+    reg [2:0] mode;
+    reg frame_ended;
+    reg [11:0] code;
+    reg looking;
+    reg moving;
+    reg [1:0] slot;
+    reg evict;
+    reg [11:0] evict_tile;
+    reg load;
+    reg [6:0] drained;
+    reg showing;
+    reg [5:0] shown_pixel;
+    reg holding;
+    reg [5:0] held_pixel;
+    reg [6:0] filled;
+    reg [1:0] next;
+    reg [11:0] tile_0;
+    reg resident_0;
+    reg ready_0;
+    reg [7:0] in_flight_0;
+    reg is_of_copy_0;
+    reg is_of_code_0;
+    reg [11:0] tile_1;
+    reg resident_1;
+    reg ready_1;
+    reg [7:0] in_flight_1;
+    reg is_of_copy_1;
+    reg is_of_code_1;
+    reg [11:0] tile_2;
+    reg resident_2;
+    reg ready_2;
+    reg [7:0] in_flight_2;
+    reg is_of_copy_2;
+    reg is_of_code_2;
+    reg [11:0] tile_3;
+    reg resident_3;
+    reg ready_3;
+    reg [7:0] in_flight_3;
+    reg is_of_copy_3;
+    reg is_of_code_3;
+    reg touched;
+    reg [27:0] held_weight;
+    reg [51:0] held_depth;
+    reg [15:0] held_peak;
+    reg [15:0] held_attribute_0;
+    reg [15:0] held_attribute_1;
+    reg [15:0] held_attribute_2;
+    reg [15:0] held_attribute_3;
+    reg [15:0] held_attribute_4;
+    reg [15:0] held_attribute_5;
+    reg [15:0] held_attribute_6;
+    reg [15:0] held_attribute_7;
+    reg [15:0] held_attribute_8;
+    reg [15:0] held_attribute_9;
+    reg [15:0] held_attribute_10;
+    reg [15:0] held_attribute_11;
+    reg [15:0] held_attribute_12;
+    reg [15:0] held_cardinal_0;
+
+    wire in_queue_in_ready;
+    wire in_queue_out_valid;
+    wire in_queue_out_end;
+    wire [31:0] in_queue_out_center_x;
+    wire [31:0] in_queue_out_center_y;
+    wire [31:0] in_queue_out_ax;
+    wire [31:0] in_queue_out_bx;
+    wire [31:0] in_queue_out_ay;
+    wire [31:0] in_queue_out_by;
+    wire [31:0] in_queue_out_delta;
+    wire [31:0] in_queue_out_mx;
+    wire [31:0] in_queue_out_my;
+    wire [23:0] in_queue_out_depth;
+    wire [23:0] in_queue_out_depth_low;
+    wire [23:0] in_queue_out_depth_high;
+    wire [15:0] in_queue_out_attribute_0;
+    wire [15:0] in_queue_out_attribute_1;
+    wire [15:0] in_queue_out_attribute_2;
+    wire [15:0] in_queue_out_attribute_3;
+    wire [15:0] in_queue_out_attribute_4;
+    wire [15:0] in_queue_out_attribute_5;
+    wire [15:0] in_queue_out_attribute_6;
+    wire [15:0] in_queue_out_attribute_7;
+    wire [15:0] in_queue_out_attribute_8;
+    wire [15:0] in_queue_out_attribute_9;
+    wire [15:0] in_queue_out_attribute_10;
+    wire [15:0] in_queue_out_attribute_11;
+    wire [15:0] in_queue_out_attribute_12;
+    wire [15:0] in_queue_out_cardinal_0;
+    wire [2:0] in_queue_out_left;
+    wire [2:0] in_queue_out_right;
+    wire [2:0] in_queue_out_top;
+    wire [2:0] in_queue_out_bottom;
+    wire [11:0] in_queue_out_tile;
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire out_queue_out_end;
+    wire [31:0] out_queue_out_center_x;
+    wire [31:0] out_queue_out_center_y;
+    wire [31:0] out_queue_out_ax;
+    wire [31:0] out_queue_out_bx;
+    wire [31:0] out_queue_out_ay;
+    wire [31:0] out_queue_out_by;
+    wire [31:0] out_queue_out_delta;
+    wire [31:0] out_queue_out_mx;
+    wire [31:0] out_queue_out_my;
+    wire [23:0] out_queue_out_depth;
+    wire [23:0] out_queue_out_depth_low;
+    wire [23:0] out_queue_out_depth_high;
+    wire [15:0] out_queue_out_attribute_0;
+    wire [15:0] out_queue_out_attribute_1;
+    wire [15:0] out_queue_out_attribute_2;
+    wire [15:0] out_queue_out_attribute_3;
+    wire [15:0] out_queue_out_attribute_4;
+    wire [15:0] out_queue_out_attribute_5;
+    wire [15:0] out_queue_out_attribute_6;
+    wire [15:0] out_queue_out_attribute_7;
+    wire [15:0] out_queue_out_attribute_8;
+    wire [15:0] out_queue_out_attribute_9;
+    wire [15:0] out_queue_out_attribute_10;
+    wire [15:0] out_queue_out_attribute_11;
+    wire [15:0] out_queue_out_attribute_12;
+    wire [15:0] out_queue_out_cardinal_0;
+    wire [2:0] out_queue_out_left;
+    wire [2:0] out_queue_out_right;
+    wire [2:0] out_queue_out_top;
+    wire [2:0] out_queue_out_bottom;
+    wire [11:0] out_queue_out_tile;
+    wire [1:0] out_queue_out_slot;
+    wire write_queue_in_ready;
+    wire write_queue_out_valid;
+    wire [11:0] write_queue_out_tile;
+    wire [5:0] write_queue_out_pixel;
+    wire [27:0] write_queue_out_weight;
+    wire [51:0] write_queue_out_depth;
+    wire [15:0] write_queue_out_peak;
+    wire [15:0] write_queue_out_attribute_0;
+    wire [15:0] write_queue_out_attribute_1;
+    wire [15:0] write_queue_out_attribute_2;
+    wire [15:0] write_queue_out_attribute_3;
+    wire [15:0] write_queue_out_attribute_4;
+    wire [15:0] write_queue_out_attribute_5;
+    wire [15:0] write_queue_out_attribute_6;
+    wire [15:0] write_queue_out_attribute_7;
+    wire [15:0] write_queue_out_attribute_8;
+    wire [15:0] write_queue_out_attribute_9;
+    wire [15:0] write_queue_out_attribute_10;
+    wire [15:0] write_queue_out_attribute_11;
+    wire [15:0] write_queue_out_attribute_12;
+    wire [15:0] write_queue_out_cardinal_0;
+    wire pixel_queue_in_ready;
+    wire pixel_queue_out_valid;
+    wire pixel_queue_out_end;
+    wire [11:0] pixel_queue_out_tile;
+    wire [5:0] pixel_queue_out_pixel;
+    wire [27:0] pixel_queue_out_weight;
+    wire [51:0] pixel_queue_out_depth;
+    wire [15:0] pixel_queue_out_peak;
+    wire [15:0] pixel_queue_out_attribute_0;
+    wire [15:0] pixel_queue_out_attribute_1;
+    wire [15:0] pixel_queue_out_attribute_2;
+    wire [15:0] pixel_queue_out_attribute_3;
+    wire [15:0] pixel_queue_out_attribute_4;
+    wire [15:0] pixel_queue_out_attribute_5;
+    wire [15:0] pixel_queue_out_attribute_6;
+    wire [15:0] pixel_queue_out_attribute_7;
+    wire [15:0] pixel_queue_out_attribute_8;
+    wire [15:0] pixel_queue_out_attribute_9;
+    wire [15:0] pixel_queue_out_attribute_10;
+    wire [15:0] pixel_queue_out_attribute_11;
+    wire [15:0] pixel_queue_out_attribute_12;
+    wire [15:0] pixel_queue_out_cardinal_0;
+
+    assign in_ready = in_queue_in_ready;
+    wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
+    wire term_1 = mode == 3'd6;
+    wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
+    assign data_ready = take_data;
+    wire term_2 = mode == 3'd5;
+    wire draining = term_2 | (moving & evict);
+    wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
+    wire drain_step = draining & term_3;
+    wire drain_next = drain_step & ~drained[6];
+    wire head_waits = (mode == 3'd1) & head_valid;
+    wire term_4 = head_waits & ~head_end;
+    wire term_5 = resident_0 & is_of_copy_0;
+    wire term_6 = resident_1 & is_of_copy_1;
+    wire term_7 = resident_2 & is_of_copy_2;
+    wire term_8 = resident_3 & is_of_copy_3;
+    wire copy_hit = |{term_5, term_6, term_7, term_8};
+    wire term_9 = (term_5 & &in_flight_0) | (term_6 & &in_flight_1) | (term_7 & &in_flight_2);
+    wire term_10 = copy_hit & (out_queue_in_ready & ~(term_9 | (term_8 & &in_flight_3)));
+    wire send = term_4 & term_10;
+    wire send_end = head_waits & (head_end & out_queue_in_ready);
+    wire term_11 = send | send_end;
+    wire head_takes = ~head_valid | term_11;
+    wire in_queue_out_ready = head_takes;
+    wire [1:0] copy_slot = ({2{term_6}} & 2'd1) | ({2{term_7}} & 2'd2) | {2{term_8}};
+    wire out_queue_out_ready = out_ready;
+    wire held_leaves = holding & drain_step;
+    wire write_queue_out_ready = write_ready;
+    wire close = (mode == 3'd7) & pixel_queue_in_ready;
+    wire beat = take_data & data_valid;
+    wire term_12 = term_1 & beat;
+    wire [27:0] choice_13 = term_2 ? held_weight : data_weight;
+    wire visible = |choice_13;
+    wire pixel_queue_out_ready = pixel_ready;
+    wire term_14 = mode == 3'd0;
+    wire last_code = &code;
+    wire term_15 = ~(looking | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & term_15);
+    wire term_16 = mode == 3'd3;
+    wire term_17 = showing | holding;
+    wire term_18 = (term_2 & (drained[6] & ~term_17)) | (term_1 & drained[6]);
+    wire term_19 = mode == 3'd4;
+    wire next_tile = term_18 | (term_19 & ~touched);
+    wire term_20 = resident_1 & is_of_code_1;
+    wire term_21 = resident_2 & is_of_code_2;
+    wire term_22 = resident_3 & is_of_code_3;
+    wire sent_hit = |{resident_0 & is_of_code_0, term_20, term_21, term_22};
+    wire [2:0] choice_23 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_19 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] choice_24 = send_end ? 3'd2 : finish ? 3'd3 : term_16 ? 3'd4 : choice_23;
+    wire term_25 = next == 2'd0;
+    wire term_26 = next == 2'd1;
+    wire term_27 = (term_25 & (in_flight_0 == 8'd0)) | (term_26 & (in_flight_1 == 8'd0));
+    wire term_28 = next == 2'd2;
+    wire term_29 = next == 2'd3;
+    wire term_30 = term_27 | (term_28 & (in_flight_2 == 8'd0)) | (term_29 & (in_flight_3 == 8'd0));
+    wire start = term_4 & (~copy_hit & (term_15 & term_30));
+    wire term_31 = ~evict | (drained[6] & ~(term_17 | write_queue_out_valid));
+    wire done = moving & (filled[6] & (~fill_valid & term_31));
+    wire term_32 = start | term_19;
+    wire [1:0] sent_slot = ({2{term_20}} & 2'd1) | ({2{term_21}} & 2'd2) | {2{term_22}};
+    wire term_33 = touched & (looking | (term_19 & ~sent_hit));
+    wire term_34 = (term_25 & resident_0) | (term_26 & resident_1) | (term_28 & resident_2);
+    wire [11:0] term_35 = ({12{term_25}} & tile_0) | ({12{term_26}} & tile_1) | ({12{term_28}} & tile_2);
+    wire term_36 = looking | term_19;
+    wire fill = may_fill & (~load | data_valid);
+    wire term_37 = start & term_25;
+    wire term_38 = done & (slot == 2'd0);
+    wire term_39 = send & (copy_slot == 2'd0);
+    wire term_40 = retire_valid & (retire_slot == 2'd0);
+    wire term_41 = start & term_26;
+    wire term_42 = done & (slot == 2'd1);
+    wire term_43 = send & (copy_slot == 2'd1);
+    wire term_44 = retire_valid & (retire_slot == 2'd1);
+    wire term_45 = start & term_28;
+    wire term_46 = done & (slot == 2'd2);
+    wire term_47 = send & (copy_slot == 2'd2);
+    wire term_48 = retire_valid & (retire_slot == 2'd2);
+    wire term_49 = start & term_29;
+    wire term_50 = done & (slot == 2'd3);
+    wire term_51 = send & (copy_slot == 2'd3);
+    wire term_52 = retire_valid & (retire_slot == 2'd3);
+
+    assign out_valid = out_queue_out_valid;
+    assign out_end = out_queue_out_end;
+    assign out_center_x = out_queue_out_center_x;
+    assign out_center_y = out_queue_out_center_y;
+    assign out_ax = out_queue_out_ax;
+    assign out_bx = out_queue_out_bx;
+    assign out_ay = out_queue_out_ay;
+    assign out_by = out_queue_out_by;
+    assign out_delta = out_queue_out_delta;
+    assign out_mx = out_queue_out_mx;
+    assign out_my = out_queue_out_my;
+    assign out_depth = out_queue_out_depth;
+    assign out_depth_low = out_queue_out_depth_low;
+    assign out_depth_high = out_queue_out_depth_high;
+    assign out_attribute_0 = out_queue_out_attribute_0;
+    assign out_attribute_1 = out_queue_out_attribute_1;
+    assign out_attribute_2 = out_queue_out_attribute_2;
+    assign out_attribute_3 = out_queue_out_attribute_3;
+    assign out_attribute_4 = out_queue_out_attribute_4;
+    assign out_attribute_5 = out_queue_out_attribute_5;
+    assign out_attribute_6 = out_queue_out_attribute_6;
+    assign out_attribute_7 = out_queue_out_attribute_7;
+    assign out_attribute_8 = out_queue_out_attribute_8;
+    assign out_attribute_9 = out_queue_out_attribute_9;
+    assign out_attribute_10 = out_queue_out_attribute_10;
+    assign out_attribute_11 = out_queue_out_attribute_11;
+    assign out_attribute_12 = out_queue_out_attribute_12;
+    assign out_cardinal_0 = out_queue_out_cardinal_0;
+    assign out_left = out_queue_out_left;
+    assign out_right = out_queue_out_right;
+    assign out_top = out_queue_out_top;
+    assign out_bottom = out_queue_out_bottom;
+    assign out_tile = out_queue_out_tile;
+    assign out_slot = out_queue_out_slot;
+    assign write_valid = write_queue_out_valid;
+    assign write_tile = write_queue_out_tile;
+    assign write_pixel = write_queue_out_pixel;
+    assign write_weight = write_queue_out_weight;
+    assign write_depth = write_queue_out_depth;
+    assign write_peak = write_queue_out_peak;
+    assign write_attribute_0 = write_queue_out_attribute_0;
+    assign write_attribute_1 = write_queue_out_attribute_1;
+    assign write_attribute_2 = write_queue_out_attribute_2;
+    assign write_attribute_3 = write_queue_out_attribute_3;
+    assign write_attribute_4 = write_queue_out_attribute_4;
+    assign write_attribute_5 = write_queue_out_attribute_5;
+    assign write_attribute_6 = write_queue_out_attribute_6;
+    assign write_attribute_7 = write_queue_out_attribute_7;
+    assign write_attribute_8 = write_queue_out_attribute_8;
+    assign write_attribute_9 = write_queue_out_attribute_9;
+    assign write_attribute_10 = write_queue_out_attribute_10;
+    assign write_attribute_11 = write_queue_out_attribute_11;
+    assign write_attribute_12 = write_queue_out_attribute_12;
+    assign write_cardinal_0 = write_queue_out_cardinal_0;
+    assign pixel_valid = pixel_queue_out_valid;
+    assign pixel_end = pixel_queue_out_end;
+    assign pixel_tile = pixel_queue_out_tile;
+    assign pixel_pixel = pixel_queue_out_pixel;
+    assign pixel_weight = pixel_queue_out_weight;
+    assign pixel_depth = pixel_queue_out_depth;
+    assign pixel_peak = pixel_queue_out_peak;
+    assign pixel_attribute_0 = pixel_queue_out_attribute_0;
+    assign pixel_attribute_1 = pixel_queue_out_attribute_1;
+    assign pixel_attribute_2 = pixel_queue_out_attribute_2;
+    assign pixel_attribute_3 = pixel_queue_out_attribute_3;
+    assign pixel_attribute_4 = pixel_queue_out_attribute_4;
+    assign pixel_attribute_5 = pixel_queue_out_attribute_5;
+    assign pixel_attribute_6 = pixel_queue_out_attribute_6;
+    assign pixel_attribute_7 = pixel_queue_out_attribute_7;
+    assign pixel_attribute_8 = pixel_queue_out_attribute_8;
+    assign pixel_attribute_9 = pixel_queue_out_attribute_9;
+    assign pixel_attribute_10 = pixel_queue_out_attribute_10;
+    assign pixel_attribute_11 = pixel_queue_out_attribute_11;
+    assign pixel_attribute_12 = pixel_queue_out_attribute_12;
+    assign pixel_cardinal_0 = pixel_queue_out_cardinal_0;
+    assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
+    assign fill_slot = slot;
+    assign drain_enable = drain_next;
+    assign drain_slot = slot;
+    assign drain_pixel = drained[5:0];
+
+    stream_skid_w609 in_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(in_queue_in_ready),
+        .in_end(in_end),
+        .in_center_x(in_center_x),
+        .in_center_y(in_center_y),
+        .in_ax(in_ax),
+        .in_bx(in_bx),
+        .in_ay(in_ay),
+        .in_by(in_by),
+        .in_delta(in_delta),
+        .in_mx(in_mx),
+        .in_my(in_my),
+        .in_depth(in_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .in_attribute_3(in_attribute_3),
+        .in_attribute_4(in_attribute_4),
+        .in_attribute_5(in_attribute_5),
+        .in_attribute_6(in_attribute_6),
+        .in_attribute_7(in_attribute_7),
+        .in_attribute_8(in_attribute_8),
+        .in_attribute_9(in_attribute_9),
+        .in_attribute_10(in_attribute_10),
+        .in_attribute_11(in_attribute_11),
+        .in_attribute_12(in_attribute_12),
+        .in_cardinal_0(in_cardinal_0),
+        .in_left(in_left),
+        .in_right(in_right),
+        .in_top(in_top),
+        .in_bottom(in_bottom),
+        .in_tile(in_tile),
+        .out_valid(in_queue_out_valid),
+        .out_ready(in_queue_out_ready),
+        .out_end(in_queue_out_end),
+        .out_center_x(in_queue_out_center_x),
+        .out_center_y(in_queue_out_center_y),
+        .out_ax(in_queue_out_ax),
+        .out_bx(in_queue_out_bx),
+        .out_ay(in_queue_out_ay),
+        .out_by(in_queue_out_by),
+        .out_delta(in_queue_out_delta),
+        .out_mx(in_queue_out_mx),
+        .out_my(in_queue_out_my),
+        .out_depth(in_queue_out_depth),
+        .out_depth_low(in_queue_out_depth_low),
+        .out_depth_high(in_queue_out_depth_high),
+        .out_attribute_0(in_queue_out_attribute_0),
+        .out_attribute_1(in_queue_out_attribute_1),
+        .out_attribute_2(in_queue_out_attribute_2),
+        .out_attribute_3(in_queue_out_attribute_3),
+        .out_attribute_4(in_queue_out_attribute_4),
+        .out_attribute_5(in_queue_out_attribute_5),
+        .out_attribute_6(in_queue_out_attribute_6),
+        .out_attribute_7(in_queue_out_attribute_7),
+        .out_attribute_8(in_queue_out_attribute_8),
+        .out_attribute_9(in_queue_out_attribute_9),
+        .out_attribute_10(in_queue_out_attribute_10),
+        .out_attribute_11(in_queue_out_attribute_11),
+        .out_attribute_12(in_queue_out_attribute_12),
+        .out_cardinal_0(in_queue_out_cardinal_0),
+        .out_left(in_queue_out_left),
+        .out_right(in_queue_out_right),
+        .out_top(in_queue_out_top),
+        .out_bottom(in_queue_out_bottom),
+        .out_tile(in_queue_out_tile)
+    );
+
+    stream_skid_w611 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(term_11),
+        .in_ready(out_queue_in_ready),
+        .in_end(head_end),
+        .in_center_x(head_center_x),
+        .in_center_y(head_center_y),
+        .in_ax(head_ax),
+        .in_bx(head_bx),
+        .in_ay(head_ay),
+        .in_by(head_by),
+        .in_delta(head_delta),
+        .in_mx(head_mx),
+        .in_my(head_my),
+        .in_depth(head_depth),
+        .in_depth_low(head_depth_low),
+        .in_depth_high(head_depth_high),
+        .in_attribute_0(head_attribute_0),
+        .in_attribute_1(head_attribute_1),
+        .in_attribute_2(head_attribute_2),
+        .in_attribute_3(head_attribute_3),
+        .in_attribute_4(head_attribute_4),
+        .in_attribute_5(head_attribute_5),
+        .in_attribute_6(head_attribute_6),
+        .in_attribute_7(head_attribute_7),
+        .in_attribute_8(head_attribute_8),
+        .in_attribute_9(head_attribute_9),
+        .in_attribute_10(head_attribute_10),
+        .in_attribute_11(head_attribute_11),
+        .in_attribute_12(head_attribute_12),
+        .in_cardinal_0(head_cardinal_0),
+        .in_left(head_left),
+        .in_right(head_right),
+        .in_top(head_top),
+        .in_bottom(head_bottom),
+        .in_tile(head_tile),
+        .in_slot(copy_slot),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_attribute_3(out_queue_out_attribute_3),
+        .out_attribute_4(out_queue_out_attribute_4),
+        .out_attribute_5(out_queue_out_attribute_5),
+        .out_attribute_6(out_queue_out_attribute_6),
+        .out_attribute_7(out_queue_out_attribute_7),
+        .out_attribute_8(out_queue_out_attribute_8),
+        .out_attribute_9(out_queue_out_attribute_9),
+        .out_attribute_10(out_queue_out_attribute_10),
+        .out_attribute_11(out_queue_out_attribute_11),
+        .out_attribute_12(out_queue_out_attribute_12),
+        .out_cardinal_0(out_queue_out_cardinal_0),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile),
+        .out_slot(out_queue_out_slot)
+    );
+
+    stream_skid_w338 write_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(moving & held_leaves),
+        .in_ready(write_queue_in_ready),
+        .in_tile(evict_tile),
+        .in_pixel(held_pixel),
+        .in_weight(held_weight),
+        .in_depth(held_depth),
+        .in_peak(held_peak),
+        .in_attribute_0(held_attribute_0),
+        .in_attribute_1(held_attribute_1),
+        .in_attribute_2(held_attribute_2),
+        .in_attribute_3(held_attribute_3),
+        .in_attribute_4(held_attribute_4),
+        .in_attribute_5(held_attribute_5),
+        .in_attribute_6(held_attribute_6),
+        .in_attribute_7(held_attribute_7),
+        .in_attribute_8(held_attribute_8),
+        .in_attribute_9(held_attribute_9),
+        .in_attribute_10(held_attribute_10),
+        .in_attribute_11(held_attribute_11),
+        .in_attribute_12(held_attribute_12),
+        .in_cardinal_0(held_cardinal_0),
+        .out_valid(write_queue_out_valid),
+        .out_ready(write_queue_out_ready),
+        .out_tile(write_queue_out_tile),
+        .out_pixel(write_queue_out_pixel),
+        .out_weight(write_queue_out_weight),
+        .out_depth(write_queue_out_depth),
+        .out_peak(write_queue_out_peak),
+        .out_attribute_0(write_queue_out_attribute_0),
+        .out_attribute_1(write_queue_out_attribute_1),
+        .out_attribute_2(write_queue_out_attribute_2),
+        .out_attribute_3(write_queue_out_attribute_3),
+        .out_attribute_4(write_queue_out_attribute_4),
+        .out_attribute_5(write_queue_out_attribute_5),
+        .out_attribute_6(write_queue_out_attribute_6),
+        .out_attribute_7(write_queue_out_attribute_7),
+        .out_attribute_8(write_queue_out_attribute_8),
+        .out_attribute_9(write_queue_out_attribute_9),
+        .out_attribute_10(write_queue_out_attribute_10),
+        .out_attribute_11(write_queue_out_attribute_11),
+        .out_attribute_12(write_queue_out_attribute_12),
+        .out_cardinal_0(write_queue_out_cardinal_0)
+    );
+
+    stream_skid_w339 pixel_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(close | (((term_2 & held_leaves) | term_12) & visible)),
+        .in_ready(pixel_queue_in_ready),
+        .in_end(close),
+        .in_tile(code),
+        .in_pixel(term_2 ? held_pixel : drained[5:0]),
+        .in_weight(choice_13),
+        .in_depth(term_2 ? held_depth : data_depth),
+        .in_peak(term_2 ? held_peak : data_peak),
+        .in_attribute_0(term_2 ? held_attribute_0 : data_attribute_0),
+        .in_attribute_1(term_2 ? held_attribute_1 : data_attribute_1),
+        .in_attribute_2(term_2 ? held_attribute_2 : data_attribute_2),
+        .in_attribute_3(term_2 ? held_attribute_3 : data_attribute_3),
+        .in_attribute_4(term_2 ? held_attribute_4 : data_attribute_4),
+        .in_attribute_5(term_2 ? held_attribute_5 : data_attribute_5),
+        .in_attribute_6(term_2 ? held_attribute_6 : data_attribute_6),
+        .in_attribute_7(term_2 ? held_attribute_7 : data_attribute_7),
+        .in_attribute_8(term_2 ? held_attribute_8 : data_attribute_8),
+        .in_attribute_9(term_2 ? held_attribute_9 : data_attribute_9),
+        .in_attribute_10(term_2 ? held_attribute_10 : data_attribute_10),
+        .in_attribute_11(term_2 ? held_attribute_11 : data_attribute_11),
+        .in_attribute_12(term_2 ? held_attribute_12 : data_attribute_12),
+        .in_cardinal_0(term_2 ? held_cardinal_0 : data_cardinal_0),
+        .out_valid(pixel_queue_out_valid),
+        .out_ready(pixel_queue_out_ready),
+        .out_end(pixel_queue_out_end),
+        .out_tile(pixel_queue_out_tile),
+        .out_pixel(pixel_queue_out_pixel),
+        .out_weight(pixel_queue_out_weight),
+        .out_depth(pixel_queue_out_depth),
+        .out_peak(pixel_queue_out_peak),
+        .out_attribute_0(pixel_queue_out_attribute_0),
+        .out_attribute_1(pixel_queue_out_attribute_1),
+        .out_attribute_2(pixel_queue_out_attribute_2),
+        .out_attribute_3(pixel_queue_out_attribute_3),
+        .out_attribute_4(pixel_queue_out_attribute_4),
+        .out_attribute_5(pixel_queue_out_attribute_5),
+        .out_attribute_6(pixel_queue_out_attribute_6),
+        .out_attribute_7(pixel_queue_out_attribute_7),
+        .out_attribute_8(pixel_queue_out_attribute_8),
+        .out_attribute_9(pixel_queue_out_attribute_9),
+        .out_attribute_10(pixel_queue_out_attribute_10),
+        .out_attribute_11(pixel_queue_out_attribute_11),
+        .out_attribute_12(pixel_queue_out_attribute_12),
+        .out_cardinal_0(pixel_queue_out_cardinal_0)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            head_valid <= 1'd0;
+            mode <= 3'd0;
+            frame_ended <= 1'd0;
+            code <= 12'd0;
+            looking <= 1'd0;
+            moving <= 1'd0;
+            read_valid <= 1'd0;
+            showing <= 1'd0;
+            holding <= 1'd0;
+            next <= 2'd0;
+            resident_0 <= 1'd0;
+            ready_0 <= 1'd0;
+            in_flight_0 <= 8'd0;
+            resident_1 <= 1'd0;
+            ready_1 <= 1'd0;
+            in_flight_1 <= 8'd0;
+            resident_2 <= 1'd0;
+            ready_2 <= 1'd0;
+            in_flight_2 <= 8'd0;
+            resident_3 <= 1'd0;
+            ready_3 <= 1'd0;
+            in_flight_3 <= 8'd0;
+            fill_valid <= 1'd0;
+        end else begin
+            if (head_takes) begin
+                head_valid <= in_queue_out_valid;
+            end
+            mode <= ((term_14 & last_code) | close) ? 3'd1 : choice_24;
+            looking <= start;
+            fill_valid <= fill;
+            if (frame_end | finish) begin
+                frame_ended <= frame_end;
+            end
+            if (term_14 | next_tile) begin
+                code <= code + 12'd1;
+            end
+            if (looking | done) begin
+                moving <= looking;
+            end
+            if (term_33 | read_ready) begin
+                read_valid <= term_33;
+            end
+            if (drain_step) begin
+                showing <= drain_next;
+                holding <= showing;
+            end
+            if (start | close) begin
+                next <= (term_29 | close) ? 2'd0 : (next + 2'd1);
+            end
+            if (term_37 | close) begin
+                resident_0 <= term_37;
+            end
+            if (term_38 | term_37 | finish) begin
+                ready_0 <= term_38;
+            end
+            if (term_39 ^ term_40) begin
+                in_flight_0 <= term_39 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            end
+            if (term_41 | close) begin
+                resident_1 <= term_41;
+            end
+            if (term_42 | term_41 | finish) begin
+                ready_1 <= term_42;
+            end
+            if (term_43 ^ term_44) begin
+                in_flight_1 <= term_43 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            end
+            if (term_45 | close) begin
+                resident_2 <= term_45;
+            end
+            if (term_46 | term_45 | finish) begin
+                ready_2 <= term_46;
+            end
+            if (term_47 ^ term_48) begin
+                in_flight_2 <= term_47 ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
+            end
+            if (term_49 | close) begin
+                resident_3 <= term_49;
+            end
+            if (term_50 | term_49 | finish) begin
+                ready_3 <= term_50;
+            end
+            if (term_51 ^ term_52) begin
+                in_flight_3 <= term_51 ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (head_takes) begin
+            head_end <= in_queue_out_end;
+            head_center_x <= in_queue_out_center_x;
+            head_center_y <= in_queue_out_center_y;
+            head_ax <= in_queue_out_ax;
+            head_bx <= in_queue_out_bx;
+            head_ay <= in_queue_out_ay;
+            head_by <= in_queue_out_by;
+            head_delta <= in_queue_out_delta;
+            head_mx <= in_queue_out_mx;
+            head_my <= in_queue_out_my;
+            head_depth <= in_queue_out_depth;
+            head_depth_low <= in_queue_out_depth_low;
+            head_depth_high <= in_queue_out_depth_high;
+            head_attribute_0 <= in_queue_out_attribute_0;
+            head_attribute_1 <= in_queue_out_attribute_1;
+            head_attribute_2 <= in_queue_out_attribute_2;
+            head_attribute_3 <= in_queue_out_attribute_3;
+            head_attribute_4 <= in_queue_out_attribute_4;
+            head_attribute_5 <= in_queue_out_attribute_5;
+            head_attribute_6 <= in_queue_out_attribute_6;
+            head_attribute_7 <= in_queue_out_attribute_7;
+            head_attribute_8 <= in_queue_out_attribute_8;
+            head_attribute_9 <= in_queue_out_attribute_9;
+            head_attribute_10 <= in_queue_out_attribute_10;
+            head_attribute_11 <= in_queue_out_attribute_11;
+            head_attribute_12 <= in_queue_out_attribute_12;
+            head_cardinal_0 <= in_queue_out_cardinal_0;
+            head_left <= in_queue_out_left;
+            head_right <= in_queue_out_right;
+            head_top <= in_queue_out_top;
+            head_bottom <= in_queue_out_bottom;
+            head_tile <= in_queue_out_tile;
+        end
+        if (term_32) begin
+            slot <= term_19 ? sent_slot : next;
+            read_tile <= term_19 ? code : head_tile;
+        end
+        if (start) begin
+            evict <= term_34 | (term_29 & resident_3);
+            evict_tile <= term_35 | ({12{term_29}} & tile_3);
+        end
+        if (looking) begin
+            load <= touched;
+        end
+        if (term_36 | (drain_next | term_12)) begin
+            drained <= term_36 ? 7'd0 : (drained + 7'd1);
+        end
+        if (drain_next) begin
+            shown_pixel <= drained[5:0];
+        end
+        if (drain_step) begin
+            held_pixel <= shown_pixel;
+            held_weight <= drain_weight;
+            held_depth <= drain_depth;
+            held_peak <= drain_peak;
+            held_attribute_0 <= drain_attribute_0;
+            held_attribute_1 <= drain_attribute_1;
+            held_attribute_2 <= drain_attribute_2;
+            held_attribute_3 <= drain_attribute_3;
+            held_attribute_4 <= drain_attribute_4;
+            held_attribute_5 <= drain_attribute_5;
+            held_attribute_6 <= drain_attribute_6;
+            held_attribute_7 <= drain_attribute_7;
+            held_attribute_8 <= drain_attribute_8;
+            held_attribute_9 <= drain_attribute_9;
+            held_attribute_10 <= drain_attribute_10;
+            held_attribute_11 <= drain_attribute_11;
+            held_attribute_12 <= drain_attribute_12;
+            held_cardinal_0 <= drain_cardinal_0;
+        end
+        if (term_36 | fill) begin
+            filled <= term_36 ? 7'd0 : (filled + 7'd1);
+        end
+        if (term_37) begin
+            tile_0 <= head_tile;
+        end
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_37);
+        is_of_code_0 <= tile_0 == code;
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_41);
+        is_of_code_1 <= tile_1 == code;
+        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | term_45);
+        is_of_code_2 <= tile_2 == code;
+        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | term_49);
+        is_of_code_3 <= tile_3 == code;
+        if (term_41) begin
+            tile_1 <= head_tile;
+        end
+        if (term_45) begin
+            tile_2 <= head_tile;
+        end
+        if (term_49) begin
+            tile_3 <= head_tile;
+        end
+        if (fill) begin
+            fill_pixel <= filled[5:0];
+            fill_weight <= load ? data_weight : 28'd0;
+            fill_depth <= load ? data_depth : 52'd0;
+            fill_peak <= load ? data_peak : 16'd0;
+            fill_attribute_0 <= load ? data_attribute_0 : 16'd0;
+            fill_attribute_1 <= load ? data_attribute_1 : 16'd0;
+            fill_attribute_2 <= load ? data_attribute_2 : 16'd0;
+            fill_attribute_3 <= load ? data_attribute_3 : 16'd0;
+            fill_attribute_4 <= load ? data_attribute_4 : 16'd0;
+            fill_attribute_5 <= load ? data_attribute_5 : 16'd0;
+            fill_attribute_6 <= load ? data_attribute_6 : 16'd0;
+            fill_attribute_7 <= load ? data_attribute_7 : 16'd0;
+            fill_attribute_8 <= load ? data_attribute_8 : 16'd0;
+            fill_attribute_9 <= load ? data_attribute_9 : 16'd0;
+            fill_attribute_10 <= load ? data_attribute_10 : 16'd0;
+            fill_attribute_11 <= load ? data_attribute_11 : 16'd0;
+            fill_attribute_12 <= load ? data_attribute_12 : 16'd0;
+            fill_cardinal_0 <= load ? data_cardinal_0 : 16'd0;
+        end
+    end
+    always @(posedge clk) begin
+        if (looking | (term_14 | (term_19 & touched))) begin
+            touched_tiles[looking ? read_tile : code] <= looking;
+        end
+        touched <= touched_tiles[term_16 ? code : head_tile];
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(~term_40 | |in_flight_0)) begin
+`ifdef FORMAL
+                slot_0_retires_what_entered: assert (0);
+`else
+                $display("assertion failed: slot_0_retires_what_entered in %m");
+                $stop;
+`endif
+            end
+            if (!(~term_44 | |in_flight_1)) begin
+`ifdef FORMAL
+                slot_1_retires_what_entered: assert (0);
+`else
+                $display("assertion failed: slot_1_retires_what_entered in %m");
+                $stop;
+`endif
+            end
+            if (!(~term_48 | |in_flight_2)) begin
+`ifdef FORMAL
+                slot_2_retires_what_entered: assert (0);
+`else
+                $display("assertion failed: slot_2_retires_what_entered in %m");
+                $stop;
+`endif
+            end
+            if (!(~term_52 | |in_flight_3)) begin
+`ifdef FORMAL
+                slot_3_retires_what_entered: assert (0);
+`else
+                $display("assertion failed: slot_3_retires_what_entered in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 339
+module stream_skid_w339 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [11:0] in_tile,
+    input  wire [5:0] in_pixel,
+    input  wire [27:0] in_weight,
+    input  wire [51:0] in_depth,
+    input  wire [15:0] in_peak,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [11:0] out_tile,
+    output wire [5:0] out_pixel,
+    output wire [27:0] out_weight,
+    output wire [51:0] out_depth,
+    output wire [15:0] out_peak,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    reg second_valid;
+    reg [338:0] head;
+    reg [338:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [338:0] in_item = {
+        in_end,
+        in_tile,
+        in_pixel,
+        in_weight,
+        in_depth,
+        in_peak,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0
+    };
+
+    assign out_end = head[338];
+    assign out_tile = head[337:326];
+    assign out_pixel = head[325:320];
+    assign out_weight = head[319:292];
+    assign out_depth = head[291:240];
+    assign out_peak = head[239:224];
+    assign out_attribute_0 = head[223:208];
+    assign out_attribute_1 = head[207:192];
+    assign out_attribute_2 = head[191:176];
+    assign out_attribute_3 = head[175:160];
+    assign out_attribute_4 = head[159:144];
+    assign out_attribute_5 = head[143:128];
+    assign out_attribute_6 = head[127:112];
+    assign out_attribute_7 = head[111:96];
+    assign out_attribute_8 = head[95:80];
+    assign out_attribute_9 = head[79:64];
+    assign out_attribute_10 = head[63:48];
+    assign out_attribute_11 = head[47:32];
+    assign out_attribute_12 = head[31:16];
+    assign out_cardinal_0 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 338
+module stream_skid_w338 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [11:0] in_tile,
+    input  wire [5:0] in_pixel,
+    input  wire [27:0] in_weight,
+    input  wire [51:0] in_depth,
+    input  wire [15:0] in_peak,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [11:0] out_tile,
+    output wire [5:0] out_pixel,
+    output wire [27:0] out_weight,
+    output wire [51:0] out_depth,
+    output wire [15:0] out_peak,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    reg second_valid;
+    reg [337:0] head;
+    reg [337:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [337:0] in_item = {
+        in_tile,
+        in_pixel,
+        in_weight,
+        in_depth,
+        in_peak,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0
+    };
+
+    assign out_tile = head[337:326];
+    assign out_pixel = head[325:320];
+    assign out_weight = head[319:292];
+    assign out_depth = head[291:240];
+    assign out_peak = head[239:224];
+    assign out_attribute_0 = head[223:208];
+    assign out_attribute_1 = head[207:192];
+    assign out_attribute_2 = head[191:176];
+    assign out_attribute_3 = head[175:160];
+    assign out_attribute_4 = head[159:144];
+    assign out_attribute_5 = head[143:128];
+    assign out_attribute_6 = head[127:112];
+    assign out_attribute_7 = head[111:96];
+    assign out_attribute_8 = head[95:80];
+    assign out_attribute_9 = head[79:64];
+    assign out_attribute_10 = head[63:48];
+    assign out_attribute_11 = head[47:32];
+    assign out_attribute_12 = head[31:16];
+    assign out_cardinal_0 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 611
+module stream_skid_w611 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [11:0] in_tile,
+    input  wire [1:0] in_slot,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_ax,
+    output wire [31:0] out_bx,
+    output wire [31:0] out_ay,
+    output wire [31:0] out_by,
+    output wire [31:0] out_delta,
+    output wire [31:0] out_mx,
+    output wire [31:0] out_my,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [11:0] out_tile,
+    output wire [1:0] out_slot
+);
+    reg second_valid;
+    reg [610:0] head;
+    reg [610:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [610:0] in_item = {
+        in_end,
+        in_center_x,
+        in_center_y,
+        in_ax,
+        in_bx,
+        in_ay,
+        in_by,
+        in_delta,
+        in_mx,
+        in_my,
+        in_depth,
+        in_depth_low,
+        in_depth_high,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0,
+        in_left,
+        in_right,
+        in_top,
+        in_bottom,
+        in_tile,
+        in_slot
+    };
+
+    assign out_end = head[610];
+    assign out_center_x = head[609:578];
+    assign out_center_y = head[577:546];
+    assign out_ax = head[545:514];
+    assign out_bx = head[513:482];
+    assign out_ay = head[481:450];
+    assign out_by = head[449:418];
+    assign out_delta = head[417:386];
+    assign out_mx = head[385:354];
+    assign out_my = head[353:322];
+    assign out_depth = head[321:298];
+    assign out_depth_low = head[297:274];
+    assign out_depth_high = head[273:250];
+    assign out_attribute_0 = head[249:234];
+    assign out_attribute_1 = head[233:218];
+    assign out_attribute_2 = head[217:202];
+    assign out_attribute_3 = head[201:186];
+    assign out_attribute_4 = head[185:170];
+    assign out_attribute_5 = head[169:154];
+    assign out_attribute_6 = head[153:138];
+    assign out_attribute_7 = head[137:122];
+    assign out_attribute_8 = head[121:106];
+    assign out_attribute_9 = head[105:90];
+    assign out_attribute_10 = head[89:74];
+    assign out_attribute_11 = head[73:58];
+    assign out_attribute_12 = head[57:42];
+    assign out_cardinal_0 = head[41:26];
+    assign out_left = head[25:23];
+    assign out_right = head[22:20];
+    assign out_top = head[19:17];
+    assign out_bottom = head[16:14];
+    assign out_tile = head[13:2];
+    assign out_slot = head[1:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Orders splat copies by tile; their payloads wait in a memory.
+// levels = 12
+module core_a_reorder (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [11:0] in_tile,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_ax,
+    output wire [31:0] out_bx,
+    output wire [31:0] out_ay,
+    output wire [31:0] out_by,
+    output wire [31:0] out_delta,
+    output wire [31:0] out_mx,
+    output wire [31:0] out_my,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [11:0] out_tile
+);
+    reg [595:0] payloads [0:4095];
+    reg draining;
+    reg [12:0] fresh;
+    reg stage_valid;
+    reg [11:0] stage_tile;
+    reg [595:0] stage_payload;
+
+    wire in_queue_in_ready;
+    wire in_queue_out_valid;
+    wire in_queue_out_end;
+    wire [31:0] in_queue_out_center_x;
+    wire [31:0] in_queue_out_center_y;
+    wire [31:0] in_queue_out_ax;
+    wire [31:0] in_queue_out_bx;
+    wire [31:0] in_queue_out_ay;
+    wire [31:0] in_queue_out_by;
+    wire [31:0] in_queue_out_delta;
+    wire [31:0] in_queue_out_mx;
+    wire [31:0] in_queue_out_my;
+    wire [23:0] in_queue_out_depth;
+    wire [23:0] in_queue_out_depth_low;
+    wire [23:0] in_queue_out_depth_high;
+    wire [15:0] in_queue_out_attribute_0;
+    wire [15:0] in_queue_out_attribute_1;
+    wire [15:0] in_queue_out_attribute_2;
+    wire [15:0] in_queue_out_attribute_3;
+    wire [15:0] in_queue_out_attribute_4;
+    wire [15:0] in_queue_out_attribute_5;
+    wire [15:0] in_queue_out_attribute_6;
+    wire [15:0] in_queue_out_attribute_7;
+    wire [15:0] in_queue_out_attribute_8;
+    wire [15:0] in_queue_out_attribute_9;
+    wire [15:0] in_queue_out_attribute_10;
+    wire [15:0] in_queue_out_attribute_11;
+    wire [15:0] in_queue_out_attribute_12;
+    wire [15:0] in_queue_out_cardinal_0;
+    wire [2:0] in_queue_out_left;
+    wire [2:0] in_queue_out_right;
+    wire [2:0] in_queue_out_top;
+    wire [2:0] in_queue_out_bottom;
+    wire [11:0] in_queue_out_tile;
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire out_queue_out_end;
+    wire [31:0] out_queue_out_center_x;
+    wire [31:0] out_queue_out_center_y;
+    wire [31:0] out_queue_out_ax;
+    wire [31:0] out_queue_out_bx;
+    wire [31:0] out_queue_out_ay;
+    wire [31:0] out_queue_out_by;
+    wire [31:0] out_queue_out_delta;
+    wire [31:0] out_queue_out_mx;
+    wire [31:0] out_queue_out_my;
+    wire [23:0] out_queue_out_depth;
+    wire [23:0] out_queue_out_depth_low;
+    wire [23:0] out_queue_out_depth_high;
+    wire [15:0] out_queue_out_attribute_0;
+    wire [15:0] out_queue_out_attribute_1;
+    wire [15:0] out_queue_out_attribute_2;
+    wire [15:0] out_queue_out_attribute_3;
+    wire [15:0] out_queue_out_attribute_4;
+    wire [15:0] out_queue_out_attribute_5;
+    wire [15:0] out_queue_out_attribute_6;
+    wire [15:0] out_queue_out_attribute_7;
+    wire [15:0] out_queue_out_attribute_8;
+    wire [15:0] out_queue_out_attribute_9;
+    wire [15:0] out_queue_out_attribute_10;
+    wire [15:0] out_queue_out_attribute_11;
+    wire [15:0] out_queue_out_attribute_12;
+    wire [15:0] out_queue_out_cardinal_0;
+    wire [2:0] out_queue_out_left;
+    wire [2:0] out_queue_out_right;
+    wire [2:0] out_queue_out_top;
+    wire [2:0] out_queue_out_bottom;
+    wire [11:0] out_queue_out_tile;
+    wire heap_in_ready;
+    wire heap_out_valid;
+    wire [11:0] heap_out_tile;
+    wire [11:0] heap_out_pointer;
+    wire heap_empty;
+    wire returned_in_ready;
+    wire returned_out_valid;
+    wire [11:0] returned_out_pointer;
+
+    assign in_ready = in_queue_in_ready;
+    wire open = in_queue_out_valid & ~draining;
+    wire all_used = fresh[12];
+    wire offer = open & ~in_queue_out_end & (~all_used | returned_out_valid);
+    wire insert = offer & heap_in_ready;
+    wire take_end = open & in_queue_out_end;
+    wire in_queue_out_ready = insert | take_end;
+    wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
+    wire out_queue_out_ready = out_ready;
+    wire [11:0] pointer = all_used ? returned_out_pointer : fresh[11:0];
+    wire advance = ~stage_valid | out_queue_in_ready;
+    wire heap_out_ready = advance;
+    wire leaving = heap_out_valid & heap_out_ready;
+    wire returned_out_ready = insert & all_used;
+
+    assign out_valid = out_queue_out_valid;
+    assign out_end = out_queue_out_end;
+    assign out_center_x = out_queue_out_center_x;
+    assign out_center_y = out_queue_out_center_y;
+    assign out_ax = out_queue_out_ax;
+    assign out_bx = out_queue_out_bx;
+    assign out_ay = out_queue_out_ay;
+    assign out_by = out_queue_out_by;
+    assign out_delta = out_queue_out_delta;
+    assign out_mx = out_queue_out_mx;
+    assign out_my = out_queue_out_my;
+    assign out_depth = out_queue_out_depth;
+    assign out_depth_low = out_queue_out_depth_low;
+    assign out_depth_high = out_queue_out_depth_high;
+    assign out_attribute_0 = out_queue_out_attribute_0;
+    assign out_attribute_1 = out_queue_out_attribute_1;
+    assign out_attribute_2 = out_queue_out_attribute_2;
+    assign out_attribute_3 = out_queue_out_attribute_3;
+    assign out_attribute_4 = out_queue_out_attribute_4;
+    assign out_attribute_5 = out_queue_out_attribute_5;
+    assign out_attribute_6 = out_queue_out_attribute_6;
+    assign out_attribute_7 = out_queue_out_attribute_7;
+    assign out_attribute_8 = out_queue_out_attribute_8;
+    assign out_attribute_9 = out_queue_out_attribute_9;
+    assign out_attribute_10 = out_queue_out_attribute_10;
+    assign out_attribute_11 = out_queue_out_attribute_11;
+    assign out_attribute_12 = out_queue_out_attribute_12;
+    assign out_cardinal_0 = out_queue_out_cardinal_0;
+    assign out_left = out_queue_out_left;
+    assign out_right = out_queue_out_right;
+    assign out_top = out_queue_out_top;
+    assign out_bottom = out_queue_out_bottom;
+    assign out_tile = out_queue_out_tile;
+
+    stream_skid_w609 in_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(in_queue_in_ready),
+        .in_end(in_end),
+        .in_center_x(in_center_x),
+        .in_center_y(in_center_y),
+        .in_ax(in_ax),
+        .in_bx(in_bx),
+        .in_ay(in_ay),
+        .in_by(in_by),
+        .in_delta(in_delta),
+        .in_mx(in_mx),
+        .in_my(in_my),
+        .in_depth(in_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .in_attribute_3(in_attribute_3),
+        .in_attribute_4(in_attribute_4),
+        .in_attribute_5(in_attribute_5),
+        .in_attribute_6(in_attribute_6),
+        .in_attribute_7(in_attribute_7),
+        .in_attribute_8(in_attribute_8),
+        .in_attribute_9(in_attribute_9),
+        .in_attribute_10(in_attribute_10),
+        .in_attribute_11(in_attribute_11),
+        .in_attribute_12(in_attribute_12),
+        .in_cardinal_0(in_cardinal_0),
+        .in_left(in_left),
+        .in_right(in_right),
+        .in_top(in_top),
+        .in_bottom(in_bottom),
+        .in_tile(in_tile),
+        .out_valid(in_queue_out_valid),
+        .out_ready(in_queue_out_ready),
+        .out_end(in_queue_out_end),
+        .out_center_x(in_queue_out_center_x),
+        .out_center_y(in_queue_out_center_y),
+        .out_ax(in_queue_out_ax),
+        .out_bx(in_queue_out_bx),
+        .out_ay(in_queue_out_ay),
+        .out_by(in_queue_out_by),
+        .out_delta(in_queue_out_delta),
+        .out_mx(in_queue_out_mx),
+        .out_my(in_queue_out_my),
+        .out_depth(in_queue_out_depth),
+        .out_depth_low(in_queue_out_depth_low),
+        .out_depth_high(in_queue_out_depth_high),
+        .out_attribute_0(in_queue_out_attribute_0),
+        .out_attribute_1(in_queue_out_attribute_1),
+        .out_attribute_2(in_queue_out_attribute_2),
+        .out_attribute_3(in_queue_out_attribute_3),
+        .out_attribute_4(in_queue_out_attribute_4),
+        .out_attribute_5(in_queue_out_attribute_5),
+        .out_attribute_6(in_queue_out_attribute_6),
+        .out_attribute_7(in_queue_out_attribute_7),
+        .out_attribute_8(in_queue_out_attribute_8),
+        .out_attribute_9(in_queue_out_attribute_9),
+        .out_attribute_10(in_queue_out_attribute_10),
+        .out_attribute_11(in_queue_out_attribute_11),
+        .out_attribute_12(in_queue_out_attribute_12),
+        .out_cardinal_0(in_queue_out_cardinal_0),
+        .out_left(in_queue_out_left),
+        .out_right(in_queue_out_right),
+        .out_top(in_queue_out_top),
+        .out_bottom(in_queue_out_bottom),
+        .out_tile(in_queue_out_tile)
+    );
+
+    stream_skid_w609 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(close | (stage_valid & out_queue_in_ready)),
+        .in_ready(out_queue_in_ready),
+        .in_end(close),
+        .in_center_x(stage_payload[595:564]),
+        .in_center_y(stage_payload[563:532]),
+        .in_ax(stage_payload[531:500]),
+        .in_bx(stage_payload[499:468]),
+        .in_ay(stage_payload[467:436]),
+        .in_by(stage_payload[435:404]),
+        .in_delta(stage_payload[403:372]),
+        .in_mx(stage_payload[371:340]),
+        .in_my(stage_payload[339:308]),
+        .in_depth(stage_payload[307:284]),
+        .in_depth_low(stage_payload[283:260]),
+        .in_depth_high(stage_payload[259:236]),
+        .in_attribute_0(stage_payload[235:220]),
+        .in_attribute_1(stage_payload[219:204]),
+        .in_attribute_2(stage_payload[203:188]),
+        .in_attribute_3(stage_payload[187:172]),
+        .in_attribute_4(stage_payload[171:156]),
+        .in_attribute_5(stage_payload[155:140]),
+        .in_attribute_6(stage_payload[139:124]),
+        .in_attribute_7(stage_payload[123:108]),
+        .in_attribute_8(stage_payload[107:92]),
+        .in_attribute_9(stage_payload[91:76]),
+        .in_attribute_10(stage_payload[75:60]),
+        .in_attribute_11(stage_payload[59:44]),
+        .in_attribute_12(stage_payload[43:28]),
+        .in_cardinal_0(stage_payload[27:12]),
+        .in_left(stage_payload[11:9]),
+        .in_right(stage_payload[8:6]),
+        .in_top(stage_payload[5:3]),
+        .in_bottom(stage_payload[2:0]),
+        .in_tile(stage_tile),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_attribute_3(out_queue_out_attribute_3),
+        .out_attribute_4(out_queue_out_attribute_4),
+        .out_attribute_5(out_queue_out_attribute_5),
+        .out_attribute_6(out_queue_out_attribute_6),
+        .out_attribute_7(out_queue_out_attribute_7),
+        .out_attribute_8(out_queue_out_attribute_8),
+        .out_attribute_9(out_queue_out_attribute_9),
+        .out_attribute_10(out_queue_out_attribute_10),
+        .out_attribute_11(out_queue_out_attribute_11),
+        .out_attribute_12(out_queue_out_attribute_12),
+        .out_cardinal_0(out_queue_out_cardinal_0),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile)
+    );
+
+    core_a_heap heap (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(offer),
+        .in_ready(heap_in_ready),
+        .in_tile(in_queue_out_tile),
+        .in_pointer(pointer),
+        .out_valid(heap_out_valid),
+        .out_ready(heap_out_ready),
+        .out_tile(heap_out_tile),
+        .out_pointer(heap_out_pointer),
+        .empty(heap_empty)
+    );
+
+    stream_fifo_d4096_w12 returned (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(leaving),
+        .in_ready(returned_in_ready),
+        .in_pointer(heap_out_pointer),
+        .out_valid(returned_out_valid),
+        .out_ready(returned_out_ready),
+        .out_pointer(returned_out_pointer)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            draining <= 1'd0;
+            fresh <= 13'd0;
+            stage_valid <= 1'd0;
+        end else begin
+            if (take_end | close) begin
+                draining <= take_end;
+            end
+            if (insert & ~all_used) begin
+                fresh <= fresh + 13'd1;
+            end
+            if (advance) begin
+                stage_valid <= leaving;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (leaving) begin
+            stage_tile <= heap_out_tile;
+        end
+    end
+    always @(posedge clk) begin
+        if (insert) begin
+            payloads[pointer] <= {
+                in_queue_out_center_x,
+                in_queue_out_center_y,
+                in_queue_out_ax,
+                in_queue_out_bx,
+                in_queue_out_ay,
+                in_queue_out_by,
+                in_queue_out_delta,
+                in_queue_out_mx,
+                in_queue_out_my,
+                in_queue_out_depth,
+                in_queue_out_depth_low,
+                in_queue_out_depth_high,
+                in_queue_out_attribute_0,
+                in_queue_out_attribute_1,
+                in_queue_out_attribute_2,
+                in_queue_out_attribute_3,
+                in_queue_out_attribute_4,
+                in_queue_out_attribute_5,
+                in_queue_out_attribute_6,
+                in_queue_out_attribute_7,
+                in_queue_out_attribute_8,
+                in_queue_out_attribute_9,
+                in_queue_out_attribute_10,
+                in_queue_out_attribute_11,
+                in_queue_out_attribute_12,
+                in_queue_out_cardinal_0,
+                in_queue_out_left,
+                in_queue_out_right,
+                in_queue_out_top,
+                in_queue_out_bottom
+            };
+        end
+        if (leaving) begin
+            stage_payload <= payloads[heap_out_pointer];
+        end
+    end
+
+    wire _unused = &{1'b0, returned_in_ready};
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(~leaving | returned_in_ready)) begin
+`ifdef FORMAL
+                pointers_fit: assert (0);
+`else
+                $display("assertion failed: pointers_fit in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 4096
+// width = 12
+module stream_fifo_d4096_w12 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [11:0] in_pointer,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [11:0] out_pointer
+);
+    reg [11:0] entries [0:4095];
+    reg [12:0] held;
+    reg [12:0] waiting;
+    reg [11:0] write_address;
+    reg [11:0] read_address;
+    reg [11:0] item;
+
+    wire has_room = ~(held == 13'h1000);
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_pointer = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 13'd0;
+            waiting <= 13'd0;
+            write_address <= 12'd0;
+            read_address <= 12'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {12'd0, push}) - {12'd0, pop};
+            waiting <= (waiting + {12'd0, push}) - {12'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 12'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 12'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= in_pointer;
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 13'h1000)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {12'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Pipelined heap that orders splat copies by tile, then by arrival.
+// levels = 12
+// sequence_bits = 16
+module core_a_heap (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [11:0] in_tile,
+    input  wire [11:0] in_pointer,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire [11:0] out_tile,
+    output wire [11:0] out_pointer,
+    output wire empty
+);
+    reg lower;
+    reg [11:0] count;
+    reg [15:0] arrival;
+    reg [11:0] alive_even;
+    reg [11:0] alive_odd;
+    reg [11:0] current;
+    reg sweep;
+    reg last_epoch;
+    reg [11:0] newcomer_tile;
+
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire [11:0] out_queue_out_tile;
+    wire [11:0] out_queue_out_pointer;
+    wire [40:0] stage_0_root;
+    wire stage_0_below_valid;
+    wire stage_0_below_hole;
+    wire stage_0_below_carry;
+    wire stage_0_below_right;
+    wire stage_0_below_left_exists;
+    wire stage_0_below_right_exists;
+    wire stage_0_below_follows;
+    wire [40:0] stage_0_below_entry;
+    wire [28:0] stage_0_below_rival;
+    wire [1:0] stage_0_below_row;
+    wire [40:0] stage_2_rise_entry;
+    wire stage_2_rise_exists;
+    wire stage_2_rise_ahead;
+    wire stage_2_rise_right;
+    wire stage_2_rise_childless;
+    wire [1:0] stage_2_rise_node;
+    wire stage_2_below_valid;
+    wire stage_2_below_hole;
+    wire stage_2_below_carry;
+    wire stage_2_below_right;
+    wire stage_2_below_left_exists;
+    wire stage_2_below_right_exists;
+    wire stage_2_below_follows;
+    wire [40:0] stage_2_below_entry;
+    wire [28:0] stage_2_below_rival;
+    wire [3:0] stage_2_below_row;
+    wire [40:0] stage_4_rise_entry;
+    wire stage_4_rise_exists;
+    wire stage_4_rise_ahead;
+    wire stage_4_rise_right;
+    wire stage_4_rise_childless;
+    wire [3:0] stage_4_rise_node;
+    wire stage_4_below_valid;
+    wire stage_4_below_hole;
+    wire stage_4_below_carry;
+    wire stage_4_below_right;
+    wire stage_4_below_left_exists;
+    wire stage_4_below_right_exists;
+    wire stage_4_below_follows;
+    wire [40:0] stage_4_below_entry;
+    wire [28:0] stage_4_below_rival;
+    wire [5:0] stage_4_below_row;
+    wire [40:0] stage_6_rise_entry;
+    wire stage_6_rise_exists;
+    wire stage_6_rise_ahead;
+    wire stage_6_rise_right;
+    wire stage_6_rise_childless;
+    wire [5:0] stage_6_rise_node;
+    wire stage_6_below_valid;
+    wire stage_6_below_hole;
+    wire stage_6_below_carry;
+    wire stage_6_below_right;
+    wire stage_6_below_left_exists;
+    wire stage_6_below_right_exists;
+    wire stage_6_below_follows;
+    wire [40:0] stage_6_below_entry;
+    wire [28:0] stage_6_below_rival;
+    wire [7:0] stage_6_below_row;
+    wire [40:0] stage_8_rise_entry;
+    wire stage_8_rise_exists;
+    wire stage_8_rise_ahead;
+    wire stage_8_rise_right;
+    wire stage_8_rise_childless;
+    wire [7:0] stage_8_rise_node;
+    wire stage_8_below_valid;
+    wire stage_8_below_hole;
+    wire stage_8_below_carry;
+    wire stage_8_below_right;
+    wire stage_8_below_left_exists;
+    wire stage_8_below_right_exists;
+    wire stage_8_below_follows;
+    wire [40:0] stage_8_below_entry;
+    wire [28:0] stage_8_below_rival;
+    wire [9:0] stage_8_below_row;
+    wire [40:0] stage_10_rise_entry;
+    wire stage_10_rise_exists;
+    wire stage_10_rise_ahead;
+    wire stage_10_rise_right;
+    wire stage_10_rise_childless;
+    wire [9:0] stage_10_rise_node;
+
+    wire fresh_epoch_blocked = (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
+    wire occupied = |count;
+    wire pop = ~lower & (occupied & out_queue_in_ready);
+    wire ready = ~lower & ~fresh_epoch_blocked & (~(&count) | pop);
+    assign in_ready = ready;
+    wire out_queue_out_ready = out_ready;
+    wire push = ready & in_valid;
+    wire newcomer_sweep = sweep ^ (newcomer_tile < current);
+    wire term_1 = push & ~arrival[15];
+    wire term_2 = push & arrival[15];
+
+    assign out_valid = out_queue_out_valid;
+    assign out_tile = out_queue_out_tile;
+    assign out_pointer = out_queue_out_pointer;
+    assign empty = ~(occupied | out_queue_out_valid);
+
+    stream_skid_w24 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(pop),
+        .in_ready(out_queue_in_ready),
+        .in_tile(stage_0_root[39:28]),
+        .in_pointer(stage_0_root[11:0]),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_tile(out_queue_out_tile),
+        .out_pointer(out_queue_out_pointer)
+    );
+
+    core_a_heap_stage_level0 stage_0 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .lower(lower),
+        .step_valid(push | pop),
+        .step_hole(pop),
+        .step_carry(push),
+        .step_right(1'd1),
+        .step_left_exists(1'd0),
+        .step_right_exists(occupied),
+        .step_follows(1'd1),
+        .step_entry({1'd0, in_tile, arrival, in_pointer}),
+        .step_rival(29'd0),
+        .newcomer_sweep(newcomer_sweep),
+        .below_rise_entry(stage_2_rise_entry),
+        .below_rise_exists(stage_2_rise_exists),
+        .below_rise_ahead(stage_2_rise_ahead),
+        .below_rise_right(stage_2_rise_right),
+        .below_rise_childless(stage_2_rise_childless),
+        .below_rise_node(stage_2_rise_node),
+        .root(stage_0_root),
+        .below_valid(stage_0_below_valid),
+        .below_hole(stage_0_below_hole),
+        .below_carry(stage_0_below_carry),
+        .below_right(stage_0_below_right),
+        .below_left_exists(stage_0_below_left_exists),
+        .below_right_exists(stage_0_below_right_exists),
+        .below_follows(stage_0_below_follows),
+        .below_entry(stage_0_below_entry),
+        .below_rival(stage_0_below_rival),
+        .below_row(stage_0_below_row)
+    );
+
+    core_a_heap_stage_level2 stage_2 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .lower(lower),
+        .step_valid(stage_0_below_valid),
+        .step_hole(stage_0_below_hole),
+        .step_carry(stage_0_below_carry),
+        .step_right(stage_0_below_right),
+        .step_left_exists(stage_0_below_left_exists),
+        .step_right_exists(stage_0_below_right_exists),
+        .step_follows(stage_0_below_follows),
+        .step_entry(stage_0_below_entry),
+        .step_rival(stage_0_below_rival),
+        .step_row(stage_0_below_row),
+        .below_rise_entry(stage_4_rise_entry),
+        .below_rise_exists(stage_4_rise_exists),
+        .below_rise_ahead(stage_4_rise_ahead),
+        .below_rise_right(stage_4_rise_right),
+        .below_rise_childless(stage_4_rise_childless),
+        .below_rise_node(stage_4_rise_node),
+        .rise_entry(stage_2_rise_entry),
+        .rise_exists(stage_2_rise_exists),
+        .rise_ahead(stage_2_rise_ahead),
+        .rise_right(stage_2_rise_right),
+        .rise_childless(stage_2_rise_childless),
+        .rise_node(stage_2_rise_node),
+        .below_valid(stage_2_below_valid),
+        .below_hole(stage_2_below_hole),
+        .below_carry(stage_2_below_carry),
+        .below_right(stage_2_below_right),
+        .below_left_exists(stage_2_below_left_exists),
+        .below_right_exists(stage_2_below_right_exists),
+        .below_follows(stage_2_below_follows),
+        .below_entry(stage_2_below_entry),
+        .below_rival(stage_2_below_rival),
+        .below_row(stage_2_below_row)
+    );
+
+    core_a_heap_stage_level4 stage_4 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .lower(lower),
+        .step_valid(stage_2_below_valid),
+        .step_hole(stage_2_below_hole),
+        .step_carry(stage_2_below_carry),
+        .step_right(stage_2_below_right),
+        .step_left_exists(stage_2_below_left_exists),
+        .step_right_exists(stage_2_below_right_exists),
+        .step_follows(stage_2_below_follows),
+        .step_entry(stage_2_below_entry),
+        .step_rival(stage_2_below_rival),
+        .step_row(stage_2_below_row),
+        .below_rise_entry(stage_6_rise_entry),
+        .below_rise_exists(stage_6_rise_exists),
+        .below_rise_ahead(stage_6_rise_ahead),
+        .below_rise_right(stage_6_rise_right),
+        .below_rise_childless(stage_6_rise_childless),
+        .below_rise_node(stage_6_rise_node),
+        .rise_entry(stage_4_rise_entry),
+        .rise_exists(stage_4_rise_exists),
+        .rise_ahead(stage_4_rise_ahead),
+        .rise_right(stage_4_rise_right),
+        .rise_childless(stage_4_rise_childless),
+        .rise_node(stage_4_rise_node),
+        .below_valid(stage_4_below_valid),
+        .below_hole(stage_4_below_hole),
+        .below_carry(stage_4_below_carry),
+        .below_right(stage_4_below_right),
+        .below_left_exists(stage_4_below_left_exists),
+        .below_right_exists(stage_4_below_right_exists),
+        .below_follows(stage_4_below_follows),
+        .below_entry(stage_4_below_entry),
+        .below_rival(stage_4_below_rival),
+        .below_row(stage_4_below_row)
+    );
+
+    core_a_heap_stage_level6 stage_6 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .lower(lower),
+        .step_valid(stage_4_below_valid),
+        .step_hole(stage_4_below_hole),
+        .step_carry(stage_4_below_carry),
+        .step_right(stage_4_below_right),
+        .step_left_exists(stage_4_below_left_exists),
+        .step_right_exists(stage_4_below_right_exists),
+        .step_follows(stage_4_below_follows),
+        .step_entry(stage_4_below_entry),
+        .step_rival(stage_4_below_rival),
+        .step_row(stage_4_below_row),
+        .below_rise_entry(stage_8_rise_entry),
+        .below_rise_exists(stage_8_rise_exists),
+        .below_rise_ahead(stage_8_rise_ahead),
+        .below_rise_right(stage_8_rise_right),
+        .below_rise_childless(stage_8_rise_childless),
+        .below_rise_node(stage_8_rise_node),
+        .rise_entry(stage_6_rise_entry),
+        .rise_exists(stage_6_rise_exists),
+        .rise_ahead(stage_6_rise_ahead),
+        .rise_right(stage_6_rise_right),
+        .rise_childless(stage_6_rise_childless),
+        .rise_node(stage_6_rise_node),
+        .below_valid(stage_6_below_valid),
+        .below_hole(stage_6_below_hole),
+        .below_carry(stage_6_below_carry),
+        .below_right(stage_6_below_right),
+        .below_left_exists(stage_6_below_left_exists),
+        .below_right_exists(stage_6_below_right_exists),
+        .below_follows(stage_6_below_follows),
+        .below_entry(stage_6_below_entry),
+        .below_rival(stage_6_below_rival),
+        .below_row(stage_6_below_row)
+    );
+
+    core_a_heap_stage_level8 stage_8 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .lower(lower),
+        .step_valid(stage_6_below_valid),
+        .step_hole(stage_6_below_hole),
+        .step_carry(stage_6_below_carry),
+        .step_right(stage_6_below_right),
+        .step_left_exists(stage_6_below_left_exists),
+        .step_right_exists(stage_6_below_right_exists),
+        .step_follows(stage_6_below_follows),
+        .step_entry(stage_6_below_entry),
+        .step_rival(stage_6_below_rival),
+        .step_row(stage_6_below_row),
+        .below_rise_entry(stage_10_rise_entry),
+        .below_rise_exists(stage_10_rise_exists),
+        .below_rise_ahead(stage_10_rise_ahead),
+        .below_rise_right(stage_10_rise_right),
+        .below_rise_childless(stage_10_rise_childless),
+        .below_rise_node(stage_10_rise_node),
+        .rise_entry(stage_8_rise_entry),
+        .rise_exists(stage_8_rise_exists),
+        .rise_ahead(stage_8_rise_ahead),
+        .rise_right(stage_8_rise_right),
+        .rise_childless(stage_8_rise_childless),
+        .rise_node(stage_8_rise_node),
+        .below_valid(stage_8_below_valid),
+        .below_hole(stage_8_below_hole),
+        .below_carry(stage_8_below_carry),
+        .below_right(stage_8_below_right),
+        .below_left_exists(stage_8_below_left_exists),
+        .below_right_exists(stage_8_below_right_exists),
+        .below_follows(stage_8_below_follows),
+        .below_entry(stage_8_below_entry),
+        .below_rival(stage_8_below_rival),
+        .below_row(stage_8_below_row)
+    );
+
+    core_a_heap_stage_level10 stage_10 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .lower(lower),
+        .step_valid(stage_8_below_valid),
+        .step_hole(stage_8_below_hole),
+        .step_carry(stage_8_below_carry),
+        .step_right(stage_8_below_right),
+        .step_left_exists(stage_8_below_left_exists),
+        .step_right_exists(stage_8_below_right_exists),
+        .step_follows(stage_8_below_follows),
+        .step_entry(stage_8_below_entry),
+        .step_rival(stage_8_below_rival),
+        .step_row(stage_8_below_row),
+        .rise_entry(stage_10_rise_entry),
+        .rise_exists(stage_10_rise_exists),
+        .rise_ahead(stage_10_rise_ahead),
+        .rise_right(stage_10_rise_right),
+        .rise_childless(stage_10_rise_childless),
+        .rise_node(stage_10_rise_node)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            lower <= 1'd0;
+            count <= 12'd0;
+            arrival <= 16'd0;
+            alive_even <= 12'd0;
+            alive_odd <= 12'd0;
+            current <= 12'd0;
+            sweep <= 1'd0;
+        end else begin
+            lower <= ~lower;
+            if (push ^ pop) begin
+                count <= push ? (count + 12'd1) : (count - 12'd1);
+            end
+            if (push) begin
+                arrival <= arrival + 16'd1;
+            end
+            if (term_1 ^ (pop & ~stage_0_root[27])) begin
+                alive_even <= term_1 ? (alive_even + 12'd1) : (alive_even - 12'd1);
+            end
+            if (term_2 ^ (pop & stage_0_root[27])) begin
+                alive_odd <= term_2 ? (alive_odd + 12'd1) : (alive_odd - 12'd1);
+            end
+            if (pop) begin
+                current <= stage_0_root[39:28];
+                sweep <= stage_0_root[40];
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            last_epoch <= arrival[15];
+        end
+        newcomer_tile <= in_tile;
+    end
+
+    wire _unused = &{1'b0, stage_0_root[26:12]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 10
+// levels = 12
+module core_a_heap_stage_level10 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire lower,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [40:0] step_entry,
+    input  wire [28:0] step_rival,
+    input  wire [9:0] step_row,
+    output wire [40:0] rise_entry,
+    output wire rise_exists,
+    output wire rise_ahead,
+    output wire rise_right,
+    output wire rise_childless,
+    output wire [9:0] rise_node
+);
+    reg [43:0] left_nodes [0:2047];
+    reg [43:0] right_nodes [0:2047];
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [40:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [28:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [28:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [40:0] compared_entry;
+    reg compared_right_below;
+    reg compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [40:0] settled_entry;
+    reg settled_right_below;
+    reg settled_left_count;
+    reg [43:0] stored;
+    reg [10:0] row;
+    reg [10:0] row_before;
+    reg [11:0] last_row;
+    reg [11:0] last_row_before;
+    reg [43:0] left_shown;
+    reg [43:0] right_shown;
+
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
+    wire term_1 = compared_carried[40] == sweep;
+    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~rival_stays;
+    wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
+    wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
+    wire term_6 = ~(chosen_left_count | chosen_right_below);
+    wire choice_7 = lower ? compared_hole : step_hole;
+    wire choice_8 = lower ? compared_follows : step_follows;
+    wire choice_9 = lower ? chosen_left_count : step_left_exists;
+    wire choice_10 = lower ? chosen_right_below : step_right_exists;
+    wire newer = choice_8 & settled_valid;
+    wire [11:0] choice_11 = lower ? last_row_before : {1'd0, row_before};
+    wire side = choice_11[0];
+    wire choice_12 = lower ? 1'd0 : compared_exists;
+    wire term_13 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_12) & term_13) : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_14 = (choice_9 & choice_10) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_10;
+    wire goes_right = choice_7 ? choice_14 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire same_side = goes_right ^ ~side;
+    wire [28:0] rival = compared_rival_stored ? stored[43:15] : compared_rival;
+    wire [40:0] choice_15 = ~goes_right ? right_shown[43:3] : left_shown[43:3];
+    wire term_16 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_16;
+    wire term_17 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
+    wire term_18 = settled_hole & ~settled_carry & choice_12;
+    wire choice_19 = lower ? 1'd0 : compared_right;
+    wire term_20 = settled_right_below & ~(term_18 & choice_19 & (lower ? 1'd0 : term_6));
+    wire term_21 = ~settled_hole & settled_existed;
+    wire term_22 = ~choice_19;
+    wire sum_23 = settled_left_count + ((term_18 & term_22) | (term_21 & term_22));
+    wire [43:0] node_to_store = {
+        entry_to_store,
+        first_side ^ (settled_rival_exists & settled_rival_mark),
+        term_20 | (term_21 & choice_19),
+        sum_23
+    };
+    wire [11:0] next_row = {row, goes_right};
+    wire [10:0] choice_24 = lower ? {1'd0, step_row} : next_row[10:0];
+
+    assign rise_entry = first;
+    assign rise_exists = compared_exists;
+    assign rise_ahead = term_5;
+    assign rise_right = compared_right;
+    assign rise_childless = term_6;
+    assign rise_node = row_before[9:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_7;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_8 & same_side;
+        compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
+        compared_exists <= goes_right ? choice_10 : choice_9;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_14;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_15[40:12];
+        compared_rival_exists <= goes_right ? choice_9 : choice_10;
+        compared_rival_mark <= ~goes_right ? right_shown[2] : left_shown[2];
+        compared_entry <= goes_right ? right_shown[43:3] : left_shown[43:3];
+        compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
+        compared_left_count <= goes_right ? right_shown[0] : left_shown[0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_17;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
+        settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & compared_exists;
+        stored <= node_to_store;
+        row <= choice_24;
+        row_before <= row;
+        last_row <= next_row;
+        last_row_before <= last_row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_11[11:1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_24];
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_11[11:1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_24];
+    end
+
+    wire _unused = &{1'b0, choice_15[11:0]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 8
+// levels = 12
+module core_a_heap_stage_level8 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire lower,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [40:0] step_entry,
+    input  wire [28:0] step_rival,
+    input  wire [7:0] step_row,
+    input  wire [40:0] below_rise_entry,
+    input  wire below_rise_exists,
+    input  wire below_rise_ahead,
+    input  wire below_rise_right,
+    input  wire below_rise_childless,
+    input  wire [9:0] below_rise_node,
+    output wire [40:0] rise_entry,
+    output wire rise_exists,
+    output wire rise_ahead,
+    output wire rise_right,
+    output wire rise_childless,
+    output wire [7:0] rise_node,
+    output wire below_valid,
+    output wire below_hole,
+    output wire below_carry,
+    output wire below_right,
+    output wire below_left_exists,
+    output wire below_right_exists,
+    output wire below_follows,
+    output wire [40:0] below_entry,
+    output wire [28:0] below_rival,
+    output wire [9:0] below_row
+);
+    reg [45:0] left_nodes [0:511];
+    reg [45:0] right_nodes [0:511];
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [40:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [28:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [28:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [40:0] compared_entry;
+    reg compared_right_below;
+    reg [2:0] compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [40:0] settled_entry;
+    reg settled_right_below;
+    reg [2:0] settled_left_count;
+    reg [45:0] stored;
+    reg [8:0] row;
+    reg [8:0] row_before;
+    reg [45:0] left_shown;
+    reg [45:0] right_shown;
+
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
+    wire term_1 = compared_carried[40] == sweep;
+    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~rival_stays;
+    wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
+    wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
+    wire term_6 = ~(|chosen_left_count | chosen_right_below);
+    wire term_7 = compared_valid & compared_exists;
+    wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
+    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [28:0] rival = compared_rival_stored ? stored[45:17] : compared_rival;
+    wire choice_10 = lower ? compared_hole : step_hole;
+    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
+    wire choice_12 = lower ? chosen_right_below : step_right_exists;
+    wire choice_13 = lower ? compared_follows : step_follows;
+    wire newer = choice_13 & settled_valid;
+    wire [9:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_14[0];
+    wire choice_15 = lower ? below_rise_exists : compared_exists;
+    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
+    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire [9:0] next_row = {row, goes_right};
+    wire same_side = goes_right ^ ~side;
+    wire [40:0] choice_18 = ~goes_right ? right_shown[45:5] : left_shown[45:5];
+    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
+    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_21 = settled_hole & ~settled_carry & choice_15;
+    wire choice_22 = lower ? below_rise_right : compared_right;
+    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
+    wire term_24 = ~settled_hole & settled_existed;
+    wire term_25 = ~choice_22;
+    wire term_26 = term_21 & term_25;
+    wire [2:0] sum_27 = settled_left_count + {{2{term_26}}, term_26 | (term_24 & term_25)};
+    wire [45:0] node_to_store = {
+        entry_to_store,
+        first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_23) | (term_24 & choice_22),
+        sum_27
+    };
+    wire [8:0] choice_28 = lower ? {1'd0, step_row} : next_row[8:0];
+
+    assign rise_entry = first;
+    assign rise_exists = compared_exists;
+    assign rise_ahead = term_5;
+    assign rise_right = compared_right;
+    assign rise_childless = term_6;
+    assign rise_node = row_before[7:0];
+    assign below_valid = term_7;
+    assign below_hole = compared_hole;
+    assign below_carry = compared_carry;
+    assign below_right = term_8;
+    assign below_left_exists = |chosen_left_count;
+    assign below_right_exists = chosen_right_below;
+    assign below_follows = compared_follows;
+    assign below_entry = choice_9;
+    assign below_rival = rival;
+    assign below_row = next_row;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            compared_valid <= lower ? term_7 : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_10;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_13 & same_side;
+        compared_carried <= lower ? choice_9 : step_entry;
+        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_17;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_18[40:12];
+        compared_rival_exists <= goes_right ? choice_11 : choice_12;
+        compared_rival_mark <= ~goes_right ? right_shown[4] : left_shown[4];
+        compared_entry <= goes_right ? right_shown[45:5] : left_shown[45:5];
+        compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
+        compared_left_count <= goes_right ? right_shown[2:0] : left_shown[2:0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
+        settled_entry <= first;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & {3{compared_exists}};
+        stored <= node_to_store;
+        row <= choice_28;
+        row_before <= row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_14[9:1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_28];
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_14[9:1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_28];
+    end
+
+    wire _unused = &{1'b0, choice_18[11:0]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 6
+// levels = 12
+module core_a_heap_stage_level6 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire lower,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [40:0] step_entry,
+    input  wire [28:0] step_rival,
+    input  wire [5:0] step_row,
+    input  wire [40:0] below_rise_entry,
+    input  wire below_rise_exists,
+    input  wire below_rise_ahead,
+    input  wire below_rise_right,
+    input  wire below_rise_childless,
+    input  wire [7:0] below_rise_node,
+    output wire [40:0] rise_entry,
+    output wire rise_exists,
+    output wire rise_ahead,
+    output wire rise_right,
+    output wire rise_childless,
+    output wire [5:0] rise_node,
+    output wire below_valid,
+    output wire below_hole,
+    output wire below_carry,
+    output wire below_right,
+    output wire below_left_exists,
+    output wire below_right_exists,
+    output wire below_follows,
+    output wire [40:0] below_entry,
+    output wire [28:0] below_rival,
+    output wire [7:0] below_row
+);
+    reg [47:0] left_nodes [0:127];
+    reg [47:0] right_nodes [0:127];
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [40:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [28:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [28:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [40:0] compared_entry;
+    reg compared_right_below;
+    reg [4:0] compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [40:0] settled_entry;
+    reg settled_right_below;
+    reg [4:0] settled_left_count;
+    reg [47:0] stored;
+    reg [6:0] row;
+    reg [6:0] row_before;
+    reg [47:0] left_shown;
+    reg [47:0] right_shown;
+
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
+    wire term_1 = compared_carried[40] == sweep;
+    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~rival_stays;
+    wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
+    wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
+    wire term_6 = ~(|chosen_left_count | chosen_right_below);
+    wire term_7 = compared_valid & compared_exists;
+    wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
+    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [28:0] rival = compared_rival_stored ? stored[47:19] : compared_rival;
+    wire choice_10 = lower ? compared_hole : step_hole;
+    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
+    wire choice_12 = lower ? chosen_right_below : step_right_exists;
+    wire choice_13 = lower ? compared_follows : step_follows;
+    wire newer = choice_13 & settled_valid;
+    wire [7:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_14[0];
+    wire choice_15 = lower ? below_rise_exists : compared_exists;
+    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
+    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire [7:0] next_row = {row, goes_right};
+    wire same_side = goes_right ^ ~side;
+    wire [40:0] choice_18 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
+    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
+    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_21 = settled_hole & ~settled_carry & choice_15;
+    wire choice_22 = lower ? below_rise_right : compared_right;
+    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
+    wire term_24 = ~settled_hole & settled_existed;
+    wire term_25 = ~choice_22;
+    wire term_26 = term_21 & term_25;
+    wire [4:0] sum_27 = settled_left_count + {{4{term_26}}, term_26 | (term_24 & term_25)};
+    wire [47:0] node_to_store = {
+        entry_to_store,
+        first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_23) | (term_24 & choice_22),
+        sum_27
+    };
+    wire [6:0] choice_28 = lower ? {1'd0, step_row} : next_row[6:0];
+
+    assign rise_entry = first;
+    assign rise_exists = compared_exists;
+    assign rise_ahead = term_5;
+    assign rise_right = compared_right;
+    assign rise_childless = term_6;
+    assign rise_node = row_before[5:0];
+    assign below_valid = term_7;
+    assign below_hole = compared_hole;
+    assign below_carry = compared_carry;
+    assign below_right = term_8;
+    assign below_left_exists = |chosen_left_count;
+    assign below_right_exists = chosen_right_below;
+    assign below_follows = compared_follows;
+    assign below_entry = choice_9;
+    assign below_rival = rival;
+    assign below_row = next_row;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            compared_valid <= lower ? term_7 : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_10;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_13 & same_side;
+        compared_carried <= lower ? choice_9 : step_entry;
+        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_17;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_18[40:12];
+        compared_rival_exists <= goes_right ? choice_11 : choice_12;
+        compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
+        compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
+        compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
+        compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[6] : compared_rival_mark;
+        settled_entry <= first;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & {5{compared_exists}};
+        stored <= node_to_store;
+        row <= choice_28;
+        row_before <= row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_14[7:1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_28];
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_14[7:1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_28];
+    end
+
+    wire _unused = &{1'b0, choice_18[11:0]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 4
+// levels = 12
+module core_a_heap_stage_level4 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire lower,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [40:0] step_entry,
+    input  wire [28:0] step_rival,
+    input  wire [3:0] step_row,
+    input  wire [40:0] below_rise_entry,
+    input  wire below_rise_exists,
+    input  wire below_rise_ahead,
+    input  wire below_rise_right,
+    input  wire below_rise_childless,
+    input  wire [5:0] below_rise_node,
+    output wire [40:0] rise_entry,
+    output wire rise_exists,
+    output wire rise_ahead,
+    output wire rise_right,
+    output wire rise_childless,
+    output wire [3:0] rise_node,
+    output wire below_valid,
+    output wire below_hole,
+    output wire below_carry,
+    output wire below_right,
+    output wire below_left_exists,
+    output wire below_right_exists,
+    output wire below_follows,
+    output wire [40:0] below_entry,
+    output wire [28:0] below_rival,
+    output wire [5:0] below_row
+);
+    reg [49:0] left_nodes [0:31];
+    reg [49:0] right_nodes [0:31];
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [40:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [28:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [28:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [40:0] compared_entry;
+    reg compared_right_below;
+    reg [6:0] compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [40:0] settled_entry;
+    reg settled_right_below;
+    reg [6:0] settled_left_count;
+    reg [49:0] stored;
+    reg [4:0] row;
+    reg [4:0] row_before;
+    reg [49:0] left_shown;
+    reg [49:0] right_shown;
+
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
+    wire term_1 = compared_carried[40] == sweep;
+    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~rival_stays;
+    wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
+    wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
+    wire term_6 = ~(|chosen_left_count | chosen_right_below);
+    wire term_7 = compared_valid & compared_exists;
+    wire term_8 = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
+    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [28:0] rival = compared_rival_stored ? stored[49:21] : compared_rival;
+    wire choice_10 = lower ? compared_hole : step_hole;
+    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
+    wire choice_12 = lower ? chosen_right_below : step_right_exists;
+    wire choice_13 = lower ? compared_follows : step_follows;
+    wire newer = choice_13 & settled_valid;
+    wire [5:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_14[0];
+    wire choice_15 = lower ? below_rise_exists : compared_exists;
+    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_12;
+    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire [5:0] next_row = {row, goes_right};
+    wire same_side = goes_right ^ ~side;
+    wire [40:0] choice_18 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
+    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
+    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_21 = settled_hole & ~settled_carry & choice_15;
+    wire choice_22 = lower ? below_rise_right : compared_right;
+    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
+    wire term_24 = ~settled_hole & settled_existed;
+    wire term_25 = ~choice_22;
+    wire term_26 = term_21 & term_25;
+    wire [6:0] sum_27 = settled_left_count + {{6{term_26}}, term_26 | (term_24 & term_25)};
+    wire [49:0] node_to_store = {
+        entry_to_store,
+        first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_23) | (term_24 & choice_22),
+        sum_27
+    };
+    wire [4:0] choice_28 = lower ? {1'd0, step_row} : next_row[4:0];
+
+    assign rise_entry = first;
+    assign rise_exists = compared_exists;
+    assign rise_ahead = term_5;
+    assign rise_right = compared_right;
+    assign rise_childless = term_6;
+    assign rise_node = row_before[3:0];
+    assign below_valid = term_7;
+    assign below_hole = compared_hole;
+    assign below_carry = compared_carry;
+    assign below_right = term_8;
+    assign below_left_exists = |chosen_left_count;
+    assign below_right_exists = chosen_right_below;
+    assign below_follows = compared_follows;
+    assign below_entry = choice_9;
+    assign below_rival = rival;
+    assign below_row = next_row;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            compared_valid <= lower ? term_7 : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_10;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_13 & same_side;
+        compared_carried <= lower ? choice_9 : step_entry;
+        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_17;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_18[40:12];
+        compared_rival_exists <= goes_right ? choice_11 : choice_12;
+        compared_rival_mark <= ~goes_right ? right_shown[8] : left_shown[8];
+        compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
+        compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
+        compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[8] : compared_rival_mark;
+        settled_entry <= first;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & {7{compared_exists}};
+        stored <= node_to_store;
+        row <= choice_28;
+        row_before <= row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_14[5:1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_28];
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_14[5:1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_28];
+    end
+
+    wire _unused = &{1'b0, choice_18[11:0]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 2
+// levels = 12
+module core_a_heap_stage_level2 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire lower,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [40:0] step_entry,
+    input  wire [28:0] step_rival,
+    input  wire [1:0] step_row,
+    input  wire [40:0] below_rise_entry,
+    input  wire below_rise_exists,
+    input  wire below_rise_ahead,
+    input  wire below_rise_right,
+    input  wire below_rise_childless,
+    input  wire [3:0] below_rise_node,
+    output wire [40:0] rise_entry,
+    output wire rise_exists,
+    output wire rise_ahead,
+    output wire rise_right,
+    output wire rise_childless,
+    output wire [1:0] rise_node,
+    output wire below_valid,
+    output wire below_hole,
+    output wire below_carry,
+    output wire below_right,
+    output wire below_left_exists,
+    output wire below_right_exists,
+    output wire below_follows,
+    output wire [40:0] below_entry,
+    output wire [28:0] below_rival,
+    output wire [3:0] below_row
+);
+    reg [51:0] left_nodes [0:7];
+    reg [51:0] right_nodes [0:7];
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [40:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [28:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [28:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [40:0] compared_entry;
+    reg compared_right_below;
+    reg [8:0] compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [40:0] settled_entry;
+    reg settled_right_below;
+    reg [8:0] settled_left_count;
+    reg [51:0] stored;
+    reg [2:0] row;
+    reg [2:0] row_before;
+    reg [51:0] left_shown;
+    reg [51:0] right_shown;
+
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
+    wire term_1 = compared_carried[40] == sweep;
+    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~rival_stays;
+    wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
+    wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
+    wire term_6 = ~(|chosen_left_count | chosen_right_below);
+    wire term_7 = compared_valid & compared_exists;
+    wire term_8 = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
+    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [28:0] rival = compared_rival_stored ? stored[51:23] : compared_rival;
+    wire choice_10 = lower ? compared_hole : step_hole;
+    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
+    wire choice_12 = lower ? chosen_right_below : step_right_exists;
+    wire choice_13 = lower ? compared_follows : step_follows;
+    wire newer = choice_13 & settled_valid;
+    wire [3:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_14[0];
+    wire choice_15 = lower ? below_rise_exists : compared_exists;
+    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_12;
+    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire [3:0] next_row = {row, goes_right};
+    wire same_side = goes_right ^ ~side;
+    wire [40:0] choice_18 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
+    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
+    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_21 = settled_hole & ~settled_carry & choice_15;
+    wire choice_22 = lower ? below_rise_right : compared_right;
+    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
+    wire term_24 = ~settled_hole & settled_existed;
+    wire term_25 = ~choice_22;
+    wire term_26 = term_21 & term_25;
+    wire [8:0] sum_27 = settled_left_count + {{8{term_26}}, term_26 | (term_24 & term_25)};
+    wire [51:0] node_to_store = {
+        entry_to_store,
+        first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_23) | (term_24 & choice_22),
+        sum_27
+    };
+    wire [2:0] choice_28 = lower ? {1'd0, step_row} : next_row[2:0];
+
+    assign rise_entry = first;
+    assign rise_exists = compared_exists;
+    assign rise_ahead = term_5;
+    assign rise_right = compared_right;
+    assign rise_childless = term_6;
+    assign rise_node = row_before[1:0];
+    assign below_valid = term_7;
+    assign below_hole = compared_hole;
+    assign below_carry = compared_carry;
+    assign below_right = term_8;
+    assign below_left_exists = |chosen_left_count;
+    assign below_right_exists = chosen_right_below;
+    assign below_follows = compared_follows;
+    assign below_entry = choice_9;
+    assign below_rival = rival;
+    assign below_row = next_row;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            compared_valid <= lower ? term_7 : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_10;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_13 & same_side;
+        compared_carried <= lower ? choice_9 : step_entry;
+        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_17;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_18[40:12];
+        compared_rival_exists <= goes_right ? choice_11 : choice_12;
+        compared_rival_mark <= ~goes_right ? right_shown[10] : left_shown[10];
+        compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
+        compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
+        compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[10] : compared_rival_mark;
+        settled_entry <= first;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & {9{compared_exists}};
+        stored <= node_to_store;
+        row <= choice_28;
+        row_before <= row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_14[3:1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_28];
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_14[3:1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_28];
+    end
+
+    wire _unused = &{1'b0, choice_18[11:0]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 0
+// levels = 12
+module core_a_heap_stage_level0 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire lower,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [40:0] step_entry,
+    input  wire [28:0] step_rival,
+    input  wire newcomer_sweep,
+    input  wire [40:0] below_rise_entry,
+    input  wire below_rise_exists,
+    input  wire below_rise_ahead,
+    input  wire below_rise_right,
+    input  wire below_rise_childless,
+    input  wire [1:0] below_rise_node,
+    output wire [40:0] root,
+    output wire below_valid,
+    output wire below_hole,
+    output wire below_carry,
+    output wire below_right,
+    output wire below_left_exists,
+    output wire below_right_exists,
+    output wire below_follows,
+    output wire [40:0] below_entry,
+    output wire [28:0] below_rival,
+    output wire [1:0] below_row
+);
+    reg [53:0] left_nodes [0:1];
+    reg [53:0] right_nodes [0:1];
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [40:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [28:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [28:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [40:0] compared_entry;
+    reg compared_right_below;
+    reg [10:0] compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [40:0] settled_entry;
+    reg settled_right_below;
+    reg [10:0] settled_left_count;
+    reg [53:0] stored;
+    reg row;
+    reg row_before;
+    reg [53:0] left_shown;
+    reg [53:0] right_shown;
+
+    wire choice_1 = lower ? compared_follows : step_follows;
+    wire newer = choice_1 & settled_valid;
+    wire choice_2 = lower ? newcomer_sweep : compared_carried[40];
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
+    wire term_3 = choice_2 == sweep;
+    wire [27:0] joined_4 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_5 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_3 : (joined_4 < joined_5);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [40:0] joined_6 = {choice_2, compared_carried[39:0]};
+    wire [40:0] first = carried_first ? joined_6 : chosen_entry;
+    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_7 = compared_valid & compared_exists;
+    wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
+    wire term_8 = &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
+    wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
+    wire [40:0] choice_9 = carried_first ? chosen_entry : joined_6;
+    wire [28:0] rival = compared_rival_stored ? stored[53:25] : compared_rival;
+    wire choice_10 = lower ? compared_hole : step_hole;
+    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
+    wire choice_12 = lower ? chosen_right_below : step_right_exists;
+    wire [1:0] choice_13 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_13[0];
+    wire choice_14 = lower ? below_rise_exists : compared_exists;
+    wire [27:0] joined_15 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_15 < joined_5);
+    wire choice_16 = lower ? below_rise_ahead : (compared_exists & ~rival_stays);
+    wire term_17 = (settled_carry | choice_14) & (~settled_rival_exists | settled_ahead | choice_16);
+    wire is_first = settled_hole ? term_17 : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : choice_12;
+    wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
+    wire [1:0] next_row = {row, goes_right};
+    wire same_side = goes_right ^ ~side;
+    wire [40:0] choice_19 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
+    wire term_20 = joined_4 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (choice_2 ^ rival[28]) ? term_3 : term_20;
+    wire term_21 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire term_22 = settled_hole & ~settled_carry & choice_14;
+    wire choice_23 = lower ? below_rise_right : compared_right;
+    wire choice_24 = lower ? below_rise_childless : ~(|chosen_left_count | chosen_right_below);
+    wire term_25 = ~settled_hole & settled_existed;
+    wire term_26 = (settled_right_below & ~(term_22 & choice_23 & choice_24)) | (term_25 & choice_23);
+    wire term_27 = ~choice_23;
+    wire term_28 = term_22 & term_27;
+    wire [10:0] sum_29 = settled_left_count + {{10{term_28}}, term_28 | (term_25 & term_27)};
+    wire [53:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_26, sum_29};
+    wire choice_30 = lower ? 1'd0 : next_row[0];
+
+    assign root = newer ? entry_to_store : right_shown[53:13];
+    assign below_valid = term_7;
+    assign below_hole = compared_hole;
+    assign below_carry = compared_carry;
+    assign below_right = term_8;
+    assign below_left_exists = |chosen_left_count;
+    assign below_right_exists = chosen_right_below;
+    assign below_follows = compared_follows;
+    assign below_entry = choice_9;
+    assign below_rival = rival;
+    assign below_row = next_row;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            compared_valid <= lower ? term_7 : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_10;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_1 & same_side;
+        compared_carried <= lower ? choice_9 : step_entry;
+        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_18;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_19[40:12];
+        compared_rival_exists <= goes_right ? choice_11 : choice_12;
+        compared_rival_mark <= ~goes_right ? right_shown[12] : left_shown[12];
+        compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
+        compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
+        compared_left_count <= goes_right ? right_shown[10:0] : left_shown[10:0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_21;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[12] : compared_rival_mark;
+        settled_entry <= first;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & {11{compared_exists}};
+        stored <= node_to_store;
+        row <= choice_30;
+        row_before <= row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_13[1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_30];
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_13[1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_30];
+    end
+
+    wire _unused = &{1'b0, choice_19[11:0]};
+endmodule
+
+// Queue of two in registers.
+// width = 24
+module stream_skid_w24 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [11:0] in_tile,
+    input  wire [11:0] in_pointer,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [11:0] out_tile,
+    output wire [11:0] out_pointer
+);
+    reg second_valid;
+    reg [23:0] head;
+    reg [23:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [23:0] in_item = {in_tile, in_pointer};
+
+    assign out_tile = head[23:12];
+    assign out_pointer = head[11:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Splits a splat's rectangle into one copy per tile.
+module core_a_splitter (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [8:0] in_left,
+    input  wire [8:0] in_right,
+    input  wire [8:0] in_top,
+    input  wire [8:0] in_bottom,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_ax,
+    output wire [31:0] out_bx,
+    output wire [31:0] out_ay,
+    output wire [31:0] out_by,
+    output wire [31:0] out_delta,
+    output wire [31:0] out_mx,
+    output wire [31:0] out_my,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [11:0] out_tile
+);
+    reg busy;
+    reg splat_end;
+    reg [31:0] splat_center_x;
+    reg [31:0] splat_center_y;
+    reg [31:0] splat_ax;
+    reg [31:0] splat_bx;
+    reg [31:0] splat_ay;
+    reg [31:0] splat_by;
+    reg [31:0] splat_delta;
+    reg [31:0] splat_mx;
+    reg [31:0] splat_my;
+    reg [23:0] splat_depth;
+    reg [23:0] splat_depth_low;
+    reg [23:0] splat_depth_high;
+    reg [15:0] splat_attribute_0;
+    reg [15:0] splat_attribute_1;
+    reg [15:0] splat_attribute_2;
+    reg [15:0] splat_attribute_3;
+    reg [15:0] splat_attribute_4;
+    reg [15:0] splat_attribute_5;
+    reg [15:0] splat_attribute_6;
+    reg [15:0] splat_attribute_7;
+    reg [15:0] splat_attribute_8;
+    reg [15:0] splat_attribute_9;
+    reg [15:0] splat_attribute_10;
+    reg [15:0] splat_attribute_11;
+    reg [15:0] splat_attribute_12;
+    reg [15:0] splat_cardinal_0;
+    reg [8:0] splat_left;
+    reg [8:0] splat_right;
+    reg [8:0] splat_top;
+    reg [8:0] splat_bottom;
+    reg [5:0] column;
+    reg [5:0] row;
+
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire out_queue_out_end;
+    wire [31:0] out_queue_out_center_x;
+    wire [31:0] out_queue_out_center_y;
+    wire [31:0] out_queue_out_ax;
+    wire [31:0] out_queue_out_bx;
+    wire [31:0] out_queue_out_ay;
+    wire [31:0] out_queue_out_by;
+    wire [31:0] out_queue_out_delta;
+    wire [31:0] out_queue_out_mx;
+    wire [31:0] out_queue_out_my;
+    wire [23:0] out_queue_out_depth;
+    wire [23:0] out_queue_out_depth_low;
+    wire [23:0] out_queue_out_depth_high;
+    wire [15:0] out_queue_out_attribute_0;
+    wire [15:0] out_queue_out_attribute_1;
+    wire [15:0] out_queue_out_attribute_2;
+    wire [15:0] out_queue_out_attribute_3;
+    wire [15:0] out_queue_out_attribute_4;
+    wire [15:0] out_queue_out_attribute_5;
+    wire [15:0] out_queue_out_attribute_6;
+    wire [15:0] out_queue_out_attribute_7;
+    wire [15:0] out_queue_out_attribute_8;
+    wire [15:0] out_queue_out_attribute_9;
+    wire [15:0] out_queue_out_attribute_10;
+    wire [15:0] out_queue_out_attribute_11;
+    wire [15:0] out_queue_out_attribute_12;
+    wire [15:0] out_queue_out_cardinal_0;
+    wire [2:0] out_queue_out_left;
+    wire [2:0] out_queue_out_right;
+    wire [2:0] out_queue_out_top;
+    wire [2:0] out_queue_out_bottom;
+    wire [11:0] out_queue_out_tile;
+
+    wire right_most = column == splat_right[8:3];
+    wire term_1 = row == splat_bottom[8:3];
+    wire last = splat_end | (right_most & term_1);
+    wire ready = out_queue_in_ready & (~busy | last);
+    assign in_ready = ready;
+    wire out_queue_out_ready = out_ready;
+    wire take = ready & in_valid;
+
+    assign out_valid = out_queue_out_valid;
+    assign out_end = out_queue_out_end;
+    assign out_center_x = out_queue_out_center_x;
+    assign out_center_y = out_queue_out_center_y;
+    assign out_ax = out_queue_out_ax;
+    assign out_bx = out_queue_out_bx;
+    assign out_ay = out_queue_out_ay;
+    assign out_by = out_queue_out_by;
+    assign out_delta = out_queue_out_delta;
+    assign out_mx = out_queue_out_mx;
+    assign out_my = out_queue_out_my;
+    assign out_depth = out_queue_out_depth;
+    assign out_depth_low = out_queue_out_depth_low;
+    assign out_depth_high = out_queue_out_depth_high;
+    assign out_attribute_0 = out_queue_out_attribute_0;
+    assign out_attribute_1 = out_queue_out_attribute_1;
+    assign out_attribute_2 = out_queue_out_attribute_2;
+    assign out_attribute_3 = out_queue_out_attribute_3;
+    assign out_attribute_4 = out_queue_out_attribute_4;
+    assign out_attribute_5 = out_queue_out_attribute_5;
+    assign out_attribute_6 = out_queue_out_attribute_6;
+    assign out_attribute_7 = out_queue_out_attribute_7;
+    assign out_attribute_8 = out_queue_out_attribute_8;
+    assign out_attribute_9 = out_queue_out_attribute_9;
+    assign out_attribute_10 = out_queue_out_attribute_10;
+    assign out_attribute_11 = out_queue_out_attribute_11;
+    assign out_attribute_12 = out_queue_out_attribute_12;
+    assign out_cardinal_0 = out_queue_out_cardinal_0;
+    assign out_left = out_queue_out_left;
+    assign out_right = out_queue_out_right;
+    assign out_top = out_queue_out_top;
+    assign out_bottom = out_queue_out_bottom;
+    assign out_tile = out_queue_out_tile;
+
+    stream_skid_w609 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(out_queue_in_ready & busy),
+        .in_ready(out_queue_in_ready),
+        .in_end(splat_end),
+        .in_center_x(splat_center_x),
+        .in_center_y(splat_center_y),
+        .in_ax(splat_ax),
+        .in_bx(splat_bx),
+        .in_ay(splat_ay),
+        .in_by(splat_by),
+        .in_delta(splat_delta),
+        .in_mx(splat_mx),
+        .in_my(splat_my),
+        .in_depth(splat_depth),
+        .in_depth_low(splat_depth_low),
+        .in_depth_high(splat_depth_high),
+        .in_attribute_0(splat_attribute_0),
+        .in_attribute_1(splat_attribute_1),
+        .in_attribute_2(splat_attribute_2),
+        .in_attribute_3(splat_attribute_3),
+        .in_attribute_4(splat_attribute_4),
+        .in_attribute_5(splat_attribute_5),
+        .in_attribute_6(splat_attribute_6),
+        .in_attribute_7(splat_attribute_7),
+        .in_attribute_8(splat_attribute_8),
+        .in_attribute_9(splat_attribute_9),
+        .in_attribute_10(splat_attribute_10),
+        .in_attribute_11(splat_attribute_11),
+        .in_attribute_12(splat_attribute_12),
+        .in_cardinal_0(splat_cardinal_0),
+        .in_left((column == splat_left[8:3]) ? splat_left[2:0] : 3'd0),
+        .in_right(right_most ? splat_right[2:0] : 3'd7),
+        .in_top((row == splat_top[8:3]) ? splat_top[2:0] : 3'd0),
+        .in_bottom(term_1 ? splat_bottom[2:0] : 3'd7),
+        .in_tile({row, column}),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_attribute_3(out_queue_out_attribute_3),
+        .out_attribute_4(out_queue_out_attribute_4),
+        .out_attribute_5(out_queue_out_attribute_5),
+        .out_attribute_6(out_queue_out_attribute_6),
+        .out_attribute_7(out_queue_out_attribute_7),
+        .out_attribute_8(out_queue_out_attribute_8),
+        .out_attribute_9(out_queue_out_attribute_9),
+        .out_attribute_10(out_queue_out_attribute_10),
+        .out_attribute_11(out_queue_out_attribute_11),
+        .out_attribute_12(out_queue_out_attribute_12),
+        .out_cardinal_0(out_queue_out_cardinal_0),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            busy <= 1'd0;
+        end else if (out_queue_in_ready) begin
+            busy <= take | (busy & ~last);
+        end
+    end
+    always @(posedge clk) begin
+        if (take) begin
+            splat_end <= in_end;
+            splat_center_x <= in_center_x;
+            splat_center_y <= in_center_y;
+            splat_ax <= in_ax;
+            splat_bx <= in_bx;
+            splat_ay <= in_ay;
+            splat_by <= in_by;
+            splat_delta <= in_delta;
+            splat_mx <= in_mx;
+            splat_my <= in_my;
+            splat_depth <= in_depth;
+            splat_depth_low <= in_depth_low;
+            splat_depth_high <= in_depth_high;
+            splat_attribute_0 <= in_attribute_0;
+            splat_attribute_1 <= in_attribute_1;
+            splat_attribute_2 <= in_attribute_2;
+            splat_attribute_3 <= in_attribute_3;
+            splat_attribute_4 <= in_attribute_4;
+            splat_attribute_5 <= in_attribute_5;
+            splat_attribute_6 <= in_attribute_6;
+            splat_attribute_7 <= in_attribute_7;
+            splat_attribute_8 <= in_attribute_8;
+            splat_attribute_9 <= in_attribute_9;
+            splat_attribute_10 <= in_attribute_10;
+            splat_attribute_11 <= in_attribute_11;
+            splat_attribute_12 <= in_attribute_12;
+            splat_cardinal_0 <= in_cardinal_0;
+            splat_left <= in_left;
+            splat_right <= in_right;
+            splat_top <= in_top;
+            splat_bottom <= in_bottom;
+        end
+        if (out_queue_in_ready) begin
+            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : (column + 6'd1);
+            row <= take ? in_top[8:3] : right_most ? (row + 6'd1) : row;
+        end
+    end
+endmodule
+
+// Queue of two in registers.
+// width = 609
+module stream_skid_w609 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [11:0] in_tile,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_ax,
+    output wire [31:0] out_bx,
+    output wire [31:0] out_ay,
+    output wire [31:0] out_by,
+    output wire [31:0] out_delta,
+    output wire [31:0] out_mx,
+    output wire [31:0] out_my,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [11:0] out_tile
+);
+    reg second_valid;
+    reg [608:0] head;
+    reg [608:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [608:0] in_item = {
+        in_end,
+        in_center_x,
+        in_center_y,
+        in_ax,
+        in_bx,
+        in_ay,
+        in_by,
+        in_delta,
+        in_mx,
+        in_my,
+        in_depth,
+        in_depth_low,
+        in_depth_high,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0,
+        in_left,
+        in_right,
+        in_top,
+        in_bottom,
+        in_tile
+    };
+
+    assign out_end = head[608];
+    assign out_center_x = head[607:576];
+    assign out_center_y = head[575:544];
+    assign out_ax = head[543:512];
+    assign out_bx = head[511:480];
+    assign out_ay = head[479:448];
+    assign out_by = head[447:416];
+    assign out_delta = head[415:384];
+    assign out_mx = head[383:352];
+    assign out_my = head[351:320];
+    assign out_depth = head[319:296];
+    assign out_depth_low = head[295:272];
+    assign out_depth_high = head[271:248];
+    assign out_attribute_0 = head[247:232];
+    assign out_attribute_1 = head[231:216];
+    assign out_attribute_2 = head[215:200];
+    assign out_attribute_3 = head[199:184];
+    assign out_attribute_4 = head[183:168];
+    assign out_attribute_5 = head[167:152];
+    assign out_attribute_6 = head[151:136];
+    assign out_attribute_7 = head[135:120];
+    assign out_attribute_8 = head[119:104];
+    assign out_attribute_9 = head[103:88];
+    assign out_attribute_10 = head[87:72];
+    assign out_attribute_11 = head[71:56];
+    assign out_attribute_12 = head[55:40];
+    assign out_cardinal_0 = head[39:24];
+    assign out_left = head[23:21];
+    assign out_right = head[20:18];
+    assign out_top = head[17:15];
+    assign out_bottom = head[14:12];
+    assign out_tile = head[11:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Footprint, depth band and bounding rectangle of a splat.
+// latency = 136
+// initiation_interval = 2
+module core_a_setup (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_center_z,
+    input  wire [31:0] in_tangent1_x,
+    input  wire [31:0] in_tangent1_y,
+    input  wire [31:0] in_tangent1_z,
+    input  wire [31:0] in_tangent2_x,
+    input  wire [31:0] in_tangent2_y,
+    input  wire [31:0] in_tangent2_z,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [31:0] filter_radius,
+    input  wire [31:0] scale_x,
+    input  wire [31:0] origin_x,
+    input  wire [31:0] scale_y,
+    input  wire [31:0] origin_y,
+    input  wire [31:0] depth_b,
+    input  wire [31:0] depth_a,
+    input  wire [31:0] epsilon_scale,
+    input  wire [31:0] epsilon_bias,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_ax,
+    output wire [31:0] out_bx,
+    output wire [31:0] out_ay,
+    output wire [31:0] out_by,
+    output wire [31:0] out_delta,
+    output wire [31:0] out_mx,
+    output wire [31:0] out_my,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    output wire [8:0] out_left,
+    output wire [8:0] out_right,
+    output wire [8:0] out_top,
+    output wire [8:0] out_bottom
+);
+    (* ram_style = "distributed" *)
+    reg [47:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_7_from_0 [0:5];
+    (* ram_style = "distributed" *)
+    reg [127:0] delay_10_from_0 [0:8];
+    (* ram_style = "distributed" *)
+    reg [287:0] delay_14_from_0 [0:12];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_16_from_0 [0:14];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_19_from_0 [0:17];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_20_from_0 [0:18];
+    reg [224:0] delay_68_from_0 [0:66];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_7_from_1 [0:5];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_8_from_1 [0:6];
+    (* ram_style = "distributed" *)
+    reg [24:0] delay_15_from_1 [0:13];
+    (* ram_style = "distributed" *)
+    reg delay_17_from_1 [0:15];
+    (* ram_style = "distributed" *)
+    reg [32:0] delay_25_from_1 [0:23];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_38_from_1 [0:36];
+    (* ram_style = "distributed" *)
+    reg [127:0] delay_43_from_1 [0:41];
+    reg phase;
+    reg [1:0] delay_5_from_0_pointer;
+    reg [47:0] delay_5_from_0_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [31:0] delay_6_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [63:0] delay_7_from_0_out;
+    reg [3:0] delay_10_from_0_pointer;
+    reg [127:0] delay_10_from_0_out;
+    reg [3:0] delay_14_from_0_pointer;
+    reg [287:0] delay_14_from_0_out;
+    reg [3:0] delay_16_from_0_pointer;
+    reg [63:0] delay_16_from_0_out;
+    reg [4:0] delay_19_from_0_pointer;
+    reg [63:0] delay_19_from_0_out;
+    reg [4:0] delay_20_from_0_pointer;
+    reg [63:0] delay_20_from_0_out;
+    reg [6:0] delay_68_from_0_pointer;
+    reg [224:0] delay_68_from_0_out;
+    reg [2:0] delay_7_from_1_pointer;
+    reg [31:0] delay_7_from_1_out;
+    reg [2:0] delay_8_from_1_pointer;
+    reg [95:0] delay_8_from_1_out;
+    reg [3:0] delay_15_from_1_pointer;
+    reg [24:0] delay_15_from_1_out;
+    reg [3:0] delay_17_from_1_pointer;
+    reg delay_17_from_1_out;
+    reg [4:0] delay_25_from_1_pointer;
+    reg [32:0] delay_25_from_1_out;
+    reg [5:0] delay_38_from_1_pointer;
+    reg [95:0] delay_38_from_1_out;
+    reg [5:0] delay_43_from_1_pointer;
+    reg [127:0] delay_43_from_1_out;
+    reg [31:0] mul_28_d9;
+    reg [31:0] mul_30_d9;
+    reg [31:0] add_33_d1;
+    reg [31:0] add_33_d2;
+    reg [31:0] add_33_d3;
+    reg [31:0] add_33_d4;
+    reg [31:0] add_35_d1;
+    reg whole_d41;
+    reg [31:0] mul_44_d1;
+    reg [31:0] mul_44_d2;
+    reg [31:0] mul_44_d3;
+    reg [31:0] mul_48_d1;
+    reg [31:0] mul_50_d1;
+    reg [31:0] mul_50_d2;
+    reg [31:0] mul_50_d3;
+    reg [31:0] mul_54_d1;
+    reg [31:0] mul_66_d1;
+    reg [31:0] mul_66_d2;
+    reg [31:0] mul_66_d3;
+    reg [21:0] shr_93_d1;
+    reg [21:0] select_96_d1;
+    reg [21:0] select_96_d2;
+    reg [21:0] min_97_d1;
+    reg [8:0] resize_102_d1;
+    reg lt_103_d1;
+    reg [31:0] mul_108_d1;
+    reg [31:0] mul_108_d2;
+    reg [31:0] mul_108_d3;
+    reg [31:0] mul_112_d1;
+    reg [31:0] mul_114_d1;
+    reg [31:0] mul_114_d2;
+    reg [31:0] mul_114_d3;
+    reg [31:0] mul_118_d1;
+    reg [31:0] mul_130_d1;
+    reg [31:0] mul_130_d2;
+    reg [31:0] mul_130_d3;
+    reg [21:0] shr_152_d1;
+    reg [21:0] select_153_d1;
+    reg [21:0] select_153_d2;
+    reg [21:0] min_154_d1;
+    reg [8:0] resize_158_d1;
+    reg lt_159_d1;
+    reg [31:0] mul_173_d26;
+    reg [31:0] add_178_d1;
+    reg [31:0] add_178_d2;
+    reg [31:0] add_178_d3;
+    reg [31:0] add_178_d4;
+    reg [31:0] abs_179_d1;
+    reg [31:0] sqrt_180_d1;
+    reg [31:0] mul_182_d1;
+    reg [31:0] mul_182_d2;
+    reg [31:0] mul_182_d3;
+    reg [31:0] mul_182_d4;
+    reg [31:0] mul_182_d5;
+    reg [31:0] mul_182_d6;
+    reg [31:0] mul_182_d7;
+    reg [31:0] select_187_d1;
+    reg [31:0] select_189_d1;
+    reg [31:0] add_193_d1;
+    reg [31:0] add_201_d1;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+    reg valid_d11;
+    reg valid_d12;
+    reg valid_d13;
+    reg valid_d14;
+    reg valid_d15;
+    reg valid_d16;
+    reg valid_d17;
+    reg valid_d18;
+    reg valid_d19;
+    reg valid_d20;
+    reg valid_d21;
+    reg valid_d22;
+    reg valid_d23;
+    reg valid_d24;
+    reg valid_d25;
+    reg valid_d26;
+    reg valid_d27;
+    reg valid_d28;
+    reg valid_d29;
+    reg valid_d30;
+    reg valid_d31;
+    reg valid_d32;
+    reg valid_d33;
+    reg valid_d34;
+    reg valid_d35;
+    reg valid_d36;
+    reg valid_d37;
+    reg valid_d38;
+    reg valid_d39;
+    reg valid_d40;
+    reg valid_d41;
+    reg valid_d42;
+    reg valid_d43;
+    reg valid_d44;
+    reg valid_d45;
+    reg valid_d46;
+    reg valid_d47;
+    reg valid_d48;
+    reg valid_d49;
+    reg valid_d50;
+    reg valid_d51;
+    reg valid_d52;
+    reg valid_d53;
+    reg valid_d54;
+    reg valid_d55;
+    reg valid_d56;
+    reg valid_d57;
+    reg valid_d58;
+    reg valid_d59;
+    reg valid_d60;
+    reg valid_d61;
+    reg valid_d62;
+    reg valid_d63;
+    reg valid_d64;
+    reg valid_d65;
+    reg valid_d66;
+    reg valid_d67;
+    reg valid_d68;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire [31:0] queue_out_center_x;
+    wire [31:0] queue_out_center_y;
+    wire [31:0] queue_out_ax;
+    wire [31:0] queue_out_bx;
+    wire [31:0] queue_out_ay;
+    wire [31:0] queue_out_by;
+    wire [31:0] queue_out_delta;
+    wire [31:0] queue_out_mx;
+    wire [31:0] queue_out_my;
+    wire [23:0] queue_out_depth;
+    wire [23:0] queue_out_depth_low;
+    wire [23:0] queue_out_depth_high;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [15:0] queue_out_attribute_3;
+    wire [15:0] queue_out_attribute_4;
+    wire [15:0] queue_out_attribute_5;
+    wire [15:0] queue_out_attribute_6;
+    wire [15:0] queue_out_attribute_7;
+    wire [15:0] queue_out_attribute_8;
+    wire [15:0] queue_out_attribute_9;
+    wire [15:0] queue_out_attribute_10;
+    wire [15:0] queue_out_attribute_11;
+    wire [15:0] queue_out_attribute_12;
+    wire [15:0] queue_out_cardinal_0;
+    wire [8:0] queue_out_left;
+    wire [8:0] queue_out_right;
+    wire [8:0] queue_out_top;
+    wire [8:0] queue_out_bottom;
+    wire [31:0] recip_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_f32_ftz_unit_copy4_y;
+    wire [31:0] mul_f32_ftz_unit_copy5_y;
+    wire [31:0] mul_f32_ftz_unit_copy6_y;
+    wire [31:0] mul_f32_ftz_unit_copy7_y;
+    wire [31:0] mul_f32_ftz_unit_copy8_y;
+    wire [31:0] mul_f32_ftz_unit_copy9_y;
+    wire [31:0] mul_f32_ftz_unit_copy10_y;
+    wire [31:0] mul_f32_ftz_unit_copy11_y;
+    wire [31:0] mul_f32_ftz_unit_copy12_y;
+    wire [31:0] mul_f32_ftz_unit_copy13_y;
+    wire [31:0] mul_f32_ftz_unit_copy14_y;
+    wire [31:0] mul_f32_ftz_unit_copy15_y;
+    wire [31:0] mul_f32_ftz_unit_copy16_y;
+    wire [31:0] mul_f32_ftz_unit_copy17_y;
+    wire [31:0] mul_f32_ftz_unit_copy18_y;
+    wire [31:0] mul_f32_ftz_unit_copy19_y;
+    wire [31:0] mul_f32_ftz_unit_copy20_y;
+    wire [31:0] mul_f32_ftz_unit_copy21_y;
+    wire [31:0] mul_f32_ftz_unit_copy22_y;
+    wire [31:0] mul_f32_ftz_unit_copy23_y;
+    wire [31:0] add_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy2_y;
+    wire [31:0] add_f32_ftz_unit_copy3_y;
+    wire [31:0] add_f32_ftz_unit_copy4_y;
+    wire [31:0] add_f32_ftz_unit_copy5_y;
+    wire [31:0] add_f32_ftz_unit_copy6_y;
+    wire [31:0] add_f32_ftz_unit_copy7_y;
+    wire [31:0] add_f32_ftz_unit_copy8_y;
+    wire [31:0] add_f32_ftz_unit_copy9_y;
+    wire [31:0] add_f32_ftz_unit_copy10_y;
+    wire [31:0] add_f32_ftz_unit_copy11_y;
+    wire [31:0] add_f32_ftz_unit_copy12_y;
+    wire [31:0] add_f32_ftz_unit_copy13_y;
+    wire [31:0] add_f32_ftz_unit_copy14_y;
+    wire [31:0] add_f32_ftz_unit_copy15_y;
+    wire [31:0] add_f32_ftz_unit_copy16_y;
+    wire [31:0] add_f32_ftz_unit_copy17_y;
+    wire lt_f32_ftz_unit_y;
+    wire [31:0] sqrt_f32_ftz_unit_y;
+    wire [31:0] sqrt_f32_ftz_unit_copy2_y;
+    wire [31:0] min_f32_ftz_unit_y;
+    wire [31:0] min_f32_ftz_unit_copy2_y;
+    wire [31:0] min_f32_ftz_unit_copy3_y;
+    wire [31:0] max_f32_ftz_unit_y;
+    wire [31:0] max_f32_ftz_unit_copy2_y;
+    wire [31:0] max_f32_ftz_unit_copy3_y;
+    wire [31:0] max_f32_ftz_unit_copy4_y;
+    wire [31:0] max_f32_ftz_unit_copy5_y;
+    wire [20:0] to_fixed_f32_ftz_u21q8_unit_y;
+    wire [20:0] to_fixed_f32_ftz_u21q8_unit_copy2_y;
+    wire le_f32_ftz_unit_y;
+    wire [23:0] to_fixed_f32_ftz_u24q24_unit_y;
+    wire [23:0] to_fixed_f32_ftz_u24q24_unit_copy2_y;
+
+    wire load_0 = queue_in_ready & ~phase;
+    assign in_ready = load_0;
+    wire and_195 = lt_103_d1 & delay_17_from_1_out;
+    wire and_196 = lt_159_d1 & and_195;
+    wire or_197 = delay_68_from_0_out[0] | and_196;
+    wire queue_out_ready = out_ready;
+    wire [31:0] choice_1 = phase ? mul_f32_ftz_unit_y : recip_f32_ftz_unit_y;
+    wire [31:0] choice_2 = phase ? mul_f32_ftz_unit_copy2_y : recip_f32_ftz_unit_y;
+    wire [31:0] choice_3 = phase ? mul_f32_ftz_unit_copy11_y : mul_118_d1;
+    wire [31:0] choice_4 = phase ? recip_f32_ftz_unit_y : mul_30_d9;
+    wire [31:0] joined_5 = {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]};
+    wire [31:0] joined_6 = {~filter_radius[31], filter_radius[30:0]};
+    wire [31:0] joined_7 = {~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]};
+    wire [31:0] joined_8 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+    wire [31:0] joined_9 = {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]};
+    wire [31:0] joined_10 = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
+    wire [31:0] joined_11 = {~mul_f32_ftz_unit_copy13_y[31], mul_f32_ftz_unit_copy13_y[30:0]};
+    wire [31:0] joined_12 = {~mul_f32_ftz_unit_copy16_y[31], mul_f32_ftz_unit_copy16_y[30:0]};
+    wire [31:0] joined_13 = {~mul_f32_ftz_unit_copy18_y[31], mul_f32_ftz_unit_copy18_y[30:0]};
+    wire [31:0] joined_14 = {~mul_f32_ftz_unit_copy20_y[31], mul_f32_ftz_unit_copy20_y[30:0]};
+    wire [31:0] joined_15 = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
+    wire load_1 = queue_in_ready & phase;
+    wire [21:0] add_92 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] add_84 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] select_96 = delay_15_from_1_out[0] ? (add_84 >> 8) : 22'd0;
+    wire [21:0] min_97 = (22'd512 < shr_93_d1) ? 22'd512 : shr_93_d1;
+    wire [21:0] select_98 = whole_d41 ? min_97_d1 : 22'd512;
+    wire [21:0] sub_100 = select_98 - 22'd1;
+    wire lt_103 = select_96_d2 < select_98;
+    wire [21:0] add_151 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
+    wire [21:0] add_145 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
+    wire [21:0] select_153 = delay_15_from_1_out[0] ? (add_145 >> 8) : 22'd0;
+    wire [21:0] min_154 = (shr_152_d1 < 22'd512) ? shr_152_d1 : 22'd512;
+    wire [21:0] select_155 = whole_d41 ? min_154_d1 : 22'd512;
+    wire [21:0] sub_156 = select_155 - 22'd1;
+    wire lt_159 = select_153_d2 < select_155;
+    wire beyond_near = delay_25_from_1_out[0] & le_f32_ftz_unit_y;
+    wire [31:0] select_187 = beyond_near ? add_178_d4 : delay_7_from_1_out;
+    wire [31:0] select_189 = beyond_near ? mul_182_d7 : min_f32_ftz_unit_copy3_y;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_center_x = queue_out_center_x;
+    assign out_center_y = queue_out_center_y;
+    assign out_ax = queue_out_ax;
+    assign out_bx = queue_out_bx;
+    assign out_ay = queue_out_ay;
+    assign out_by = queue_out_by;
+    assign out_delta = queue_out_delta;
+    assign out_mx = queue_out_mx;
+    assign out_my = queue_out_my;
+    assign out_depth = queue_out_depth;
+    assign out_depth_low = queue_out_depth_low;
+    assign out_depth_high = queue_out_depth_high;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+    assign out_attribute_3 = queue_out_attribute_3;
+    assign out_attribute_4 = queue_out_attribute_4;
+    assign out_attribute_5 = queue_out_attribute_5;
+    assign out_attribute_6 = queue_out_attribute_6;
+    assign out_attribute_7 = queue_out_attribute_7;
+    assign out_attribute_8 = queue_out_attribute_8;
+    assign out_attribute_9 = queue_out_attribute_9;
+    assign out_attribute_10 = queue_out_attribute_10;
+    assign out_attribute_11 = queue_out_attribute_11;
+    assign out_attribute_12 = queue_out_attribute_12;
+    assign out_cardinal_0 = queue_out_cardinal_0;
+    assign out_left = queue_out_left;
+    assign out_right = queue_out_right;
+    assign out_top = queue_out_top;
+    assign out_bottom = queue_out_bottom;
+
+    stream_skid_w621 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d68 & or_197 & ~phase),
+        .in_ready(queue_in_ready),
+        .in_end(delay_68_from_0_out[0]),
+        .in_center_x(delay_7_from_0_out[31:0]),
+        .in_center_y(delay_7_from_0_out[63:32]),
+        .in_ax(delay_43_from_1_out[31:0]),
+        .in_bx(delay_43_from_1_out[63:32]),
+        .in_ay(delay_43_from_1_out[95:64]),
+        .in_by(delay_43_from_1_out[127:96]),
+        .in_delta(delay_38_from_1_out[31:0]),
+        .in_mx(delay_38_from_1_out[63:32]),
+        .in_my(delay_38_from_1_out[95:64]),
+        .in_depth(delay_15_from_1_out[24:1]),
+        .in_depth_low(delay_5_from_0_out[23:0]),
+        .in_depth_high(delay_5_from_0_out[47:24]),
+        .in_attribute_0(delay_68_from_0_out[16:1]),
+        .in_attribute_1(delay_68_from_0_out[32:17]),
+        .in_attribute_2(delay_68_from_0_out[48:33]),
+        .in_attribute_3(delay_68_from_0_out[64:49]),
+        .in_attribute_4(delay_68_from_0_out[80:65]),
+        .in_attribute_5(delay_68_from_0_out[96:81]),
+        .in_attribute_6(delay_68_from_0_out[112:97]),
+        .in_attribute_7(delay_68_from_0_out[128:113]),
+        .in_attribute_8(delay_68_from_0_out[144:129]),
+        .in_attribute_9(delay_68_from_0_out[160:145]),
+        .in_attribute_10(delay_68_from_0_out[176:161]),
+        .in_attribute_11(delay_68_from_0_out[192:177]),
+        .in_attribute_12(delay_68_from_0_out[208:193]),
+        .in_cardinal_0(delay_68_from_0_out[224:209]),
+        .in_left(select_96_d2[8:0]),
+        .in_right(resize_102_d1),
+        .in_top(select_153_d2[8:0]),
+        .in_bottom(resize_158_d1),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_center_x(queue_out_center_x),
+        .out_center_y(queue_out_center_y),
+        .out_ax(queue_out_ax),
+        .out_bx(queue_out_bx),
+        .out_ay(queue_out_ay),
+        .out_by(queue_out_by),
+        .out_delta(queue_out_delta),
+        .out_mx(queue_out_mx),
+        .out_my(queue_out_my),
+        .out_depth(queue_out_depth),
+        .out_depth_low(queue_out_depth_low),
+        .out_depth_high(queue_out_depth_high),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2),
+        .out_attribute_3(queue_out_attribute_3),
+        .out_attribute_4(queue_out_attribute_4),
+        .out_attribute_5(queue_out_attribute_5),
+        .out_attribute_6(queue_out_attribute_6),
+        .out_attribute_7(queue_out_attribute_7),
+        .out_attribute_8(queue_out_attribute_8),
+        .out_attribute_9(queue_out_attribute_9),
+        .out_attribute_10(queue_out_attribute_10),
+        .out_attribute_11(queue_out_attribute_11),
+        .out_attribute_12(queue_out_attribute_12),
+        .out_cardinal_0(queue_out_cardinal_0),
+        .out_left(queue_out_left),
+        .out_right(queue_out_right),
+        .out_top(queue_out_top),
+        .out_bottom(queue_out_bottom)
+    );
+
+    float_recip recip_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? add_35_d1 : in_center_z),
+        .y(recip_f32_ftz_unit_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(choice_1),
+        .b(phase ? mul_f32_ftz_unit_y : delay_14_from_0_out[31:0]),
+        .y(mul_f32_ftz_unit_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(choice_2),
+        .b(phase ? mul_f32_ftz_unit_copy2_y : delay_14_from_0_out[63:32]),
+        .y(mul_f32_ftz_unit_copy2_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(choice_1),
+        .b(phase ? mul_f32_ftz_unit_copy3_y : delay_14_from_0_out[127:96]),
+        .y(mul_f32_ftz_unit_copy3_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(choice_2),
+        .b(phase ? mul_f32_ftz_unit_copy3_y : delay_14_from_0_out[159:128]),
+        .y(mul_f32_ftz_unit_copy4_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(scale_x),
+        .b(phase ? mul_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy3_y),
+        .y(mul_f32_ftz_unit_copy5_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_8_from_1_out[31:0] : recip_f32_ftz_unit_y),
+        .b(phase ? mul_f32_ftz_unit_copy5_y : delay_14_from_0_out[191:160]),
+        .y(mul_f32_ftz_unit_copy6_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_8_from_1_out[63:32] : scale_x),
+        .b(phase ? mul_f32_ftz_unit_copy7_y : add_f32_ftz_unit_copy4_y),
+        .y(mul_f32_ftz_unit_copy7_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy8_y),
+        .b(phase ? delay_10_from_0_out[31:0] : mul_f32_ftz_unit_copy8_y),
+        .y(mul_f32_ftz_unit_copy8_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy5_y : recip_f32_ftz_unit_y),
+        .b(phase ? mul_f32_ftz_unit_copy5_y : delay_14_from_0_out[223:192]),
+        .y(mul_f32_ftz_unit_copy9_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy7_y : recip_f32_ftz_unit_y),
+        .b(phase ? mul_f32_ftz_unit_copy7_y : delay_14_from_0_out[255:224]),
+        .y(mul_f32_ftz_unit_copy10_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? recip_f32_ftz_unit_y : scale_y),
+        .b(phase ? delay_10_from_0_out[63:32] : add_f32_ftz_unit_copy9_y),
+        .y(mul_f32_ftz_unit_copy11_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(choice_1),
+        .b(phase ? mul_f32_ftz_unit_copy9_y : delay_14_from_0_out[287:256]),
+        .y(mul_f32_ftz_unit_copy12_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy2_y : scale_y),
+        .b(phase ? mul_f32_ftz_unit_copy9_y : add_f32_ftz_unit_copy10_y),
+        .y(mul_f32_ftz_unit_copy13_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy14 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? scale_y : mul_f32_ftz_unit_copy17_y),
+        .b(phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_copy17_y),
+        .y(mul_f32_ftz_unit_copy14_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy15 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_8_from_1_out[31:0] : mul_48_d1),
+        .b(choice_3),
+        .y(mul_f32_ftz_unit_copy15_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy16 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_8_from_1_out[63:32] : mul_54_d1),
+        .b(phase ? mul_f32_ftz_unit_copy13_y : mul_112_d1),
+        .y(mul_f32_ftz_unit_copy16_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy17 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(choice_4),
+        .b(phase ? delay_10_from_0_out[95:64] : mul_112_d1),
+        .y(mul_f32_ftz_unit_copy17_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy18 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy11_y : mul_28_d9),
+        .b(choice_3),
+        .y(mul_f32_ftz_unit_copy18_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy19 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy13_y : mul_28_d9),
+        .b(phase ? mul_f32_ftz_unit_copy13_y : mul_54_d1),
+        .y(mul_f32_ftz_unit_copy19_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy20 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(choice_4),
+        .b(phase ? delay_10_from_0_out[127:96] : mul_48_d1),
+        .y(mul_f32_ftz_unit_copy20_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy21 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_14_from_0_out[95:64] : recip_f32_ftz_unit_y),
+        .b(phase ? recip_f32_ftz_unit_y : depth_b),
+        .y(mul_f32_ftz_unit_copy21_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy22 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? recip_f32_ftz_unit_y : mul_173_d26),
+        .b(phase ? sqrt_180_d1 : mul_f32_ftz_unit_copy21_y),
+        .y(mul_f32_ftz_unit_copy22_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy23 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? select_189_d1 : abs_179_d1),
+        .b(phase ? epsilon_scale : mul_f32_ftz_unit_copy22_y),
+        .y(mul_f32_ftz_unit_copy23_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy8_y : mul_f32_ftz_unit_y),
+        .b(phase ? mul_66_d3 : mul_f32_ftz_unit_copy2_y),
+        .y(add_f32_ftz_unit_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_16_from_0_out[31:0] : 32'h3f800000),
+        .b(phase ? {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]} : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]}),
+        .y(add_f32_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? sqrt_f32_ftz_unit_y : mul_44_d3),
+        .b(phase ? delay_16_from_0_out[31:0] : joined_5),
+        .y(add_f32_ftz_unit_copy3_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_19_from_0_out[31:0] : mul_50_d3),
+        .b(phase ? joined_6 : joined_7),
+        .y(add_f32_ftz_unit_copy4_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? filter_radius : mul_f32_ftz_unit_copy5_y),
+        .b(phase ? delay_19_from_0_out[31:0] : origin_x),
+        .y(add_f32_ftz_unit_copy5_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy14_y : mul_f32_ftz_unit_copy6_y),
+        .b(phase ? mul_130_d3 : mul_f32_ftz_unit_copy7_y),
+        .y(add_f32_ftz_unit_copy6_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_16_from_0_out[63:32] : mul_f32_ftz_unit_copy9_y),
+        .b(phase ? joined_8 : mul_f32_ftz_unit_copy10_y),
+        .y(add_f32_ftz_unit_copy7_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? sqrt_f32_ftz_unit_copy2_y : delay_20_from_0_out[31:0]),
+        .b(phase ? delay_16_from_0_out[63:32] : joined_9),
+        .y(add_f32_ftz_unit_copy8_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? joined_6 : mul_108_d3),
+        .b(phase ? delay_19_from_0_out[63:32] : joined_10),
+        .y(add_f32_ftz_unit_copy9_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? filter_radius : mul_114_d3),
+        .b(phase ? delay_19_from_0_out[63:32] : joined_11),
+        .y(add_f32_ftz_unit_copy10_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy15_y : mul_f32_ftz_unit_copy14_y),
+        .b(phase ? joined_12 : origin_y),
+        .y(add_f32_ftz_unit_copy11_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy17_y : mul_f32_ftz_unit_copy15_y),
+        .b(phase ? joined_13 : mul_f32_ftz_unit_copy16_y),
+        .y(add_f32_ftz_unit_copy12_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? mul_f32_ftz_unit_copy19_y : mul_f32_ftz_unit_copy18_y),
+        .b(phase ? joined_14 : mul_f32_ftz_unit_copy19_y),
+        .y(add_f32_ftz_unit_copy13_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy14 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? delay_25_from_1_out[32:1] : delay_20_from_0_out[63:32]),
+        .b(phase ? depth_a : joined_15),
+        .y(add_f32_ftz_unit_copy14_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy15 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? add_f32_ftz_unit_copy14_y : mul_f32_ftz_unit_copy23_y),
+        .b(phase ? mul_f32_ftz_unit_copy22_y : epsilon_bias),
+        .y(add_f32_ftz_unit_copy15_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy16 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy15_y),
+        .b({~mul_182_d3[31], mul_182_d3[30:0]}),
+        .y(add_f32_ftz_unit_copy16_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy17 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_6_from_0_out),
+        .b(phase ? {~add_193_d1[31], add_193_d1[30:0]} : add_193_d1),
+        .y(add_f32_ftz_unit_copy17_y)
+    );
+
+    float_lt lt_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(32'h39800000),
+        .b(add_35_d1),
+        .y(lt_f32_ftz_unit_y)
+    );
+
+    float_sqrt sqrt_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? add_f32_ftz_unit_y : add_33_d4),
+        .y(sqrt_f32_ftz_unit_y)
+    );
+
+    float_sqrt sqrt_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy6_y),
+        .y(sqrt_f32_ftz_unit_copy2_y)
+    );
+
+    float_min min_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? add_f32_ftz_unit_copy2_y : max_f32_ftz_unit_y),
+        .b(phase ? add_f32_ftz_unit_copy4_y : 32'h45fff800),
+        .y(min_f32_ftz_unit_y)
+    );
+
+    float_min min_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? add_f32_ftz_unit_copy7_y : 32'h45fff800),
+        .b(phase ? add_f32_ftz_unit_copy9_y : max_f32_ftz_unit_copy3_y),
+        .y(min_f32_ftz_unit_copy2_y)
+    );
+
+    float_min min_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(32'h3f800000),
+        .b(delay_8_from_1_out[95:64]),
+        .y(min_f32_ftz_unit_copy3_y)
+    );
+
+    float_max max_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? add_f32_ftz_unit_copy3_y : min_f32_ftz_unit_y),
+        .b(phase ? add_f32_ftz_unit_copy5_y : 32'd0),
+        .y(max_f32_ftz_unit_y)
+    );
+
+    float_max max_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(32'd0),
+        .b(phase ? min_f32_ftz_unit_y : min_f32_ftz_unit_copy2_y),
+        .y(max_f32_ftz_unit_copy2_y)
+    );
+
+    float_max max_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy8_y),
+        .b(add_f32_ftz_unit_copy10_y),
+        .y(max_f32_ftz_unit_copy3_y)
+    );
+
+    float_max max_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(32'd0),
+        .b(phase ? min_f32_ftz_unit_copy2_y : add_201_d1),
+        .y(max_f32_ftz_unit_copy4_y)
+    );
+
+    float_max max_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(32'd0),
+        .b(phase ? select_187_d1 : add_f32_ftz_unit_copy17_y),
+        .y(max_f32_ftz_unit_copy5_y)
+    );
+
+    float_to_fixed_w21_fraction8 to_fixed_f32_ftz_u21q8_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? max_f32_ftz_unit_y : max_f32_ftz_unit_copy2_y),
+        .y(to_fixed_f32_ftz_u21q8_unit_y)
+    );
+
+    float_to_fixed_w21_fraction8 to_fixed_f32_ftz_u21q8_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? max_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy4_y),
+        .y(to_fixed_f32_ftz_u21q8_unit_copy2_y)
+    );
+
+    float_le le_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? 32'd0 : delay_7_from_1_out),
+        .b(phase ? add_f32_ftz_unit_copy16_y : 32'h3f800000),
+        .y(le_f32_ftz_unit_y)
+    );
+
+    float_to_fixed_w24_fraction24 to_fixed_f32_ftz_u24q24_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(phase ? max_f32_ftz_unit_copy4_y : max_f32_ftz_unit_copy5_y),
+        .y(to_fixed_f32_ftz_u24q24_unit_y)
+    );
+
+    float_to_fixed_w24_fraction24 to_fixed_f32_ftz_u24q24_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(max_f32_ftz_unit_copy5_y),
+        .y(to_fixed_f32_ftz_u24q24_unit_copy2_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            phase <= 1'd0;
+            delay_5_from_0_pointer <= 2'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_7_from_0_pointer <= 3'd0;
+            delay_10_from_0_pointer <= 4'd0;
+            delay_14_from_0_pointer <= 4'd0;
+            delay_16_from_0_pointer <= 4'd0;
+            delay_19_from_0_pointer <= 5'd0;
+            delay_20_from_0_pointer <= 5'd0;
+            delay_68_from_0_pointer <= 7'd0;
+            delay_7_from_1_pointer <= 3'd0;
+            delay_8_from_1_pointer <= 3'd0;
+            delay_15_from_1_pointer <= 4'd0;
+            delay_17_from_1_pointer <= 4'd0;
+            delay_25_from_1_pointer <= 5'd0;
+            delay_38_from_1_pointer <= 6'd0;
+            delay_43_from_1_pointer <= 6'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+            valid_d11 <= 1'd0;
+            valid_d12 <= 1'd0;
+            valid_d13 <= 1'd0;
+            valid_d14 <= 1'd0;
+            valid_d15 <= 1'd0;
+            valid_d16 <= 1'd0;
+            valid_d17 <= 1'd0;
+            valid_d18 <= 1'd0;
+            valid_d19 <= 1'd0;
+            valid_d20 <= 1'd0;
+            valid_d21 <= 1'd0;
+            valid_d22 <= 1'd0;
+            valid_d23 <= 1'd0;
+            valid_d24 <= 1'd0;
+            valid_d25 <= 1'd0;
+            valid_d26 <= 1'd0;
+            valid_d27 <= 1'd0;
+            valid_d28 <= 1'd0;
+            valid_d29 <= 1'd0;
+            valid_d30 <= 1'd0;
+            valid_d31 <= 1'd0;
+            valid_d32 <= 1'd0;
+            valid_d33 <= 1'd0;
+            valid_d34 <= 1'd0;
+            valid_d35 <= 1'd0;
+            valid_d36 <= 1'd0;
+            valid_d37 <= 1'd0;
+            valid_d38 <= 1'd0;
+            valid_d39 <= 1'd0;
+            valid_d40 <= 1'd0;
+            valid_d41 <= 1'd0;
+            valid_d42 <= 1'd0;
+            valid_d43 <= 1'd0;
+            valid_d44 <= 1'd0;
+            valid_d45 <= 1'd0;
+            valid_d46 <= 1'd0;
+            valid_d47 <= 1'd0;
+            valid_d48 <= 1'd0;
+            valid_d49 <= 1'd0;
+            valid_d50 <= 1'd0;
+            valid_d51 <= 1'd0;
+            valid_d52 <= 1'd0;
+            valid_d53 <= 1'd0;
+            valid_d54 <= 1'd0;
+            valid_d55 <= 1'd0;
+            valid_d56 <= 1'd0;
+            valid_d57 <= 1'd0;
+            valid_d58 <= 1'd0;
+            valid_d59 <= 1'd0;
+            valid_d60 <= 1'd0;
+            valid_d61 <= 1'd0;
+            valid_d62 <= 1'd0;
+            valid_d63 <= 1'd0;
+            valid_d64 <= 1'd0;
+            valid_d65 <= 1'd0;
+            valid_d66 <= 1'd0;
+            valid_d67 <= 1'd0;
+            valid_d68 <= 1'd0;
+        end else begin
+            if (queue_in_ready) begin
+                phase <= phase ? (phase - 1'd1) : (phase + 1'd1);
+            end
+            if (load_0) begin
+                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
+                delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+                delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
+                delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
+                delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
+                delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+                delay_68_from_0_pointer <= (delay_68_from_0_pointer == 7'd66) ? (delay_68_from_0_pointer - 7'd66) : (delay_68_from_0_pointer + 7'd1);
+                valid_d1 <= in_valid;
+                valid_d2 <= valid_d1;
+                valid_d3 <= valid_d2;
+                valid_d4 <= valid_d3;
+                valid_d5 <= valid_d4;
+                valid_d6 <= valid_d5;
+                valid_d7 <= valid_d6;
+                valid_d8 <= valid_d7;
+                valid_d9 <= valid_d8;
+                valid_d10 <= valid_d9;
+                valid_d11 <= valid_d10;
+                valid_d12 <= valid_d11;
+                valid_d13 <= valid_d12;
+                valid_d14 <= valid_d13;
+                valid_d15 <= valid_d14;
+                valid_d16 <= valid_d15;
+                valid_d17 <= valid_d16;
+                valid_d18 <= valid_d17;
+                valid_d19 <= valid_d18;
+                valid_d20 <= valid_d19;
+                valid_d21 <= valid_d20;
+                valid_d22 <= valid_d21;
+                valid_d23 <= valid_d22;
+                valid_d24 <= valid_d23;
+                valid_d25 <= valid_d24;
+                valid_d26 <= valid_d25;
+                valid_d27 <= valid_d26;
+                valid_d28 <= valid_d27;
+                valid_d29 <= valid_d28;
+                valid_d30 <= valid_d29;
+                valid_d31 <= valid_d30;
+                valid_d32 <= valid_d31;
+                valid_d33 <= valid_d32;
+                valid_d34 <= valid_d33;
+                valid_d35 <= valid_d34;
+                valid_d36 <= valid_d35;
+                valid_d37 <= valid_d36;
+                valid_d38 <= valid_d37;
+                valid_d39 <= valid_d38;
+                valid_d40 <= valid_d39;
+                valid_d41 <= valid_d40;
+                valid_d42 <= valid_d41;
+                valid_d43 <= valid_d42;
+                valid_d44 <= valid_d43;
+                valid_d45 <= valid_d44;
+                valid_d46 <= valid_d45;
+                valid_d47 <= valid_d46;
+                valid_d48 <= valid_d47;
+                valid_d49 <= valid_d48;
+                valid_d50 <= valid_d49;
+                valid_d51 <= valid_d50;
+                valid_d52 <= valid_d51;
+                valid_d53 <= valid_d52;
+                valid_d54 <= valid_d53;
+                valid_d55 <= valid_d54;
+                valid_d56 <= valid_d55;
+                valid_d57 <= valid_d56;
+                valid_d58 <= valid_d57;
+                valid_d59 <= valid_d58;
+                valid_d60 <= valid_d59;
+                valid_d61 <= valid_d60;
+                valid_d62 <= valid_d61;
+                valid_d63 <= valid_d62;
+                valid_d64 <= valid_d63;
+                valid_d65 <= valid_d64;
+                valid_d66 <= valid_d65;
+                valid_d67 <= valid_d66;
+                valid_d68 <= valid_d67;
+            end
+            if (load_1) begin
+                delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
+                delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
+                delay_15_from_1_pointer <= (delay_15_from_1_pointer == 4'd13) ? (delay_15_from_1_pointer - 4'd13) : (delay_15_from_1_pointer + 4'd1);
+                delay_17_from_1_pointer <= (delay_17_from_1_pointer == 4'd15) ? (delay_17_from_1_pointer - 4'd15) : (delay_17_from_1_pointer + 4'd1);
+                delay_25_from_1_pointer <= (delay_25_from_1_pointer == 5'd23) ? (delay_25_from_1_pointer - 5'd23) : (delay_25_from_1_pointer + 5'd1);
+                delay_38_from_1_pointer <= (delay_38_from_1_pointer == 6'd36) ? (delay_38_from_1_pointer - 6'd36) : (delay_38_from_1_pointer + 6'd1);
+                delay_43_from_1_pointer <= (delay_43_from_1_pointer == 6'd41) ? (delay_43_from_1_pointer - 6'd41) : (delay_43_from_1_pointer + 6'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            mul_28_d9 <= delay_8_from_1_out[31:0];
+            mul_30_d9 <= delay_8_from_1_out[63:32];
+            whole_d41 <= delay_15_from_1_out[0];
+            mul_44_d1 <= mul_f32_ftz_unit_copy4_y;
+            mul_44_d2 <= mul_44_d1;
+            mul_44_d3 <= mul_44_d2;
+            mul_48_d1 <= mul_f32_ftz_unit_copy5_y;
+            mul_50_d1 <= mul_f32_ftz_unit_copy6_y;
+            mul_50_d2 <= mul_50_d1;
+            mul_50_d3 <= mul_50_d2;
+            mul_54_d1 <= mul_f32_ftz_unit_copy7_y;
+            shr_93_d1 <= add_92 >> 8;
+            resize_102_d1 <= sub_100[8:0];
+            lt_103_d1 <= lt_103;
+            mul_108_d1 <= mul_f32_ftz_unit_copy10_y;
+            mul_108_d2 <= mul_108_d1;
+            mul_108_d3 <= mul_108_d2;
+            mul_112_d1 <= mul_f32_ftz_unit_copy11_y;
+            mul_114_d1 <= mul_f32_ftz_unit_copy12_y;
+            mul_114_d2 <= mul_114_d1;
+            mul_114_d3 <= mul_114_d2;
+            mul_118_d1 <= mul_f32_ftz_unit_copy13_y;
+            shr_152_d1 <= add_151 >> 8;
+            resize_158_d1 <= sub_156[8:0];
+            lt_159_d1 <= lt_159;
+            mul_173_d26 <= delay_25_from_1_out[32:1];
+            add_178_d1 <= add_f32_ftz_unit_copy15_y;
+            add_178_d2 <= add_178_d1;
+            add_178_d3 <= add_178_d2;
+            add_178_d4 <= add_178_d3;
+            abs_179_d1 <= {1'd0, delay_25_from_1_out[31:1]};
+            mul_182_d1 <= mul_f32_ftz_unit_copy23_y;
+            mul_182_d2 <= mul_182_d1;
+            mul_182_d3 <= mul_182_d2;
+            mul_182_d4 <= mul_182_d3;
+            mul_182_d5 <= mul_182_d4;
+            mul_182_d6 <= mul_182_d5;
+            mul_182_d7 <= mul_182_d6;
+            add_201_d1 <= add_f32_ftz_unit_copy17_y;
+        end
+        if (load_0) begin
+            add_33_d1 <= add_f32_ftz_unit_y;
+            add_33_d2 <= add_33_d1;
+            add_33_d3 <= add_33_d2;
+            add_33_d4 <= add_33_d3;
+            add_35_d1 <= add_f32_ftz_unit_copy2_y;
+            mul_66_d1 <= mul_f32_ftz_unit_copy11_y;
+            mul_66_d2 <= mul_66_d1;
+            mul_66_d3 <= mul_66_d2;
+            select_96_d1 <= select_96;
+            select_96_d2 <= select_96_d1;
+            min_97_d1 <= min_97;
+            mul_130_d1 <= mul_f32_ftz_unit_copy20_y;
+            mul_130_d2 <= mul_130_d1;
+            mul_130_d3 <= mul_130_d2;
+            select_153_d1 <= select_153;
+            select_153_d2 <= select_153_d1;
+            min_154_d1 <= min_154;
+            sqrt_180_d1 <= sqrt_f32_ftz_unit_y;
+            select_187_d1 <= select_187;
+            select_189_d1 <= select_189;
+            add_193_d1 <= add_f32_ftz_unit_copy15_y;
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_5_from_0[delay_5_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, to_fixed_f32_ftz_u24q24_unit_y};
+        end
+        if (load_0) begin
+            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= select_187_d1;
+        end
+        if (load_0) begin
+            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_7_from_0[delay_7_from_0_pointer] <= delay_19_from_0_out;
+        end
+        if (load_0) begin
+            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_10_from_0[delay_10_from_0_pointer] <= {
+                add_f32_ftz_unit_copy13_y,
+                add_f32_ftz_unit_copy12_y,
+                add_f32_ftz_unit_copy7_y,
+                add_f32_ftz_unit_copy6_y
+            };
+        end
+        if (load_0) begin
+            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_14_from_0[delay_14_from_0_pointer] <= {
+                in_tangent2_y,
+                in_tangent1_y,
+                in_center_y,
+                in_tangent2_x,
+                in_tangent1_x,
+                in_center_x,
+                add_33_d4,
+                in_tangent2_z,
+                in_tangent1_z
+            };
+        end
+        if (load_0) begin
+            delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_16_from_0[delay_16_from_0_pointer] <= {add_f32_ftz_unit_copy14_y, add_f32_ftz_unit_copy8_y};
+        end
+        if (load_0) begin
+            delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_19_from_0[delay_19_from_0_pointer] <= delay_20_from_0_out;
+        end
+        if (load_0) begin
+            delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_20_from_0[delay_20_from_0_pointer] <= {add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy5_y};
+        end
+        if (load_0) begin
+            delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_68_from_0[delay_68_from_0_pointer] <= {
+                in_cardinal_0,
+                in_attribute_12,
+                in_attribute_11,
+                in_attribute_10,
+                in_attribute_9,
+                in_attribute_8,
+                in_attribute_7,
+                in_attribute_6,
+                in_attribute_5,
+                in_attribute_4,
+                in_attribute_3,
+                in_attribute_2,
+                in_attribute_1,
+                in_attribute_0,
+                in_end
+            };
+        end
+        if (load_0) begin
+            delay_68_from_0_out <= delay_68_from_0[delay_68_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_7_from_1[delay_7_from_1_pointer] <= add_f32_ftz_unit_copy14_y;
+        end
+        if (load_1) begin
+            delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_8_from_1[delay_8_from_1_pointer] <= {abs_179_d1, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y};
+        end
+        if (load_1) begin
+            delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_15_from_1[delay_15_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, delay_25_from_1_out[0]};
+        end
+        if (load_1) begin
+            delay_15_from_1_out <= delay_15_from_1[delay_15_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_17_from_1[delay_17_from_1_pointer] <= le_f32_ftz_unit_y;
+        end
+        if (load_1) begin
+            delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_25_from_1[delay_25_from_1_pointer] <= {mul_f32_ftz_unit_copy21_y, lt_f32_ftz_unit_y};
+        end
+        if (load_1) begin
+            delay_25_from_1_out <= delay_25_from_1[delay_25_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_38_from_1[delay_38_from_1_pointer] <= {add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy11_y};
+        end
+        if (load_1) begin
+            delay_38_from_1_out <= delay_38_from_1[delay_38_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_43_from_1[delay_43_from_1_pointer] <= {mul_118_d1, mul_112_d1, mul_54_d1, mul_48_d1};
+        end
+        if (load_1) begin
+            delay_43_from_1_out <= delay_43_from_1[delay_43_from_1_pointer];
+        end
+    end
+
+    wire _unused = &{1'b0, sub_100[21:9], sub_156[21:9]};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f32-ftz
+// width = 24
+// fraction = 24
+// integer = unsigned
+module float_to_fixed_w24_fraction24 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    output reg  [23:0] y
+);
+    reg [4:0] distance_s1;
+    reg [23:0] significand_s1;
+    reg [23:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[30:23];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
+    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [22:0] a_fraction = a[22:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 23'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
+            magnitude_s2 <= significand_s1 >> distance_s1;
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd25 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f32-ftz
+// width = 21
+// fraction = 8
+// integer = unsigned
+module float_to_fixed_w21_fraction8 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    output reg  [20:0] y
+);
+    reg [4:0] distance_s1;
+    reg [23:0] significand_s1;
+    reg [20:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[30:23];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
+    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [22:0] a_fraction = a[22:0];
+    wire [23:0] shifted_3 = significand_s1 >> distance_s1;
+    wire term_4 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_5 = &a_field & (a_fraction == 23'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {23{|a_field}}};
+            magnitude_s2 <= shifted_3[20:0];
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_4 & ~term_5) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_4 & (11'd22 <= sum_1) & |a_field) | term_5;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 21'd0 : saturates_s2 ? 21'h1fffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst, shifted_3[23:21]};
+endmodule
+
+// Greater of two floating-point numbers.
+// stages = 1
+// format = f32-ftz
+module float_max (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  [31:0] y
+);
+    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
+    wire term_2 = &a[30:23] & |term_1;
+    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
+    wire term_4 = &b[30:23] & |term_3;
+    wire term_5 = {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_3} ^ {31{b[31]}}};
+    wire [31:0] choice_6 = (term_4 | (~term_2 & ~term_5)) ? {a[31:23], term_1} : {b[31:23], term_3};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            y <= (term_2 & term_4) ? 32'h7fc00000 : choice_6;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Lesser of two floating-point numbers.
+// stages = 1
+// format = f32-ftz
+module float_min (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  [31:0] y
+);
+    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
+    wire term_2 = &a[30:23] & |term_1;
+    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
+    wire term_4 = &b[30:23] & |term_3;
+    wire term_5 = {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_3} ^ {31{b[31]}}};
+    wire [31:0] choice_6 = (term_4 | (~term_2 & term_5)) ? {a[31:23], term_1} : {b[31:23], term_3};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            y <= (term_2 & term_4) ? 32'h7fc00000 : choice_6;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Floating-point square root, correctly rounded.
+// stages = 26
+// format = f32-ftz
+module float_sqrt (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    output reg  [31:0] y
+);
+    reg [2:0] remainder_s1;
+    reg [1:0] root_s1;
+    reg [20:0] pending_s1;
+    reg [3:0] remainder_s2;
+    reg [2:0] root_s2;
+    reg [18:0] pending_s2;
+    reg [4:0] remainder_s3;
+    reg [3:0] root_s3;
+    reg [16:0] pending_s3;
+    reg [5:0] remainder_s4;
+    reg [4:0] root_s4;
+    reg [14:0] pending_s4;
+    reg [6:0] remainder_s5;
+    reg [5:0] root_s5;
+    reg [12:0] pending_s5;
+    reg [7:0] remainder_s6;
+    reg [6:0] root_s6;
+    reg [10:0] pending_s6;
+    reg [8:0] remainder_s7;
+    reg [7:0] root_s7;
+    reg [8:0] pending_s7;
+    reg [9:0] remainder_s8;
+    reg [8:0] root_s8;
+    reg [6:0] pending_s8;
+    reg [10:0] remainder_s9;
+    reg [9:0] root_s9;
+    reg [4:0] pending_s9;
+    reg [11:0] remainder_s10;
+    reg [10:0] root_s10;
+    reg [2:0] pending_s10;
+    reg [12:0] remainder_s11;
+    reg [11:0] root_s11;
+    reg pending_s11;
+    reg [13:0] remainder_s12;
+    reg [12:0] root_s12;
+    reg [14:0] remainder_s13;
+    reg [13:0] root_s13;
+    reg [15:0] remainder_s14;
+    reg [14:0] root_s14;
+    reg [16:0] remainder_s15;
+    reg [15:0] root_s15;
+    reg [17:0] remainder_s16;
+    reg [16:0] root_s16;
+    reg [18:0] remainder_s17;
+    reg [17:0] root_s17;
+    reg [19:0] remainder_s18;
+    reg [18:0] root_s18;
+    reg [20:0] remainder_s19;
+    reg [19:0] root_s19;
+    reg [21:0] remainder_s20;
+    reg [20:0] root_s20;
+    reg [22:0] remainder_s21;
+    reg [21:0] root_s21;
+    reg [23:0] remainder_s22;
+    reg [22:0] root_s22;
+    reg [24:0] remainder_s23;
+    reg [23:0] root_s23;
+    reg [25:0] remainder_s24;
+    reg [24:0] root_s24;
+    reg [9:0] exponent_s1;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s4;
+    reg [9:0] exponent_s5;
+    reg [9:0] exponent_s6;
+    reg [9:0] exponent_s7;
+    reg [9:0] exponent_s8;
+    reg [9:0] exponent_s9;
+    reg [9:0] exponent_s10;
+    reg [9:0] exponent_s11;
+    reg [9:0] exponent_s12;
+    reg [9:0] exponent_s13;
+    reg [9:0] exponent_s14;
+    reg [9:0] exponent_s15;
+    reg [9:0] exponent_s16;
+    reg [9:0] exponent_s17;
+    reg [9:0] exponent_s18;
+    reg [9:0] exponent_s19;
+    reg [9:0] exponent_s20;
+    reg [9:0] exponent_s21;
+    reg [9:0] exponent_s22;
+    reg [9:0] exponent_s23;
+    reg [9:0] exponent_s24;
+    reg [9:0] exponent_s25;
+    reg [25:0] significand_s25;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg sign_s5;
+    reg sign_s6;
+    reg sign_s7;
+    reg sign_s8;
+    reg sign_s9;
+    reg sign_s10;
+    reg sign_s11;
+    reg sign_s12;
+    reg sign_s13;
+    reg sign_s14;
+    reg sign_s15;
+    reg sign_s16;
+    reg sign_s17;
+    reg sign_s18;
+    reg sign_s19;
+    reg sign_s20;
+    reg sign_s21;
+    reg sign_s22;
+    reg sign_s23;
+    reg sign_s24;
+    reg sign_s25;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg nan_s5;
+    reg nan_s6;
+    reg nan_s7;
+    reg nan_s8;
+    reg nan_s9;
+    reg nan_s10;
+    reg nan_s11;
+    reg nan_s12;
+    reg nan_s13;
+    reg nan_s14;
+    reg nan_s15;
+    reg nan_s16;
+    reg nan_s17;
+    reg nan_s18;
+    reg nan_s19;
+    reg nan_s20;
+    reg nan_s21;
+    reg nan_s22;
+    reg nan_s23;
+    reg nan_s24;
+    reg nan_s25;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg infinite_s6;
+    reg infinite_s7;
+    reg infinite_s8;
+    reg infinite_s9;
+    reg infinite_s10;
+    reg infinite_s11;
+    reg infinite_s12;
+    reg infinite_s13;
+    reg infinite_s14;
+    reg infinite_s15;
+    reg infinite_s16;
+    reg infinite_s17;
+    reg infinite_s18;
+    reg infinite_s19;
+    reg infinite_s20;
+    reg infinite_s21;
+    reg infinite_s22;
+    reg infinite_s23;
+    reg infinite_s24;
+    reg infinite_s25;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg zero_s5;
+    reg zero_s6;
+    reg zero_s7;
+    reg zero_s8;
+    reg zero_s9;
+    reg zero_s10;
+    reg zero_s11;
+    reg zero_s12;
+    reg zero_s13;
+    reg zero_s14;
+    reg zero_s15;
+    reg zero_s16;
+    reg zero_s17;
+    reg zero_s18;
+    reg zero_s19;
+    reg zero_s20;
+    reg zero_s21;
+    reg zero_s22;
+    reg zero_s23;
+    reg zero_s24;
+    reg zero_s25;
+
+    wire [7:0] a_field = a[30:23];
+    wire [22:0] a_fraction = a[22:0];
+    wire [22:0] term_1 = a_fraction & {23{|a_field}};
+    wire [24:0] choice_2 = ~a_field[0] ? {|a_field, term_1, 1'd0} : {1'd0, |a_field, term_1};
+    wire [1:0] difference_3 = choice_2[24:23] - 2'd1;
+    wire [4:0] difference_4 = {1'd0, difference_3, choice_2[22:21]} - 5'd5;
+    wire [5:0] difference_5 = {1'd0, remainder_s1, pending_s1[20:19]} - {2'd0, root_s1, 2'd1};
+    wire [6:0] difference_6 = {1'd0, remainder_s2, pending_s2[18:17]} - {2'd0, root_s2, 2'd1};
+    wire [7:0] difference_7 = {1'd0, remainder_s3, pending_s3[16:15]} - {2'd0, root_s3, 2'd1};
+    wire [8:0] difference_8 = {1'd0, remainder_s4, pending_s4[14:13]} - {2'd0, root_s4, 2'd1};
+    wire [9:0] difference_9 = {1'd0, remainder_s5, pending_s5[12:11]} - {2'd0, root_s5, 2'd1};
+    wire [10:0] difference_10 = {1'd0, remainder_s6, pending_s6[10:9]} - {2'd0, root_s6, 2'd1};
+    wire [11:0] difference_11 = {1'd0, remainder_s7, pending_s7[8:7]} - {2'd0, root_s7, 2'd1};
+    wire [12:0] difference_12 = {1'd0, remainder_s8, pending_s8[6:5]} - {2'd0, root_s8, 2'd1};
+    wire [13:0] difference_13 = {1'd0, remainder_s9, pending_s9[4:3]} - {2'd0, root_s9, 2'd1};
+    wire [14:0] difference_14 = {1'd0, remainder_s10, pending_s10[2:1]} - {2'd0, root_s10, 2'd1};
+    wire [15:0] difference_15 = {1'd0, remainder_s11, pending_s11, 1'd0} - {2'd0, root_s11, 2'd1};
+    wire [16:0] difference_16 = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
+    wire [17:0] difference_17 = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
+    wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
+    wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
+    wire [20:0] difference_20 = {1'd0, remainder_s16, 2'd0} - {2'd0, root_s16, 2'd1};
+    wire [21:0] difference_21 = {1'd0, remainder_s17, 2'd0} - {2'd0, root_s17, 2'd1};
+    wire [22:0] difference_22 = {1'd0, remainder_s18, 2'd0} - {2'd0, root_s18, 2'd1};
+    wire [23:0] difference_23 = {1'd0, remainder_s19, 2'd0} - {2'd0, root_s19, 2'd1};
+    wire [24:0] difference_24 = {1'd0, remainder_s20, 2'd0} - {2'd0, root_s20, 2'd1};
+    wire [25:0] difference_25 = {1'd0, remainder_s21, 2'd0} - {2'd0, root_s21, 2'd1};
+    wire [26:0] difference_26 = {1'd0, remainder_s22, 2'd0} - {2'd0, root_s22, 2'd1};
+    wire [27:0] difference_27 = {1'd0, remainder_s23, 2'd0} - {2'd0, root_s23, 2'd1};
+    wire [9:0] sum_28 = {2'd0, a_field} + 10'd127;
+    wire term_29 = (exponent_s25 == 10'd0) & ~(&significand_s25[24:2] & significand_s25[1]);
+    wire term_30 = infinite_s25 | (~exponent_s25[9] & (10'd255 <= exponent_s25));
+    wire round_up = significand_s25[1] & (significand_s25[0] | significand_s25[2]);
+    wire [30:0] rounded = {exponent_s25[7:0], significand_s25[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_31 = (zero_s25 | ((exponent_s25[9] | term_29) & ~infinite_s25)) ? 31'd0 : term_30 ? 31'h7f800000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            remainder_s1 <= ~difference_4[4] ? difference_4[2:0] : {difference_3[0], choice_2[22:21]};
+            root_s1 <= {1'd1, ~difference_4[4]};
+            pending_s1 <= choice_2[20:0];
+            remainder_s2 <= ~difference_5[5] ? difference_5[3:0] : {remainder_s1[1:0], pending_s1[20:19]};
+            root_s2 <= {root_s1, ~difference_5[5]};
+            pending_s2 <= pending_s1[18:0];
+            remainder_s3 <= ~difference_6[6] ? difference_6[4:0] : {remainder_s2[2:0], pending_s2[18:17]};
+            root_s3 <= {root_s2, ~difference_6[6]};
+            pending_s3 <= pending_s2[16:0];
+            remainder_s4 <= ~difference_7[7] ? difference_7[5:0] : {remainder_s3[3:0], pending_s3[16:15]};
+            root_s4 <= {root_s3, ~difference_7[7]};
+            pending_s4 <= pending_s3[14:0];
+            remainder_s5 <= ~difference_8[8] ? difference_8[6:0] : {remainder_s4[4:0], pending_s4[14:13]};
+            root_s5 <= {root_s4, ~difference_8[8]};
+            pending_s5 <= pending_s4[12:0];
+            remainder_s6 <= ~difference_9[9] ? difference_9[7:0] : {remainder_s5[5:0], pending_s5[12:11]};
+            root_s6 <= {root_s5, ~difference_9[9]};
+            pending_s6 <= pending_s5[10:0];
+            remainder_s7 <= ~difference_10[10] ? difference_10[8:0] : {remainder_s6[6:0], pending_s6[10:9]};
+            root_s7 <= {root_s6, ~difference_10[10]};
+            pending_s7 <= pending_s6[8:0];
+            remainder_s8 <= ~difference_11[11] ? difference_11[9:0] : {remainder_s7[7:0], pending_s7[8:7]};
+            root_s8 <= {root_s7, ~difference_11[11]};
+            pending_s8 <= pending_s7[6:0];
+            remainder_s9 <= ~difference_12[12] ? difference_12[10:0] : {remainder_s8[8:0], pending_s8[6:5]};
+            root_s9 <= {root_s8, ~difference_12[12]};
+            pending_s9 <= pending_s8[4:0];
+            remainder_s10 <= ~difference_13[13] ? difference_13[11:0] : {remainder_s9[9:0], pending_s9[4:3]};
+            root_s10 <= {root_s9, ~difference_13[13]};
+            pending_s10 <= pending_s9[2:0];
+            remainder_s11 <= ~difference_14[14] ? difference_14[12:0] : {remainder_s10[10:0], pending_s10[2:1]};
+            root_s11 <= {root_s10, ~difference_14[14]};
+            pending_s11 <= pending_s10[0];
+            remainder_s12 <= ~difference_15[15] ? difference_15[13:0] : {remainder_s11[11:0], pending_s11, 1'd0};
+            root_s12 <= {root_s11, ~difference_15[15]};
+            remainder_s13 <= ~difference_16[16] ? difference_16[14:0] : {remainder_s12[12:0], 2'd0};
+            root_s13 <= {root_s12, ~difference_16[16]};
+            remainder_s14 <= ~difference_17[17] ? difference_17[15:0] : {remainder_s13[13:0], 2'd0};
+            root_s14 <= {root_s13, ~difference_17[17]};
+            remainder_s15 <= ~difference_18[18] ? difference_18[16:0] : {remainder_s14[14:0], 2'd0};
+            root_s15 <= {root_s14, ~difference_18[18]};
+            remainder_s16 <= ~difference_19[19] ? difference_19[17:0] : {remainder_s15[15:0], 2'd0};
+            root_s16 <= {root_s15, ~difference_19[19]};
+            remainder_s17 <= ~difference_20[20] ? difference_20[18:0] : {remainder_s16[16:0], 2'd0};
+            root_s17 <= {root_s16, ~difference_20[20]};
+            remainder_s18 <= ~difference_21[21] ? difference_21[19:0] : {remainder_s17[17:0], 2'd0};
+            root_s18 <= {root_s17, ~difference_21[21]};
+            remainder_s19 <= ~difference_22[22] ? difference_22[20:0] : {remainder_s18[18:0], 2'd0};
+            root_s19 <= {root_s18, ~difference_22[22]};
+            remainder_s20 <= ~difference_23[23] ? difference_23[21:0] : {remainder_s19[19:0], 2'd0};
+            root_s20 <= {root_s19, ~difference_23[23]};
+            remainder_s21 <= ~difference_24[24] ? difference_24[22:0] : {remainder_s20[20:0], 2'd0};
+            root_s21 <= {root_s20, ~difference_24[24]};
+            remainder_s22 <= ~difference_25[25] ? difference_25[23:0] : {remainder_s21[21:0], 2'd0};
+            root_s22 <= {root_s21, ~difference_25[25]};
+            remainder_s23 <= ~difference_26[26] ? difference_26[24:0] : {remainder_s22[22:0], 2'd0};
+            root_s23 <= {root_s22, ~difference_26[26]};
+            remainder_s24 <= ~difference_27[27] ? difference_27[25:0] : {remainder_s23[23:0], 2'd0};
+            root_s24 <= {root_s23, ~difference_27[27]};
+            exponent_s1 <= {sum_28[9], sum_28[9:1]};
+            exponent_s2 <= exponent_s1;
+            exponent_s3 <= exponent_s2;
+            exponent_s4 <= exponent_s3;
+            exponent_s5 <= exponent_s4;
+            exponent_s6 <= exponent_s5;
+            exponent_s7 <= exponent_s6;
+            exponent_s8 <= exponent_s7;
+            exponent_s9 <= exponent_s8;
+            exponent_s10 <= exponent_s9;
+            exponent_s11 <= exponent_s10;
+            exponent_s12 <= exponent_s11;
+            exponent_s13 <= exponent_s12;
+            exponent_s14 <= exponent_s13;
+            exponent_s15 <= exponent_s14;
+            exponent_s16 <= exponent_s15;
+            exponent_s17 <= exponent_s16;
+            exponent_s18 <= exponent_s17;
+            exponent_s19 <= exponent_s18;
+            exponent_s20 <= exponent_s19;
+            exponent_s21 <= exponent_s20;
+            exponent_s22 <= exponent_s21;
+            exponent_s23 <= exponent_s22;
+            exponent_s24 <= exponent_s23;
+            exponent_s25 <= exponent_s24;
+            significand_s25 <= {root_s24, |remainder_s24};
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            sign_s5 <= sign_s4;
+            sign_s6 <= sign_s5;
+            sign_s7 <= sign_s6;
+            sign_s8 <= sign_s7;
+            sign_s9 <= sign_s8;
+            sign_s10 <= sign_s9;
+            sign_s11 <= sign_s10;
+            sign_s12 <= sign_s11;
+            sign_s13 <= sign_s12;
+            sign_s14 <= sign_s13;
+            sign_s15 <= sign_s14;
+            sign_s16 <= sign_s15;
+            sign_s17 <= sign_s16;
+            sign_s18 <= sign_s17;
+            sign_s19 <= sign_s18;
+            sign_s20 <= sign_s19;
+            sign_s21 <= sign_s20;
+            sign_s22 <= sign_s21;
+            sign_s23 <= sign_s22;
+            sign_s24 <= sign_s23;
+            sign_s25 <= sign_s24;
+            nan_s1 <= (&a_field & |a_fraction) | (a[31] & |a_field);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            nan_s6 <= nan_s5;
+            nan_s7 <= nan_s6;
+            nan_s8 <= nan_s7;
+            nan_s9 <= nan_s8;
+            nan_s10 <= nan_s9;
+            nan_s11 <= nan_s10;
+            nan_s12 <= nan_s11;
+            nan_s13 <= nan_s12;
+            nan_s14 <= nan_s13;
+            nan_s15 <= nan_s14;
+            nan_s16 <= nan_s15;
+            nan_s17 <= nan_s16;
+            nan_s18 <= nan_s17;
+            nan_s19 <= nan_s18;
+            nan_s20 <= nan_s19;
+            nan_s21 <= nan_s20;
+            nan_s22 <= nan_s21;
+            nan_s23 <= nan_s22;
+            nan_s24 <= nan_s23;
+            nan_s25 <= nan_s24;
+            infinite_s1 <= &a_field & (a_fraction == 23'd0);
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            infinite_s6 <= infinite_s5;
+            infinite_s7 <= infinite_s6;
+            infinite_s8 <= infinite_s7;
+            infinite_s9 <= infinite_s8;
+            infinite_s10 <= infinite_s9;
+            infinite_s11 <= infinite_s10;
+            infinite_s12 <= infinite_s11;
+            infinite_s13 <= infinite_s12;
+            infinite_s14 <= infinite_s13;
+            infinite_s15 <= infinite_s14;
+            infinite_s16 <= infinite_s15;
+            infinite_s17 <= infinite_s16;
+            infinite_s18 <= infinite_s17;
+            infinite_s19 <= infinite_s18;
+            infinite_s20 <= infinite_s19;
+            infinite_s21 <= infinite_s20;
+            infinite_s22 <= infinite_s21;
+            infinite_s23 <= infinite_s22;
+            infinite_s24 <= infinite_s23;
+            infinite_s25 <= infinite_s24;
+            zero_s1 <= ~(|a_field);
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            zero_s5 <= zero_s4;
+            zero_s6 <= zero_s5;
+            zero_s7 <= zero_s6;
+            zero_s8 <= zero_s7;
+            zero_s9 <= zero_s8;
+            zero_s10 <= zero_s9;
+            zero_s11 <= zero_s10;
+            zero_s12 <= zero_s11;
+            zero_s13 <= zero_s12;
+            zero_s14 <= zero_s13;
+            zero_s15 <= zero_s14;
+            zero_s16 <= zero_s15;
+            zero_s17 <= zero_s16;
+            zero_s18 <= zero_s17;
+            zero_s19 <= zero_s18;
+            zero_s20 <= zero_s19;
+            zero_s21 <= zero_s20;
+            zero_s22 <= zero_s21;
+            zero_s23 <= zero_s22;
+            zero_s24 <= zero_s23;
+            zero_s25 <= zero_s24;
+            y <= nan_s25 ? 32'h7fc00000 : {sign_s25, choice_31};
+        end
+    end
+
+    wire _unused = &{
+        1'b0,
+        difference_10[9],
+        difference_11[10],
+        difference_12[11],
+        difference_13[12],
+        difference_14[13],
+        difference_15[14],
+        difference_16[15],
+        difference_17[16],
+        difference_18[17],
+        difference_19[18],
+        difference_20[19],
+        difference_21[20],
+        difference_22[21],
+        difference_23[22],
+        difference_24[23],
+        difference_25[24],
+        difference_26[25],
+        difference_27[26],
+        difference_4[3],
+        difference_5[4],
+        difference_6[5],
+        difference_7[6],
+        difference_8[7],
+        difference_9[8],
+        rst,
+        significand_s25[25],
+        sum_28[0]
+    };
+endmodule
+
+// Floating-point reciprocal, correctly rounded.
+// stages = 28
+// format = f32-ftz
+module float_recip (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    output reg  [31:0] y
+);
+    reg [24:0] remainder_s1;
+    reg quotient_s1;
+    reg [23:0] divisor_s1;
+    reg [24:0] remainder_s2;
+    reg [1:0] quotient_s2;
+    reg [23:0] divisor_s2;
+    reg [24:0] remainder_s3;
+    reg [2:0] quotient_s3;
+    reg [23:0] divisor_s3;
+    reg [24:0] remainder_s4;
+    reg [3:0] quotient_s4;
+    reg [23:0] divisor_s4;
+    reg [24:0] remainder_s5;
+    reg [4:0] quotient_s5;
+    reg [23:0] divisor_s5;
+    reg [24:0] remainder_s6;
+    reg [5:0] quotient_s6;
+    reg [23:0] divisor_s6;
+    reg [24:0] remainder_s7;
+    reg [6:0] quotient_s7;
+    reg [23:0] divisor_s7;
+    reg [24:0] remainder_s8;
+    reg [7:0] quotient_s8;
+    reg [23:0] divisor_s8;
+    reg [24:0] remainder_s9;
+    reg [8:0] quotient_s9;
+    reg [23:0] divisor_s9;
+    reg [24:0] remainder_s10;
+    reg [9:0] quotient_s10;
+    reg [23:0] divisor_s10;
+    reg [24:0] remainder_s11;
+    reg [10:0] quotient_s11;
+    reg [23:0] divisor_s11;
+    reg [24:0] remainder_s12;
+    reg [11:0] quotient_s12;
+    reg [23:0] divisor_s12;
+    reg [24:0] remainder_s13;
+    reg [12:0] quotient_s13;
+    reg [23:0] divisor_s13;
+    reg [24:0] remainder_s14;
+    reg [13:0] quotient_s14;
+    reg [23:0] divisor_s14;
+    reg [24:0] remainder_s15;
+    reg [14:0] quotient_s15;
+    reg [23:0] divisor_s15;
+    reg [24:0] remainder_s16;
+    reg [15:0] quotient_s16;
+    reg [23:0] divisor_s16;
+    reg [24:0] remainder_s17;
+    reg [16:0] quotient_s17;
+    reg [23:0] divisor_s17;
+    reg [24:0] remainder_s18;
+    reg [17:0] quotient_s18;
+    reg [23:0] divisor_s18;
+    reg [24:0] remainder_s19;
+    reg [18:0] quotient_s19;
+    reg [23:0] divisor_s19;
+    reg [24:0] remainder_s20;
+    reg [19:0] quotient_s20;
+    reg [23:0] divisor_s20;
+    reg [24:0] remainder_s21;
+    reg [20:0] quotient_s21;
+    reg [23:0] divisor_s21;
+    reg [24:0] remainder_s22;
+    reg [21:0] quotient_s22;
+    reg [23:0] divisor_s22;
+    reg [24:0] remainder_s23;
+    reg [22:0] quotient_s23;
+    reg [23:0] divisor_s23;
+    reg [24:0] remainder_s24;
+    reg [23:0] quotient_s24;
+    reg [23:0] divisor_s24;
+    reg [24:0] remainder_s25;
+    reg [24:0] quotient_s25;
+    reg [23:0] divisor_s25;
+    reg [24:0] remainder_s26;
+    reg [25:0] quotient_s26;
+    reg [9:0] exponent_s1;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s4;
+    reg [9:0] exponent_s5;
+    reg [9:0] exponent_s6;
+    reg [9:0] exponent_s7;
+    reg [9:0] exponent_s8;
+    reg [9:0] exponent_s9;
+    reg [9:0] exponent_s10;
+    reg [9:0] exponent_s11;
+    reg [9:0] exponent_s12;
+    reg [9:0] exponent_s13;
+    reg [9:0] exponent_s14;
+    reg [9:0] exponent_s15;
+    reg [9:0] exponent_s16;
+    reg [9:0] exponent_s17;
+    reg [9:0] exponent_s18;
+    reg [9:0] exponent_s19;
+    reg [9:0] exponent_s20;
+    reg [9:0] exponent_s21;
+    reg [9:0] exponent_s22;
+    reg [9:0] exponent_s23;
+    reg [9:0] exponent_s24;
+    reg [9:0] exponent_s25;
+    reg [9:0] exponent_s26;
+    reg [9:0] exponent_s27;
+    reg [25:0] significand_s27;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg sign_s5;
+    reg sign_s6;
+    reg sign_s7;
+    reg sign_s8;
+    reg sign_s9;
+    reg sign_s10;
+    reg sign_s11;
+    reg sign_s12;
+    reg sign_s13;
+    reg sign_s14;
+    reg sign_s15;
+    reg sign_s16;
+    reg sign_s17;
+    reg sign_s18;
+    reg sign_s19;
+    reg sign_s20;
+    reg sign_s21;
+    reg sign_s22;
+    reg sign_s23;
+    reg sign_s24;
+    reg sign_s25;
+    reg sign_s26;
+    reg sign_s27;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg nan_s5;
+    reg nan_s6;
+    reg nan_s7;
+    reg nan_s8;
+    reg nan_s9;
+    reg nan_s10;
+    reg nan_s11;
+    reg nan_s12;
+    reg nan_s13;
+    reg nan_s14;
+    reg nan_s15;
+    reg nan_s16;
+    reg nan_s17;
+    reg nan_s18;
+    reg nan_s19;
+    reg nan_s20;
+    reg nan_s21;
+    reg nan_s22;
+    reg nan_s23;
+    reg nan_s24;
+    reg nan_s25;
+    reg nan_s26;
+    reg nan_s27;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg infinite_s6;
+    reg infinite_s7;
+    reg infinite_s8;
+    reg infinite_s9;
+    reg infinite_s10;
+    reg infinite_s11;
+    reg infinite_s12;
+    reg infinite_s13;
+    reg infinite_s14;
+    reg infinite_s15;
+    reg infinite_s16;
+    reg infinite_s17;
+    reg infinite_s18;
+    reg infinite_s19;
+    reg infinite_s20;
+    reg infinite_s21;
+    reg infinite_s22;
+    reg infinite_s23;
+    reg infinite_s24;
+    reg infinite_s25;
+    reg infinite_s26;
+    reg infinite_s27;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg zero_s5;
+    reg zero_s6;
+    reg zero_s7;
+    reg zero_s8;
+    reg zero_s9;
+    reg zero_s10;
+    reg zero_s11;
+    reg zero_s12;
+    reg zero_s13;
+    reg zero_s14;
+    reg zero_s15;
+    reg zero_s16;
+    reg zero_s17;
+    reg zero_s18;
+    reg zero_s19;
+    reg zero_s20;
+    reg zero_s21;
+    reg zero_s22;
+    reg zero_s23;
+    reg zero_s24;
+    reg zero_s25;
+    reg zero_s26;
+    reg zero_s27;
+
+    wire [7:0] a_field = a[30:23];
+    wire [22:0] a_fraction = a[22:0];
+    wire [22:0] term_1 = a_fraction & {23{|a_field}};
+    wire [25:0] difference_2 = 26'h800000 - {2'd0, |a_field, term_1};
+    wire [25:0] difference_3 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [23:0] choice_4 = ~difference_3[25] ? difference_3[23:0] : remainder_s1[23:0];
+    wire [25:0] difference_5 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [23:0] choice_6 = ~difference_5[25] ? difference_5[23:0] : remainder_s2[23:0];
+    wire [25:0] difference_7 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [23:0] choice_8 = ~difference_7[25] ? difference_7[23:0] : remainder_s3[23:0];
+    wire [25:0] difference_9 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [23:0] choice_10 = ~difference_9[25] ? difference_9[23:0] : remainder_s4[23:0];
+    wire [25:0] difference_11 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [23:0] choice_12 = ~difference_11[25] ? difference_11[23:0] : remainder_s5[23:0];
+    wire [25:0] difference_13 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [23:0] choice_14 = ~difference_13[25] ? difference_13[23:0] : remainder_s6[23:0];
+    wire [25:0] difference_15 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [23:0] choice_16 = ~difference_15[25] ? difference_15[23:0] : remainder_s7[23:0];
+    wire [25:0] difference_17 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [23:0] choice_18 = ~difference_17[25] ? difference_17[23:0] : remainder_s8[23:0];
+    wire [25:0] difference_19 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [23:0] choice_20 = ~difference_19[25] ? difference_19[23:0] : remainder_s9[23:0];
+    wire [25:0] difference_21 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [23:0] choice_22 = ~difference_21[25] ? difference_21[23:0] : remainder_s10[23:0];
+    wire [25:0] difference_23 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [23:0] choice_24 = ~difference_23[25] ? difference_23[23:0] : remainder_s11[23:0];
+    wire [25:0] difference_25 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [23:0] choice_26 = ~difference_25[25] ? difference_25[23:0] : remainder_s12[23:0];
+    wire [25:0] difference_27 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [23:0] choice_28 = ~difference_27[25] ? difference_27[23:0] : remainder_s13[23:0];
+    wire [25:0] difference_29 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [23:0] choice_30 = ~difference_29[25] ? difference_29[23:0] : remainder_s14[23:0];
+    wire [25:0] difference_31 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [23:0] choice_32 = ~difference_31[25] ? difference_31[23:0] : remainder_s15[23:0];
+    wire [25:0] difference_33 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [23:0] choice_34 = ~difference_33[25] ? difference_33[23:0] : remainder_s16[23:0];
+    wire [25:0] difference_35 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [23:0] choice_36 = ~difference_35[25] ? difference_35[23:0] : remainder_s17[23:0];
+    wire [25:0] difference_37 = {1'd0, remainder_s18} - {2'd0, divisor_s18};
+    wire [23:0] choice_38 = ~difference_37[25] ? difference_37[23:0] : remainder_s18[23:0];
+    wire [25:0] difference_39 = {1'd0, remainder_s19} - {2'd0, divisor_s19};
+    wire [23:0] choice_40 = ~difference_39[25] ? difference_39[23:0] : remainder_s19[23:0];
+    wire [25:0] difference_41 = {1'd0, remainder_s20} - {2'd0, divisor_s20};
+    wire [23:0] choice_42 = ~difference_41[25] ? difference_41[23:0] : remainder_s20[23:0];
+    wire [25:0] difference_43 = {1'd0, remainder_s21} - {2'd0, divisor_s21};
+    wire [23:0] choice_44 = ~difference_43[25] ? difference_43[23:0] : remainder_s21[23:0];
+    wire [25:0] difference_45 = {1'd0, remainder_s22} - {2'd0, divisor_s22};
+    wire [23:0] choice_46 = ~difference_45[25] ? difference_45[23:0] : remainder_s22[23:0];
+    wire [25:0] difference_47 = {1'd0, remainder_s23} - {2'd0, divisor_s23};
+    wire [23:0] choice_48 = ~difference_47[25] ? difference_47[23:0] : remainder_s23[23:0];
+    wire [25:0] difference_49 = {1'd0, remainder_s24} - {2'd0, divisor_s24};
+    wire [23:0] choice_50 = ~difference_49[25] ? difference_49[23:0] : remainder_s24[23:0];
+    wire [25:0] difference_51 = {1'd0, remainder_s25} - {2'd0, divisor_s25};
+    wire [23:0] choice_52 = ~difference_51[25] ? difference_51[23:0] : remainder_s25[23:0];
+    wire [26:0] joined_53 = {quotient_s26, |remainder_s26};
+    wire [26:0] choice_54 = ~quotient_s26[25] ? (joined_53 << 1) : joined_53;
+    wire term_55 = (exponent_s27 == 10'd0) & ~(&significand_s27[24:2] & significand_s27[1]);
+    wire term_56 = infinite_s27 | (~exponent_s27[9] & (10'd255 <= exponent_s27));
+    wire round_up = significand_s27[1] & (significand_s27[0] | significand_s27[2]);
+    wire [30:0] rounded = {exponent_s27[7:0], significand_s27[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_57 = (zero_s27 | ((exponent_s27[9] | term_55) & ~infinite_s27)) ? 31'd0 : term_56 ? 31'h7f800000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            remainder_s1 <= {~difference_2[25] ? difference_2[23:0] : 24'h800000, 1'd0};
+            quotient_s1 <= ~difference_2[25];
+            divisor_s1 <= {|a_field, term_1};
+            remainder_s2 <= {choice_4, 1'd0};
+            quotient_s2 <= {quotient_s1, ~difference_3[25]};
+            divisor_s2 <= divisor_s1;
+            remainder_s3 <= {choice_6, 1'd0};
+            quotient_s3 <= {quotient_s2, ~difference_5[25]};
+            divisor_s3 <= divisor_s2;
+            remainder_s4 <= {choice_8, 1'd0};
+            quotient_s4 <= {quotient_s3, ~difference_7[25]};
+            divisor_s4 <= divisor_s3;
+            remainder_s5 <= {choice_10, 1'd0};
+            quotient_s5 <= {quotient_s4, ~difference_9[25]};
+            divisor_s5 <= divisor_s4;
+            remainder_s6 <= {choice_12, 1'd0};
+            quotient_s6 <= {quotient_s5, ~difference_11[25]};
+            divisor_s6 <= divisor_s5;
+            remainder_s7 <= {choice_14, 1'd0};
+            quotient_s7 <= {quotient_s6, ~difference_13[25]};
+            divisor_s7 <= divisor_s6;
+            remainder_s8 <= {choice_16, 1'd0};
+            quotient_s8 <= {quotient_s7, ~difference_15[25]};
+            divisor_s8 <= divisor_s7;
+            remainder_s9 <= {choice_18, 1'd0};
+            quotient_s9 <= {quotient_s8, ~difference_17[25]};
+            divisor_s9 <= divisor_s8;
+            remainder_s10 <= {choice_20, 1'd0};
+            quotient_s10 <= {quotient_s9, ~difference_19[25]};
+            divisor_s10 <= divisor_s9;
+            remainder_s11 <= {choice_22, 1'd0};
+            quotient_s11 <= {quotient_s10, ~difference_21[25]};
+            divisor_s11 <= divisor_s10;
+            remainder_s12 <= {choice_24, 1'd0};
+            quotient_s12 <= {quotient_s11, ~difference_23[25]};
+            divisor_s12 <= divisor_s11;
+            remainder_s13 <= {choice_26, 1'd0};
+            quotient_s13 <= {quotient_s12, ~difference_25[25]};
+            divisor_s13 <= divisor_s12;
+            remainder_s14 <= {choice_28, 1'd0};
+            quotient_s14 <= {quotient_s13, ~difference_27[25]};
+            divisor_s14 <= divisor_s13;
+            remainder_s15 <= {choice_30, 1'd0};
+            quotient_s15 <= {quotient_s14, ~difference_29[25]};
+            divisor_s15 <= divisor_s14;
+            remainder_s16 <= {choice_32, 1'd0};
+            quotient_s16 <= {quotient_s15, ~difference_31[25]};
+            divisor_s16 <= divisor_s15;
+            remainder_s17 <= {choice_34, 1'd0};
+            quotient_s17 <= {quotient_s16, ~difference_33[25]};
+            divisor_s17 <= divisor_s16;
+            remainder_s18 <= {choice_36, 1'd0};
+            quotient_s18 <= {quotient_s17, ~difference_35[25]};
+            divisor_s18 <= divisor_s17;
+            remainder_s19 <= {choice_38, 1'd0};
+            quotient_s19 <= {quotient_s18, ~difference_37[25]};
+            divisor_s19 <= divisor_s18;
+            remainder_s20 <= {choice_40, 1'd0};
+            quotient_s20 <= {quotient_s19, ~difference_39[25]};
+            divisor_s20 <= divisor_s19;
+            remainder_s21 <= {choice_42, 1'd0};
+            quotient_s21 <= {quotient_s20, ~difference_41[25]};
+            divisor_s21 <= divisor_s20;
+            remainder_s22 <= {choice_44, 1'd0};
+            quotient_s22 <= {quotient_s21, ~difference_43[25]};
+            divisor_s22 <= divisor_s21;
+            remainder_s23 <= {choice_46, 1'd0};
+            quotient_s23 <= {quotient_s22, ~difference_45[25]};
+            divisor_s23 <= divisor_s22;
+            remainder_s24 <= {choice_48, 1'd0};
+            quotient_s24 <= {quotient_s23, ~difference_47[25]};
+            divisor_s24 <= divisor_s23;
+            remainder_s25 <= {choice_50, 1'd0};
+            quotient_s25 <= {quotient_s24, ~difference_49[25]};
+            divisor_s25 <= divisor_s24;
+            remainder_s26 <= {choice_52, 1'd0};
+            quotient_s26 <= {quotient_s25, ~difference_51[25]};
+            exponent_s1 <= (10'd127 - {2'd0, a_field}) + 10'd127;
+            exponent_s2 <= exponent_s1;
+            exponent_s3 <= exponent_s2;
+            exponent_s4 <= exponent_s3;
+            exponent_s5 <= exponent_s4;
+            exponent_s6 <= exponent_s5;
+            exponent_s7 <= exponent_s6;
+            exponent_s8 <= exponent_s7;
+            exponent_s9 <= exponent_s8;
+            exponent_s10 <= exponent_s9;
+            exponent_s11 <= exponent_s10;
+            exponent_s12 <= exponent_s11;
+            exponent_s13 <= exponent_s12;
+            exponent_s14 <= exponent_s13;
+            exponent_s15 <= exponent_s14;
+            exponent_s16 <= exponent_s15;
+            exponent_s17 <= exponent_s16;
+            exponent_s18 <= exponent_s17;
+            exponent_s19 <= exponent_s18;
+            exponent_s20 <= exponent_s19;
+            exponent_s21 <= exponent_s20;
+            exponent_s22 <= exponent_s21;
+            exponent_s23 <= exponent_s22;
+            exponent_s24 <= exponent_s23;
+            exponent_s25 <= exponent_s24;
+            exponent_s26 <= exponent_s25;
+            exponent_s27 <= exponent_s26 - {9'd0, ~quotient_s26[25]};
+            significand_s27 <= {choice_54[26:2], |choice_54[1:0]};
+            sign_s1 <= a[31];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            sign_s5 <= sign_s4;
+            sign_s6 <= sign_s5;
+            sign_s7 <= sign_s6;
+            sign_s8 <= sign_s7;
+            sign_s9 <= sign_s8;
+            sign_s10 <= sign_s9;
+            sign_s11 <= sign_s10;
+            sign_s12 <= sign_s11;
+            sign_s13 <= sign_s12;
+            sign_s14 <= sign_s13;
+            sign_s15 <= sign_s14;
+            sign_s16 <= sign_s15;
+            sign_s17 <= sign_s16;
+            sign_s18 <= sign_s17;
+            sign_s19 <= sign_s18;
+            sign_s20 <= sign_s19;
+            sign_s21 <= sign_s20;
+            sign_s22 <= sign_s21;
+            sign_s23 <= sign_s22;
+            sign_s24 <= sign_s23;
+            sign_s25 <= sign_s24;
+            sign_s26 <= sign_s25;
+            sign_s27 <= sign_s26;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            nan_s6 <= nan_s5;
+            nan_s7 <= nan_s6;
+            nan_s8 <= nan_s7;
+            nan_s9 <= nan_s8;
+            nan_s10 <= nan_s9;
+            nan_s11 <= nan_s10;
+            nan_s12 <= nan_s11;
+            nan_s13 <= nan_s12;
+            nan_s14 <= nan_s13;
+            nan_s15 <= nan_s14;
+            nan_s16 <= nan_s15;
+            nan_s17 <= nan_s16;
+            nan_s18 <= nan_s17;
+            nan_s19 <= nan_s18;
+            nan_s20 <= nan_s19;
+            nan_s21 <= nan_s20;
+            nan_s22 <= nan_s21;
+            nan_s23 <= nan_s22;
+            nan_s24 <= nan_s23;
+            nan_s25 <= nan_s24;
+            nan_s26 <= nan_s25;
+            nan_s27 <= nan_s26;
+            infinite_s1 <= ~(|a_field);
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            infinite_s6 <= infinite_s5;
+            infinite_s7 <= infinite_s6;
+            infinite_s8 <= infinite_s7;
+            infinite_s9 <= infinite_s8;
+            infinite_s10 <= infinite_s9;
+            infinite_s11 <= infinite_s10;
+            infinite_s12 <= infinite_s11;
+            infinite_s13 <= infinite_s12;
+            infinite_s14 <= infinite_s13;
+            infinite_s15 <= infinite_s14;
+            infinite_s16 <= infinite_s15;
+            infinite_s17 <= infinite_s16;
+            infinite_s18 <= infinite_s17;
+            infinite_s19 <= infinite_s18;
+            infinite_s20 <= infinite_s19;
+            infinite_s21 <= infinite_s20;
+            infinite_s22 <= infinite_s21;
+            infinite_s23 <= infinite_s22;
+            infinite_s24 <= infinite_s23;
+            infinite_s25 <= infinite_s24;
+            infinite_s26 <= infinite_s25;
+            infinite_s27 <= infinite_s26;
+            zero_s1 <= &a_field & (a_fraction == 23'd0);
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            zero_s5 <= zero_s4;
+            zero_s6 <= zero_s5;
+            zero_s7 <= zero_s6;
+            zero_s8 <= zero_s7;
+            zero_s9 <= zero_s8;
+            zero_s10 <= zero_s9;
+            zero_s11 <= zero_s10;
+            zero_s12 <= zero_s11;
+            zero_s13 <= zero_s12;
+            zero_s14 <= zero_s13;
+            zero_s15 <= zero_s14;
+            zero_s16 <= zero_s15;
+            zero_s17 <= zero_s16;
+            zero_s18 <= zero_s17;
+            zero_s19 <= zero_s18;
+            zero_s20 <= zero_s19;
+            zero_s21 <= zero_s20;
+            zero_s22 <= zero_s21;
+            zero_s23 <= zero_s22;
+            zero_s24 <= zero_s23;
+            zero_s25 <= zero_s24;
+            zero_s26 <= zero_s25;
+            zero_s27 <= zero_s26;
+            y <= nan_s27 ? 32'h7fc00000 : {sign_s27, choice_57};
+        end
+    end
+
+    wire _unused = &{
+        1'b0,
+        difference_11[24],
+        difference_13[24],
+        difference_15[24],
+        difference_17[24],
+        difference_19[24],
+        difference_2[24],
+        difference_21[24],
+        difference_23[24],
+        difference_25[24],
+        difference_27[24],
+        difference_29[24],
+        difference_3[24],
+        difference_31[24],
+        difference_33[24],
+        difference_35[24],
+        difference_37[24],
+        difference_39[24],
+        difference_41[24],
+        difference_43[24],
+        difference_45[24],
+        difference_47[24],
+        difference_49[24],
+        difference_5[24],
+        difference_51[24],
+        difference_7[24],
+        difference_9[24],
+        rst,
+        significand_s27[25]
+    };
+endmodule
+
+// Queue of two in registers.
+// width = 621
+module stream_skid_w621 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_ax,
+    input  wire [31:0] in_bx,
+    input  wire [31:0] in_ay,
+    input  wire [31:0] in_by,
+    input  wire [31:0] in_delta,
+    input  wire [31:0] in_mx,
+    input  wire [31:0] in_my,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [8:0] in_left,
+    input  wire [8:0] in_right,
+    input  wire [8:0] in_top,
+    input  wire [8:0] in_bottom,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_ax,
+    output wire [31:0] out_bx,
+    output wire [31:0] out_ay,
+    output wire [31:0] out_by,
+    output wire [31:0] out_delta,
+    output wire [31:0] out_mx,
+    output wire [31:0] out_my,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0,
+    output wire [8:0] out_left,
+    output wire [8:0] out_right,
+    output wire [8:0] out_top,
+    output wire [8:0] out_bottom
+);
+    reg second_valid;
+    reg [620:0] head;
+    reg [620:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [620:0] in_item = {
+        in_end,
+        in_center_x,
+        in_center_y,
+        in_ax,
+        in_bx,
+        in_ay,
+        in_by,
+        in_delta,
+        in_mx,
+        in_my,
+        in_depth,
+        in_depth_low,
+        in_depth_high,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0,
+        in_left,
+        in_right,
+        in_top,
+        in_bottom
+    };
+
+    assign out_end = head[620];
+    assign out_center_x = head[619:588];
+    assign out_center_y = head[587:556];
+    assign out_ax = head[555:524];
+    assign out_bx = head[523:492];
+    assign out_ay = head[491:460];
+    assign out_by = head[459:428];
+    assign out_delta = head[427:396];
+    assign out_mx = head[395:364];
+    assign out_my = head[363:332];
+    assign out_depth = head[331:308];
+    assign out_depth_low = head[307:284];
+    assign out_depth_high = head[283:260];
+    assign out_attribute_0 = head[259:244];
+    assign out_attribute_1 = head[243:228];
+    assign out_attribute_2 = head[227:212];
+    assign out_attribute_3 = head[211:196];
+    assign out_attribute_4 = head[195:180];
+    assign out_attribute_5 = head[179:164];
+    assign out_attribute_6 = head[163:148];
+    assign out_attribute_7 = head[147:132];
+    assign out_attribute_8 = head[131:116];
+    assign out_attribute_9 = head[115:100];
+    assign out_attribute_10 = head[99:84];
+    assign out_attribute_11 = head[83:68];
+    assign out_attribute_12 = head[67:52];
+    assign out_cardinal_0 = head[51:36];
+    assign out_left = head[35:27];
+    assign out_right = head[26:18];
+    assign out_top = head[17:9];
+    assign out_bottom = head[8:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// World space to camera space, with back-face culling.
+// latency = 46
+// initiation_interval = 1
+module core_a_transform (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_center_z,
+    input  wire [31:0] in_tangent1_x,
+    input  wire [31:0] in_tangent1_y,
+    input  wire [31:0] in_tangent1_z,
+    input  wire [31:0] in_tangent2_x,
+    input  wire [31:0] in_tangent2_y,
+    input  wire [31:0] in_tangent2_z,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    input  wire [31:0] m00,
+    input  wire [31:0] m01,
+    input  wire [31:0] m02,
+    input  wire [31:0] m03,
+    input  wire [31:0] m10,
+    input  wire [31:0] m11,
+    input  wire [31:0] m12,
+    input  wire [31:0] m13,
+    input  wire [31:0] m20,
+    input  wire [31:0] m21,
+    input  wire [31:0] m22,
+    input  wire [31:0] m23,
+    input  wire [31:0] near_plane,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_center_z,
+    output wire [31:0] out_tangent1_x,
+    output wire [31:0] out_tangent1_y,
+    output wire [31:0] out_tangent1_z,
+    output wire [31:0] out_tangent2_x,
+    output wire [31:0] out_tangent2_y,
+    output wire [31:0] out_tangent2_z,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg [319:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_17_from_0 [0:15];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_18_from_0 [0:16];
+    (* ram_style = "distributed" *)
+    reg [191:0] delay_29_from_0 [0:27];
+    (* ram_style = "distributed" *)
+    reg [224:0] delay_46_from_0 [0:44];
+    reg [1:0] delay_5_from_0_pointer;
+    reg [95:0] delay_5_from_0_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [319:0] delay_6_from_0_out;
+    reg [3:0] delay_17_from_0_pointer;
+    reg [31:0] delay_17_from_0_out;
+    reg [4:0] delay_18_from_0_pointer;
+    reg [63:0] delay_18_from_0_out;
+    reg [4:0] delay_29_from_0_pointer;
+    reg [191:0] delay_29_from_0_out;
+    reg [5:0] delay_46_from_0_pointer;
+    reg [224:0] delay_46_from_0_out;
+    reg [31:0] add_57_d23;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+    reg valid_d11;
+    reg valid_d12;
+    reg valid_d13;
+    reg valid_d14;
+    reg valid_d15;
+    reg valid_d16;
+    reg valid_d17;
+    reg valid_d18;
+    reg valid_d19;
+    reg valid_d20;
+    reg valid_d21;
+    reg valid_d22;
+    reg valid_d23;
+    reg valid_d24;
+    reg valid_d25;
+    reg valid_d26;
+    reg valid_d27;
+    reg valid_d28;
+    reg valid_d29;
+    reg valid_d30;
+    reg valid_d31;
+    reg valid_d32;
+    reg valid_d33;
+    reg valid_d34;
+    reg valid_d35;
+    reg valid_d36;
+    reg valid_d37;
+    reg valid_d38;
+    reg valid_d39;
+    reg valid_d40;
+    reg valid_d41;
+    reg valid_d42;
+    reg valid_d43;
+    reg valid_d44;
+    reg valid_d45;
+    reg valid_d46;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire [31:0] queue_out_center_x;
+    wire [31:0] queue_out_center_y;
+    wire [31:0] queue_out_center_z;
+    wire [31:0] queue_out_tangent1_x;
+    wire [31:0] queue_out_tangent1_y;
+    wire [31:0] queue_out_tangent1_z;
+    wire [31:0] queue_out_tangent2_x;
+    wire [31:0] queue_out_tangent2_y;
+    wire [31:0] queue_out_tangent2_z;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [15:0] queue_out_attribute_3;
+    wire [15:0] queue_out_attribute_4;
+    wire [15:0] queue_out_attribute_5;
+    wire [15:0] queue_out_attribute_6;
+    wire [15:0] queue_out_attribute_7;
+    wire [15:0] queue_out_attribute_8;
+    wire [15:0] queue_out_attribute_9;
+    wire [15:0] queue_out_attribute_10;
+    wire [15:0] queue_out_attribute_11;
+    wire [15:0] queue_out_attribute_12;
+    wire [15:0] queue_out_cardinal_0;
+    wire [31:0] mul_f32_ftz_unit_y;
+    wire [31:0] mul_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_f32_ftz_unit_copy4_y;
+    wire [31:0] mul_f32_ftz_unit_copy5_y;
+    wire [31:0] mul_f32_ftz_unit_copy6_y;
+    wire [31:0] mul_f32_ftz_unit_copy7_y;
+    wire [31:0] mul_f32_ftz_unit_copy8_y;
+    wire [31:0] mul_f32_ftz_unit_copy9_y;
+    wire [31:0] mul_f32_ftz_unit_copy10_y;
+    wire [31:0] mul_f32_ftz_unit_copy11_y;
+    wire [31:0] mul_f32_ftz_unit_copy12_y;
+    wire [31:0] mul_f32_ftz_unit_copy13_y;
+    wire [31:0] mul_f32_ftz_unit_copy14_y;
+    wire [31:0] mul_f32_ftz_unit_copy15_y;
+    wire [31:0] mul_f32_ftz_unit_copy16_y;
+    wire [31:0] mul_f32_ftz_unit_copy17_y;
+    wire [31:0] mul_f32_ftz_unit_copy18_y;
+    wire [31:0] mul_f32_ftz_unit_copy19_y;
+    wire [31:0] mul_f32_ftz_unit_copy20_y;
+    wire [31:0] mul_f32_ftz_unit_copy21_y;
+    wire [31:0] mul_f32_ftz_unit_copy22_y;
+    wire [31:0] mul_f32_ftz_unit_copy23_y;
+    wire [31:0] mul_f32_ftz_unit_copy24_y;
+    wire [31:0] mul_f32_ftz_unit_copy25_y;
+    wire [31:0] mul_f32_ftz_unit_copy26_y;
+    wire [31:0] mul_f32_ftz_unit_copy27_y;
+    wire [31:0] mul_f32_ftz_unit_copy28_y;
+    wire [31:0] mul_f32_ftz_unit_copy29_y;
+    wire [31:0] mul_f32_ftz_unit_copy30_y;
+    wire [31:0] mul_f32_ftz_unit_copy31_y;
+    wire [31:0] mul_f32_ftz_unit_copy32_y;
+    wire [31:0] mul_f32_ftz_unit_copy33_y;
+    wire [31:0] mul_f32_ftz_unit_copy34_y;
+    wire [31:0] mul_f32_ftz_unit_copy35_y;
+    wire [31:0] mul_f32_ftz_unit_copy36_y;
+    wire [31:0] add_f32_ftz_unit_y;
+    wire [31:0] add_f32_ftz_unit_copy2_y;
+    wire [31:0] add_f32_ftz_unit_copy3_y;
+    wire [31:0] add_f32_ftz_unit_copy4_y;
+    wire [31:0] add_f32_ftz_unit_copy5_y;
+    wire [31:0] add_f32_ftz_unit_copy6_y;
+    wire [31:0] add_f32_ftz_unit_copy7_y;
+    wire [31:0] add_f32_ftz_unit_copy8_y;
+    wire [31:0] add_f32_ftz_unit_copy9_y;
+    wire [31:0] add_f32_ftz_unit_copy10_y;
+    wire [31:0] add_f32_ftz_unit_copy11_y;
+    wire [31:0] add_f32_ftz_unit_copy12_y;
+    wire [31:0] add_f32_ftz_unit_copy13_y;
+    wire [31:0] add_f32_ftz_unit_copy14_y;
+    wire [31:0] add_f32_ftz_unit_copy15_y;
+    wire [31:0] add_f32_ftz_unit_copy16_y;
+    wire [31:0] add_f32_ftz_unit_copy17_y;
+    wire [31:0] add_f32_ftz_unit_copy18_y;
+    wire [31:0] add_f32_ftz_unit_copy19_y;
+    wire [31:0] add_f32_ftz_unit_copy20_y;
+    wire [31:0] add_f32_ftz_unit_copy21_y;
+    wire [31:0] add_f32_ftz_unit_copy22_y;
+    wire [31:0] add_f32_ftz_unit_copy23_y;
+    wire [31:0] add_f32_ftz_unit_copy24_y;
+    wire [31:0] add_f32_ftz_unit_copy25_y;
+    wire [31:0] add_f32_ftz_unit_copy26_y;
+    wire lt_f32_ftz_unit_y;
+    wire le_f32_ftz_unit_y;
+
+    assign in_ready = queue_in_ready;
+    wire and_114 = lt_f32_ftz_unit_y & le_f32_ftz_unit_y;
+    wire or_115 = delay_46_from_0_out[0] | and_114;
+    wire queue_out_ready = out_ready;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_center_x = queue_out_center_x;
+    assign out_center_y = queue_out_center_y;
+    assign out_center_z = queue_out_center_z;
+    assign out_tangent1_x = queue_out_tangent1_x;
+    assign out_tangent1_y = queue_out_tangent1_y;
+    assign out_tangent1_z = queue_out_tangent1_z;
+    assign out_tangent2_x = queue_out_tangent2_x;
+    assign out_tangent2_y = queue_out_tangent2_y;
+    assign out_tangent2_z = queue_out_tangent2_z;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+    assign out_attribute_3 = queue_out_attribute_3;
+    assign out_attribute_4 = queue_out_attribute_4;
+    assign out_attribute_5 = queue_out_attribute_5;
+    assign out_attribute_6 = queue_out_attribute_6;
+    assign out_attribute_7 = queue_out_attribute_7;
+    assign out_attribute_8 = queue_out_attribute_8;
+    assign out_attribute_9 = queue_out_attribute_9;
+    assign out_attribute_10 = queue_out_attribute_10;
+    assign out_attribute_11 = queue_out_attribute_11;
+    assign out_attribute_12 = queue_out_attribute_12;
+    assign out_cardinal_0 = queue_out_cardinal_0;
+
+    stream_skid_w513 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d46 & or_115),
+        .in_ready(queue_in_ready),
+        .in_end(delay_46_from_0_out[0]),
+        .in_center_x(delay_18_from_0_out[31:0]),
+        .in_center_y(delay_18_from_0_out[63:32]),
+        .in_center_z(add_57_d23),
+        .in_tangent1_x(delay_29_from_0_out[31:0]),
+        .in_tangent1_y(delay_29_from_0_out[63:32]),
+        .in_tangent1_z(delay_29_from_0_out[95:64]),
+        .in_tangent2_x(delay_29_from_0_out[127:96]),
+        .in_tangent2_y(delay_29_from_0_out[159:128]),
+        .in_tangent2_z(delay_29_from_0_out[191:160]),
+        .in_attribute_0(delay_46_from_0_out[16:1]),
+        .in_attribute_1(delay_46_from_0_out[32:17]),
+        .in_attribute_2(delay_46_from_0_out[48:33]),
+        .in_attribute_3(delay_46_from_0_out[64:49]),
+        .in_attribute_4(delay_46_from_0_out[80:65]),
+        .in_attribute_5(delay_46_from_0_out[96:81]),
+        .in_attribute_6(delay_46_from_0_out[112:97]),
+        .in_attribute_7(delay_46_from_0_out[128:113]),
+        .in_attribute_8(delay_46_from_0_out[144:129]),
+        .in_attribute_9(delay_46_from_0_out[160:145]),
+        .in_attribute_10(delay_46_from_0_out[176:161]),
+        .in_attribute_11(delay_46_from_0_out[192:177]),
+        .in_attribute_12(delay_46_from_0_out[208:193]),
+        .in_cardinal_0(delay_46_from_0_out[224:209]),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_center_x(queue_out_center_x),
+        .out_center_y(queue_out_center_y),
+        .out_center_z(queue_out_center_z),
+        .out_tangent1_x(queue_out_tangent1_x),
+        .out_tangent1_y(queue_out_tangent1_y),
+        .out_tangent1_z(queue_out_tangent1_z),
+        .out_tangent2_x(queue_out_tangent2_x),
+        .out_tangent2_y(queue_out_tangent2_y),
+        .out_tangent2_z(queue_out_tangent2_z),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2),
+        .out_attribute_3(queue_out_attribute_3),
+        .out_attribute_4(queue_out_attribute_4),
+        .out_attribute_5(queue_out_attribute_5),
+        .out_attribute_6(queue_out_attribute_6),
+        .out_attribute_7(queue_out_attribute_7),
+        .out_attribute_8(queue_out_attribute_8),
+        .out_attribute_9(queue_out_attribute_9),
+        .out_attribute_10(queue_out_attribute_10),
+        .out_attribute_11(queue_out_attribute_11),
+        .out_attribute_12(queue_out_attribute_12),
+        .out_cardinal_0(queue_out_cardinal_0)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m00),
+        .b(in_center_x),
+        .y(mul_f32_ftz_unit_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m01),
+        .b(in_center_y),
+        .y(mul_f32_ftz_unit_copy2_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m02),
+        .b(in_center_z),
+        .y(mul_f32_ftz_unit_copy3_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m10),
+        .b(in_center_x),
+        .y(mul_f32_ftz_unit_copy4_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m11),
+        .b(in_center_y),
+        .y(mul_f32_ftz_unit_copy5_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m12),
+        .b(in_center_z),
+        .y(mul_f32_ftz_unit_copy6_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m20),
+        .b(in_center_x),
+        .y(mul_f32_ftz_unit_copy7_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m21),
+        .b(in_center_y),
+        .y(mul_f32_ftz_unit_copy8_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m22),
+        .b(in_center_z),
+        .y(mul_f32_ftz_unit_copy9_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m00),
+        .b(in_tangent1_x),
+        .y(mul_f32_ftz_unit_copy10_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m01),
+        .b(in_tangent1_y),
+        .y(mul_f32_ftz_unit_copy11_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m02),
+        .b(in_tangent1_z),
+        .y(mul_f32_ftz_unit_copy12_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m10),
+        .b(in_tangent1_x),
+        .y(mul_f32_ftz_unit_copy13_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy14 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m11),
+        .b(in_tangent1_y),
+        .y(mul_f32_ftz_unit_copy14_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy15 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m12),
+        .b(in_tangent1_z),
+        .y(mul_f32_ftz_unit_copy15_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy16 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m20),
+        .b(in_tangent1_x),
+        .y(mul_f32_ftz_unit_copy16_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy17 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m21),
+        .b(in_tangent1_y),
+        .y(mul_f32_ftz_unit_copy17_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy18 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m22),
+        .b(in_tangent1_z),
+        .y(mul_f32_ftz_unit_copy18_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy19 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m00),
+        .b(in_tangent2_x),
+        .y(mul_f32_ftz_unit_copy19_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy20 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m01),
+        .b(in_tangent2_y),
+        .y(mul_f32_ftz_unit_copy20_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy21 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m02),
+        .b(in_tangent2_z),
+        .y(mul_f32_ftz_unit_copy21_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy22 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m10),
+        .b(in_tangent2_x),
+        .y(mul_f32_ftz_unit_copy22_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy23 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m11),
+        .b(in_tangent2_y),
+        .y(mul_f32_ftz_unit_copy23_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy24 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m12),
+        .b(in_tangent2_z),
+        .y(mul_f32_ftz_unit_copy24_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy25 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m20),
+        .b(in_tangent2_x),
+        .y(mul_f32_ftz_unit_copy25_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy26 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m21),
+        .b(in_tangent2_y),
+        .y(mul_f32_ftz_unit_copy26_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy27 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m22),
+        .b(in_tangent2_z),
+        .y(mul_f32_ftz_unit_copy27_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy28 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy13_y),
+        .b(add_f32_ftz_unit_copy21_y),
+        .y(mul_f32_ftz_unit_copy28_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy29 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy15_y),
+        .b(add_f32_ftz_unit_copy19_y),
+        .y(mul_f32_ftz_unit_copy29_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy30 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy15_y),
+        .b(add_f32_ftz_unit_copy17_y),
+        .y(mul_f32_ftz_unit_copy30_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy31 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy11_y),
+        .b(add_f32_ftz_unit_copy21_y),
+        .y(mul_f32_ftz_unit_copy31_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy32 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy11_y),
+        .b(add_f32_ftz_unit_copy19_y),
+        .y(mul_f32_ftz_unit_copy32_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy33 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy13_y),
+        .b(add_f32_ftz_unit_copy17_y),
+        .y(mul_f32_ftz_unit_copy33_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy34 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_5_from_0_out[31:0]),
+        .b(add_f32_ftz_unit_copy22_y),
+        .y(mul_f32_ftz_unit_copy34_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy35 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_5_from_0_out[63:32]),
+        .b(add_f32_ftz_unit_copy23_y),
+        .y(mul_f32_ftz_unit_copy35_y)
+    );
+
+    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy36 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_5_from_0_out[95:64]),
+        .b(add_f32_ftz_unit_copy24_y),
+        .y(mul_f32_ftz_unit_copy36_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_y),
+        .b(mul_f32_ftz_unit_copy2_y),
+        .y(add_f32_ftz_unit_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_y),
+        .b(delay_6_from_0_out[31:0]),
+        .y(add_f32_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy4_y),
+        .b(mul_f32_ftz_unit_copy5_y),
+        .y(add_f32_ftz_unit_copy3_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy3_y),
+        .b(delay_6_from_0_out[63:32]),
+        .y(add_f32_ftz_unit_copy4_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy7_y),
+        .b(mul_f32_ftz_unit_copy8_y),
+        .y(add_f32_ftz_unit_copy5_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy5_y),
+        .b(delay_6_from_0_out[95:64]),
+        .y(add_f32_ftz_unit_copy6_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m03),
+        .b(add_f32_ftz_unit_copy2_y),
+        .y(add_f32_ftz_unit_copy7_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m13),
+        .b(add_f32_ftz_unit_copy4_y),
+        .y(add_f32_ftz_unit_copy8_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy9 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(m23),
+        .b(add_f32_ftz_unit_copy6_y),
+        .y(add_f32_ftz_unit_copy9_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy10 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy10_y),
+        .b(mul_f32_ftz_unit_copy11_y),
+        .y(add_f32_ftz_unit_copy10_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy11 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy10_y),
+        .b(delay_6_from_0_out[127:96]),
+        .y(add_f32_ftz_unit_copy11_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy12 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy13_y),
+        .b(mul_f32_ftz_unit_copy14_y),
+        .y(add_f32_ftz_unit_copy12_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy13 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy12_y),
+        .b(delay_6_from_0_out[159:128]),
+        .y(add_f32_ftz_unit_copy13_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy14 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy16_y),
+        .b(mul_f32_ftz_unit_copy17_y),
+        .y(add_f32_ftz_unit_copy14_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy15 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy14_y),
+        .b(delay_6_from_0_out[191:160]),
+        .y(add_f32_ftz_unit_copy15_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy16 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy19_y),
+        .b(mul_f32_ftz_unit_copy20_y),
+        .y(add_f32_ftz_unit_copy16_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy17 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy16_y),
+        .b(delay_6_from_0_out[223:192]),
+        .y(add_f32_ftz_unit_copy17_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy18 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy22_y),
+        .b(mul_f32_ftz_unit_copy23_y),
+        .y(add_f32_ftz_unit_copy18_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy19 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy18_y),
+        .b(delay_6_from_0_out[255:224]),
+        .y(add_f32_ftz_unit_copy19_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy20 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy25_y),
+        .b(mul_f32_ftz_unit_copy26_y),
+        .y(add_f32_ftz_unit_copy20_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy21 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy20_y),
+        .b(delay_6_from_0_out[287:256]),
+        .y(add_f32_ftz_unit_copy21_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy22 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy28_y),
+        .b({~mul_f32_ftz_unit_copy29_y[31], mul_f32_ftz_unit_copy29_y[30:0]}),
+        .y(add_f32_ftz_unit_copy22_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy23 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy30_y),
+        .b({~mul_f32_ftz_unit_copy31_y[31], mul_f32_ftz_unit_copy31_y[30:0]}),
+        .y(add_f32_ftz_unit_copy23_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy24 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy32_y),
+        .b({~mul_f32_ftz_unit_copy33_y[31], mul_f32_ftz_unit_copy33_y[30:0]}),
+        .y(add_f32_ftz_unit_copy24_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy25 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f32_ftz_unit_copy34_y),
+        .b(mul_f32_ftz_unit_copy35_y),
+        .y(add_f32_ftz_unit_copy25_y)
+    );
+
+    float_add_s6_ff32ftz add_f32_ftz_unit_copy26 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy25_y),
+        .b(delay_6_from_0_out[319:288]),
+        .y(add_f32_ftz_unit_copy26_y)
+    );
+
+    float_lt lt_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(near_plane),
+        .b(delay_17_from_0_out),
+        .y(lt_f32_ftz_unit_y)
+    );
+
+    float_le le_f32_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f32_ftz_unit_copy26_y),
+        .b(32'd0),
+        .y(le_f32_ftz_unit_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            delay_5_from_0_pointer <= 2'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_17_from_0_pointer <= 4'd0;
+            delay_18_from_0_pointer <= 5'd0;
+            delay_29_from_0_pointer <= 5'd0;
+            delay_46_from_0_pointer <= 6'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+            valid_d11 <= 1'd0;
+            valid_d12 <= 1'd0;
+            valid_d13 <= 1'd0;
+            valid_d14 <= 1'd0;
+            valid_d15 <= 1'd0;
+            valid_d16 <= 1'd0;
+            valid_d17 <= 1'd0;
+            valid_d18 <= 1'd0;
+            valid_d19 <= 1'd0;
+            valid_d20 <= 1'd0;
+            valid_d21 <= 1'd0;
+            valid_d22 <= 1'd0;
+            valid_d23 <= 1'd0;
+            valid_d24 <= 1'd0;
+            valid_d25 <= 1'd0;
+            valid_d26 <= 1'd0;
+            valid_d27 <= 1'd0;
+            valid_d28 <= 1'd0;
+            valid_d29 <= 1'd0;
+            valid_d30 <= 1'd0;
+            valid_d31 <= 1'd0;
+            valid_d32 <= 1'd0;
+            valid_d33 <= 1'd0;
+            valid_d34 <= 1'd0;
+            valid_d35 <= 1'd0;
+            valid_d36 <= 1'd0;
+            valid_d37 <= 1'd0;
+            valid_d38 <= 1'd0;
+            valid_d39 <= 1'd0;
+            valid_d40 <= 1'd0;
+            valid_d41 <= 1'd0;
+            valid_d42 <= 1'd0;
+            valid_d43 <= 1'd0;
+            valid_d44 <= 1'd0;
+            valid_d45 <= 1'd0;
+            valid_d46 <= 1'd0;
+        end else if (queue_in_ready) begin
+            delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+            delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+            delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
+            delay_18_from_0_pointer <= (delay_18_from_0_pointer == 5'd16) ? (delay_18_from_0_pointer - 5'd16) : (delay_18_from_0_pointer + 5'd1);
+            delay_29_from_0_pointer <= (delay_29_from_0_pointer == 5'd27) ? (delay_29_from_0_pointer - 5'd27) : (delay_29_from_0_pointer + 5'd1);
+            delay_46_from_0_pointer <= (delay_46_from_0_pointer == 6'd44) ? (delay_46_from_0_pointer - 6'd44) : (delay_46_from_0_pointer + 6'd1);
+            valid_d1 <= in_valid;
+            valid_d2 <= valid_d1;
+            valid_d3 <= valid_d2;
+            valid_d4 <= valid_d3;
+            valid_d5 <= valid_d4;
+            valid_d6 <= valid_d5;
+            valid_d7 <= valid_d6;
+            valid_d8 <= valid_d7;
+            valid_d9 <= valid_d8;
+            valid_d10 <= valid_d9;
+            valid_d11 <= valid_d10;
+            valid_d12 <= valid_d11;
+            valid_d13 <= valid_d12;
+            valid_d14 <= valid_d13;
+            valid_d15 <= valid_d14;
+            valid_d16 <= valid_d15;
+            valid_d17 <= valid_d16;
+            valid_d18 <= valid_d17;
+            valid_d19 <= valid_d18;
+            valid_d20 <= valid_d19;
+            valid_d21 <= valid_d20;
+            valid_d22 <= valid_d21;
+            valid_d23 <= valid_d22;
+            valid_d24 <= valid_d23;
+            valid_d25 <= valid_d24;
+            valid_d26 <= valid_d25;
+            valid_d27 <= valid_d26;
+            valid_d28 <= valid_d27;
+            valid_d29 <= valid_d28;
+            valid_d30 <= valid_d29;
+            valid_d31 <= valid_d30;
+            valid_d32 <= valid_d31;
+            valid_d33 <= valid_d32;
+            valid_d34 <= valid_d33;
+            valid_d35 <= valid_d34;
+            valid_d36 <= valid_d35;
+            valid_d37 <= valid_d36;
+            valid_d38 <= valid_d37;
+            valid_d39 <= valid_d38;
+            valid_d40 <= valid_d39;
+            valid_d41 <= valid_d40;
+            valid_d42 <= valid_d41;
+            valid_d43 <= valid_d42;
+            valid_d44 <= valid_d43;
+            valid_d45 <= valid_d44;
+            valid_d46 <= valid_d45;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            add_57_d23 <= delay_17_from_0_out;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_5_from_0[delay_5_from_0_pointer] <= {add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy7_y};
+        end
+        if (queue_in_ready) begin
+            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {
+                mul_f32_ftz_unit_copy36_y,
+                mul_f32_ftz_unit_copy27_y,
+                mul_f32_ftz_unit_copy24_y,
+                mul_f32_ftz_unit_copy21_y,
+                mul_f32_ftz_unit_copy18_y,
+                mul_f32_ftz_unit_copy15_y,
+                mul_f32_ftz_unit_copy12_y,
+                mul_f32_ftz_unit_copy9_y,
+                mul_f32_ftz_unit_copy6_y,
+                mul_f32_ftz_unit_copy3_y
+            };
+        end
+        if (queue_in_ready) begin
+            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_17_from_0[delay_17_from_0_pointer] <= delay_5_from_0_out[95:64];
+        end
+        if (queue_in_ready) begin
+            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_18_from_0[delay_18_from_0_pointer] <= delay_5_from_0_out[63:0];
+        end
+        if (queue_in_ready) begin
+            delay_18_from_0_out <= delay_18_from_0[delay_18_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_29_from_0[delay_29_from_0_pointer] <= {
+                add_f32_ftz_unit_copy21_y,
+                add_f32_ftz_unit_copy19_y,
+                add_f32_ftz_unit_copy17_y,
+                add_f32_ftz_unit_copy15_y,
+                add_f32_ftz_unit_copy13_y,
+                add_f32_ftz_unit_copy11_y
+            };
+        end
+        if (queue_in_ready) begin
+            delay_29_from_0_out <= delay_29_from_0[delay_29_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_46_from_0[delay_46_from_0_pointer] <= {
+                in_cardinal_0,
+                in_attribute_12,
+                in_attribute_11,
+                in_attribute_10,
+                in_attribute_9,
+                in_attribute_8,
+                in_attribute_7,
+                in_attribute_6,
+                in_attribute_5,
+                in_attribute_4,
+                in_attribute_3,
+                in_attribute_2,
+                in_attribute_1,
+                in_attribute_0,
+                in_end
+            };
+        end
+        if (queue_in_ready) begin
+            delay_46_from_0_out <= delay_46_from_0[delay_46_from_0_pointer];
+        end
+    end
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 1
+// format = f32-ftz
+module float_le (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  y
+);
+    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
+    wire [30:0] joined_2 = {a[30:23], term_1};
+    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] joined_4 = {b[30:23], term_3};
+    wire term_5 = {~a[31], joined_2 ^ {31{a[31]}}} <= {~b[31], joined_4 ^ {31{b[31]}}};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            y <= (term_5 | ((joined_2 | joined_4) == 31'd0)) & ~((&a[30:23] & |term_1) | (&b[30:23] & |term_3));
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Whether one floating-point number is less than another.
+// stages = 1
+// format = f32-ftz
+module float_lt (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  y
+);
+    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
+    wire [30:0] joined_2 = {a[30:23], term_1};
+    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] joined_4 = {b[30:23], term_3};
+    wire term_5 = {~a[31], joined_2 ^ {31{a[31]}}} < {~b[31], joined_4 ^ {31{b[31]}}};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            y <= term_5 & ~((joined_2 | joined_4) == 31'd0) & ~((&a[30:23] & |term_1) | (&b[30:23] & |term_3));
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Floating-point sum.
+// stages = 6
+// format = f32-ftz
+module float_add_s6_ff32ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  [31:0] y
+);
+    reg [9:0] distance_s1;
+    reg [23:0] large_s1;
+    reg [23:0] small_s1;
+    reg [23:0] large_s2;
+    reg [26:0] aligned_s2;
+    reg subtract_s1;
+    reg subtract_s2;
+    reg [27:0] sum_s3;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg subtract_s3;
+    reg [27:0] value_s4;
+    reg [4:0] zeros_s4;
+    reg [9:0] limit_s1;
+    reg [9:0] limit_s2;
+    reg [9:0] limit_s3;
+    reg [9:0] limit_s4;
+    reg [9:0] exponent_s5;
+    reg [25:0] significand_s5;
+    reg sign_s4;
+    reg sign_s5;
+    reg nan_s4;
+    reg nan_s5;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg zero_s4;
+    reg zero_s5;
+
+    wire swap = a[30:0] < b[30:0];
+    wire [7:0] b_field = b[30:23];
+    wire [7:0] a_field = a[30:23];
+    wire [22:0] b_fraction = b[22:0];
+    wire [23:0] joined_1 = {|b_field, b_fraction & {23{|b_field}}};
+    wire [22:0] a_fraction = a[22:0];
+    wire [23:0] joined_2 = {|a_field, a_fraction & {23{|a_field}}};
+    wire [26:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [26:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
+    wire [26:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
+    wire [26:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
+    wire [26:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
+    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
+    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
+    wire [26:0] joined_10 = {choice_7[26:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
+    wire term_11 = a[31] ^ b[31];
+    wire [28:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {28{subtract_s2}}, subtract_s2};
+    wire term_13 = &a_field & (a_fraction == 23'd0);
+    wire term_14 = &b_field & (b_fraction == 23'd0);
+    wire term_15 = ~sum_s3[27] & ~sum_s3[26];
+    wire term_16 = term_15 & (~sum_s3[25] & ~sum_s3[24]);
+    wire term_17 = ~sum_s3[23] & ~sum_s3[22];
+    wire term_18 = term_16 & (term_17 & (~sum_s3[21] & ~sum_s3[20]));
+    wire term_19 = ~sum_s3[19] & ~sum_s3[18];
+    wire term_20 = term_19 & (~sum_s3[17] & ~sum_s3[16]);
+    wire term_21 = ~sum_s3[15] & ~sum_s3[14];
+    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[13] & ~sum_s3[12])));
+    wire term_23 = ~sum_s3[11] & ~sum_s3[10];
+    wire term_24 = term_23 & (~sum_s3[9] & ~sum_s3[8]);
+    wire term_25 = ~sum_s3[7] & ~sum_s3[6];
+    wire term_26 = term_24 & (term_25 & (~sum_s3[5] & ~sum_s3[4]));
+    wire term_27 = ~sum_s3[3] & ~sum_s3[2];
+    wire term_28 = term_27 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] choice_29 = term_28 ? 2'd0 : {term_27, term_27 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] choice_30 = term_24 ? {term_25, term_25 ? ~sum_s3[5] : ~sum_s3[7]} : {term_23, term_23 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [3:0] joined_31 = {term_26, term_26 ? {term_28, choice_29} : {term_24, choice_30}};
+    wire [1:0] choice_32 = term_20 ? {term_21, term_21 ? ~sum_s3[13] : ~sum_s3[15]} : {term_19, term_19 ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [1:0] choice_33 = term_16 ? {term_17, term_17 ? ~sum_s3[21] : ~sum_s3[23]} : {term_15, term_15 ? ~sum_s3[25] : ~sum_s3[27]};
+    wire [3:0] joined_34 = {term_18, term_18 ? {term_20, choice_32} : {term_16, choice_33}};
+    wire [27:0] shifted_35 = value_s4 << zeros_s4;
+    wire term_36 = sum_s3 == 28'd0;
+    wire term_37 = (exponent_s5 == 10'd0) & ~(&significand_s5[24:2] & significand_s5[1]);
+    wire term_38 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
+    wire [30:0] rounded = {exponent_s5[7:0], significand_s5[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_39 = (zero_s5 | ((exponent_s5[9] | term_37) & ~infinite_s5)) ? 31'd0 : term_38 ? 31'h7f800000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
+            large_s1 <= swap ? joined_1 : joined_2;
+            small_s1 <= swap ? joined_2 : joined_1;
+            large_s2 <= large_s1;
+            aligned_s2 <= |distance_s1[7:5] ? {26'd0, |{small_s1, 3'd0}} : joined_10;
+            subtract_s1 <= term_11;
+            subtract_s2 <= subtract_s1;
+            sum_s3 <= sum_12[28:1];
+            sign_s1 <= swap ? b[31] : a[31];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            infinite_s1 <= term_13 | term_14;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            subtract_s3 <= subtract_s2;
+            value_s4 <= sum_s3;
+            zeros_s4 <= {term_22, term_22 ? joined_31 : joined_34};
+            limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
+            limit_s2 <= limit_s1;
+            limit_s3 <= limit_s2;
+            limit_s4 <= limit_s3;
+            exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
+            significand_s5 <= {shifted_35[27:3], |shifted_35[2:0]};
+            sign_s4 <= sign_s3 & ~(term_36 & subtract_s3);
+            sign_s5 <= sign_s4;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            zero_s4 <= term_36 & ~infinite_s3;
+            zero_s5 <= zero_s4;
+            y <= nan_s5 ? 32'h7fc00000 : {sign_s5, choice_39};
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1[9:8], rst, significand_s5[25], sum_12[0]};
+endmodule
+
+// Floating-point product.
+// stages = 5
+// format = f32-ftz
+module float_mul_s5_ff32ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  [31:0] y
+);
+    reg [23:0] left_s1;
+    reg [23:0] right_s1;
+    reg [9:0] exponent_s1;
+    reg [23:0] partial_0_0_s2;
+    reg [23:0] partial_0_12_s2;
+    reg [23:0] partial_12_0_s2;
+    reg [23:0] partial_12_12_s2;
+    reg [47:0] product_s3;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s4;
+    reg [25:0] significand_s4;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+
+    wire [7:0] a_field = a[30:23];
+    wire [22:0] a_fraction = a[22:0];
+    wire [7:0] b_field = b[30:23];
+    wire [22:0] b_fraction = b[22:0];
+    wire [47:0] term_1 = {24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24);
+    wire [47:0] choice_2 = product_s3[47] ? product_s3 : (product_s3 << 1);
+    wire term_3 = &a_field & (a_fraction == 23'd0);
+    wire term_4 = ~(|b_field);
+    wire term_5 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_3 & term_4);
+    wire term_6 = ~(|a_field);
+    wire term_7 = &b_field & (b_fraction == 23'd0);
+    wire term_8 = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
+    wire term_9 = infinite_s4 | (~exponent_s4[9] & (10'd255 <= exponent_s4));
+    wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
+    wire [30:0] rounded = {exponent_s4[7:0], significand_s4[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_10 = (zero_s4 | ((exponent_s4[9] | term_8) & ~infinite_s4)) ? 31'd0 : term_9 ? 31'h7f800000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            left_s1 <= {|a_field, a_fraction & {23{|a_field}}};
+            right_s1 <= {|b_field, b_fraction & {23{|b_field}}};
+            exponent_s1 <= {2'd0, a_field} + {2'd0, b_field};
+            partial_0_0_s2 <= {12'd0, left_s1[11:0]} * {12'd0, right_s1[11:0]};
+            partial_0_12_s2 <= {12'd0, left_s1[11:0]} * {12'd0, right_s1[23:12]};
+            partial_12_0_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[11:0]};
+            partial_12_12_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[23:12]};
+            product_s3 <= term_1 + ({24'd0, partial_0_12_s2} << 12) + ({24'd0, partial_12_0_s2} << 12);
+            exponent_s2 <= exponent_s1 - 10'd127;
+            exponent_s3 <= exponent_s2;
+            exponent_s4 <= exponent_s3 + {9'd0, product_s3[47]};
+            significand_s4 <= {choice_2[47:23], |choice_2[22:0]};
+            sign_s1 <= a[31] ^ b[31];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            nan_s1 <= term_5 | (term_6 & term_7);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            infinite_s1 <= term_3 | term_7;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            zero_s1 <= term_6 | term_4;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            y <= nan_s4 ? 32'h7fc00000 : {sign_s4, choice_10};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s4[25]};
+endmodule
+
+// Queue of two in registers.
+// width = 513
+module stream_skid_w513 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [31:0] in_center_x,
+    input  wire [31:0] in_center_y,
+    input  wire [31:0] in_center_z,
+    input  wire [31:0] in_tangent1_x,
+    input  wire [31:0] in_tangent1_y,
+    input  wire [31:0] in_tangent1_z,
+    input  wire [31:0] in_tangent2_x,
+    input  wire [31:0] in_tangent2_y,
+    input  wire [31:0] in_tangent2_z,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [15:0] in_attribute_3,
+    input  wire [15:0] in_attribute_4,
+    input  wire [15:0] in_attribute_5,
+    input  wire [15:0] in_attribute_6,
+    input  wire [15:0] in_attribute_7,
+    input  wire [15:0] in_attribute_8,
+    input  wire [15:0] in_attribute_9,
+    input  wire [15:0] in_attribute_10,
+    input  wire [15:0] in_attribute_11,
+    input  wire [15:0] in_attribute_12,
+    input  wire [15:0] in_cardinal_0,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [31:0] out_center_x,
+    output wire [31:0] out_center_y,
+    output wire [31:0] out_center_z,
+    output wire [31:0] out_tangent1_x,
+    output wire [31:0] out_tangent1_y,
+    output wire [31:0] out_tangent1_z,
+    output wire [31:0] out_tangent2_x,
+    output wire [31:0] out_tangent2_y,
+    output wire [31:0] out_tangent2_z,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [15:0] out_attribute_3,
+    output wire [15:0] out_attribute_4,
+    output wire [15:0] out_attribute_5,
+    output wire [15:0] out_attribute_6,
+    output wire [15:0] out_attribute_7,
+    output wire [15:0] out_attribute_8,
+    output wire [15:0] out_attribute_9,
+    output wire [15:0] out_attribute_10,
+    output wire [15:0] out_attribute_11,
+    output wire [15:0] out_attribute_12,
+    output wire [15:0] out_cardinal_0
+);
+    reg second_valid;
+    reg [512:0] head;
+    reg [512:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [512:0] in_item = {
+        in_end,
+        in_center_x,
+        in_center_y,
+        in_center_z,
+        in_tangent1_x,
+        in_tangent1_y,
+        in_tangent1_z,
+        in_tangent2_x,
+        in_tangent2_y,
+        in_tangent2_z,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_attribute_3,
+        in_attribute_4,
+        in_attribute_5,
+        in_attribute_6,
+        in_attribute_7,
+        in_attribute_8,
+        in_attribute_9,
+        in_attribute_10,
+        in_attribute_11,
+        in_attribute_12,
+        in_cardinal_0
+    };
+
+    assign out_end = head[512];
+    assign out_center_x = head[511:480];
+    assign out_center_y = head[479:448];
+    assign out_center_z = head[447:416];
+    assign out_tangent1_x = head[415:384];
+    assign out_tangent1_y = head[383:352];
+    assign out_tangent1_z = head[351:320];
+    assign out_tangent2_x = head[319:288];
+    assign out_tangent2_y = head[287:256];
+    assign out_tangent2_z = head[255:224];
+    assign out_attribute_0 = head[223:208];
+    assign out_attribute_1 = head[207:192];
+    assign out_attribute_2 = head[191:176];
+    assign out_attribute_3 = head[175:160];
+    assign out_attribute_4 = head[159:144];
+    assign out_attribute_5 = head[143:128];
+    assign out_attribute_6 = head[127:112];
+    assign out_attribute_7 = head[111:96];
+    assign out_attribute_8 = head[95:80];
+    assign out_attribute_9 = head[79:64];
+    assign out_attribute_10 = head[63:48];
+    assign out_attribute_11 = head[47:32];
+    assign out_attribute_12 = head[31:16];
+    assign out_cardinal_0 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
