@@ -1,36 +1,35 @@
-//! Integer multiplication with registers on both sides of the product, as the multipliers of FPGAs want it.
+//! Integer multiplication with registers on both sides of the product, as the multipliers of FPGAs want it, and between the
+//! parts and the sum of a product that takes several of them.
 
 use super::types::Type;
-use crate::float::Operator;
-use crate::rtl::{Expr, Module};
-use std::rc::Rc;
+use crate::float::pipe::{Operator, Pipe};
+use crate::float::product::{product, product_delays};
 
-/// One register stage for the operands, one for the product.
-pub(super) const STAGES: u32 = 2;
-
-/// Module `integer_mul`: ports `enable`, `a`, `b`, and `y` as wide as both. Stages past the second follow the product;
-/// with a single one, only the product has a register.
-pub(super) fn module(a: Type, b: Type, stages: u32) -> Operator {
-    let mut module = Module::new("integer_mul", "Integer product, pipelined.");
-    module.parameter("a", a);
-    module.parameter("b", b);
-    module.parameter("stages", stages);
-    let enable = module.input("enable", 1);
-    let operands = [("a", a), ("b", b)].map(|(name, ty)| {
-        let port = module.input(name, ty.width() as usize);
-        if stages == 1 { port } else { register(&mut module, &enable, &format!("{name}_s1"), &port) }
-    });
-    let [left, right] = &operands;
-    let mut product = if matches!(a, Type::Signed(_)) { left.mul_signed(right) } else { left * right };
-    for stage in stages.min(2)..=stages {
-        product = register(&mut module, &enable, &format!("product_s{stage}"), &product);
+/// Segments: the operands' way to their registers, then those of the product.
+fn delays(a: Type, b: Type) -> Vec<u32> {
+    let mut delays = vec![0];
+    match a {
+        Type::Signed(_) => delays.extend(product_delays(1, 1)),
+        _ => delays.extend(product_delays(a.width(), b.width())),
     }
-    module.output("y", &product);
-    Operator { module: Rc::new(module), latency: stages }
+    delays
 }
 
-fn register(module: &mut Module, enable: &Expr, name: &str, value: &Expr) -> Expr {
-    let register = module.reg(name, value.width());
-    module.next_if(&register, enable, value);
-    register.expr()
+/// A register stage for the operands, one for each step of the product.
+pub(super) fn stages(a: Type, b: Type) -> u32 {
+    delays(a, b).len() as u32
+}
+
+/// Module `integer_mul`: ports `enable`, `a`, `b`, and `y` as wide as both.
+pub(super) fn module(a: Type, b: Type, stages: u32) -> Operator {
+    let mut pipe = Pipe::new("integer_mul", "Integer product, pipelined.", &delays(a, b), stages);
+    pipe.module.parameter("a", a);
+    pipe.module.parameter("b", b);
+    let [left, right] = [("a", a), ("b", b)].map(|(name, ty)| pipe.module.input(name, ty.width() as usize));
+    let [left, right] = pipe.cut([("a", &left), ("b", &right)]);
+    let product = match a {
+        Type::Signed(_) => left.mul_signed(&right),
+        _ => product(&mut pipe, &left, &right),
+    };
+    pipe.finish(&product)
 }

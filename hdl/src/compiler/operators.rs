@@ -103,7 +103,7 @@ fn integer_operator(operation: &Operation, operands: &[Type], stages: Option<u32
     let or = |default: u32| stages.unwrap_or(default);
     let a = operands[0];
     match operation {
-        Operation::Multiply => multiply::module(a, operands[1], or(multiply::STAGES)),
+        Operation::Multiply => multiply::module(a, operands[1], or(multiply::stages(a, operands[1]))),
         Operation::ToFloat { format, fraction } => {
             let signed = if matches!(a, Type::Signed(_)) { Signedness::Signed } else { Signedness::Unsigned };
             let fixed = Fixed { width: a.width(), fraction: *fraction, signed };

@@ -31,8 +31,8 @@ pub mod to_fixed;
 mod delay;
 mod newton;
 mod operand;
-mod pipe;
-mod product;
+pub(crate) mod pipe;
+pub(crate) mod product;
 mod round;
 mod shift;
 

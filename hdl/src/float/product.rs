@@ -18,7 +18,7 @@ fn parts(operand: &Expr) -> Vec<(usize, Expr)> {
 }
 
 /// `left · right`, the full width. Takes a cut behind the multipliers if more than one is needed.
-pub(super) fn product(pipe: &mut Pipe, left: &Expr, right: &Expr) -> Expr {
+pub(crate) fn product(pipe: &mut Pipe, left: &Expr, right: &Expr) -> Expr {
     let width = left.width() + right.width();
     let mut partial = vec![];
     for (left_place, left_part) in parts(left) {
@@ -42,7 +42,7 @@ pub(super) fn product(pipe: &mut Pipe, left: &Expr, right: &Expr) -> Expr {
 }
 
 /// Delays of [`product`]'s segments.
-pub(super) fn product_delays(left: u32, right: u32) -> Vec<u32> {
+pub(crate) fn product_delays(left: u32, right: u32) -> Vec<u32> {
     let wide = |width: u32| width as usize > MULTIPLIER_WIDTH;
     match (wide(left), wide(right)) {
         (false, false) => vec![delay::MULTIPLIER],
