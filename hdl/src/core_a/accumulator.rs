@@ -7,11 +7,11 @@
 use pointcore_spec::core_a::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_spec::core_a::ports::EVENTS;
 use pointcore_spec::core_a::records::PIXEL_BITS;
-use pointcore_spec::core_a::{Config, records};
+use pointcore_spec::core_a::{Config, Field, records};
 
 use super::blend::blend;
-use crate::rtl::{Expr, Module, Reg, bit, cat, select};
-use crate::stream::fifo;
+use crate::rtl::{Expr, Module, Reg, Stream, bit, cat, select};
+use crate::stream::{fifo, fifo_distributed};
 use crate::units::records::{Head, Record, layout, stream_in, width};
 
 /// What travels with a sample through every stage.
@@ -101,6 +101,30 @@ impl Issue {
     }
 }
 
+/// What decides when and where a sample issues.
+const PLACE: [&str; 5] = ["end", "last", "inside", "slot", "pixel"];
+
+/// The queue of samples: two that move together, as what decides comes out of flip-flops and the rest out of block memory.
+fn queue(m: &mut Module, input: &Stream, fields: &[Field]) -> Stream {
+    let (place, rest): (Vec<_>, Vec<_>) = fields.iter().cloned().partition(|(name, _)| PLACE.contains(&name.as_str()));
+    let depth = SAMPLE_QUEUE_DEPTH as usize;
+    let places = m.instance("places", fifo_distributed(depth, &layout(&place)));
+    let samples = m.instance("samples", fifo(depth, &layout(&rest)));
+    for (queue, fields) in [(&places, &place), (&samples, &rest)] {
+        m.connect(queue, "in_valid", &input.valid);
+        fields.iter().for_each(|(name, _)| m.connect(queue, &format!("in_{name}"), &input.field(name)));
+    }
+    let has_room = m.out(&places, "in_ready");
+    m.ready(input, &has_room);
+    let [places, samples] = [&places, &samples].map(|queue| m.stream_from(queue, "out"));
+    m.assert("queues_move_together", &places.valid.eq(&samples.valid));
+    let ready = m.forward("queue_ready", 1);
+    m.ready(&places, &ready);
+    m.ready(&samples, &ready);
+    let fields = places.fields.into_iter().chain(samples.fields).collect();
+    Stream { valid: places.valid, fields, ready }
+}
+
 /// The ports through which the tile cache reaches the slots.
 struct SlotPorts {
     ready: Expr,
@@ -154,9 +178,7 @@ pub fn module(config: &Config) -> Module {
     m.parameter("slots", config.tile_slots);
     m.parameter("stages", config.accumulate_stages);
     let input = stream_in(&mut m, "in", &sample_fields);
-    let queue = m.instance("samples", fifo(SAMPLE_QUEUE_DEPTH as usize, &layout(&sample_fields)));
-    m.stream_into(&queue, "in", &input);
-    let queued = m.stream_from(&queue, "out");
+    let queued = queue(&mut m, &input, &sample_fields);
 
     let ready = m.input("slot_ready", config.tile_slots as usize);
     let retire_valid = m.reg_reset("retire_valid", 1, 0);
@@ -211,7 +233,7 @@ pub fn module(config: &Config) -> Module {
 
     let carried: Vec<_> = sample_fields
         .into_iter()
-        .filter(|(name, _)| !["end", "last", "inside", "slot", "pixel"].contains(&name.as_str()))
+        .filter(|(name, _)| !PLACE.contains(&name.as_str()))
         .collect();
     let sample = head.record.only(&carried).register(&mut m, "sample_1_", &bit(true));
     let sample = sample.register(&mut m, "sample_2_", &bit(true));

@@ -8,9 +8,25 @@
 use super::{item_width, packed, unpacked};
 use crate::rtl::{Expr, Module, Reg, address_width, lit};
 
+/// Where the items are.
+enum Storage {
+    Inferred,
+    Distributed,
+}
+
 /// A queue of `depth` items (at least 2).
 #[must_use]
 pub fn fifo(depth: usize, layout: &[(impl AsRef<str>, usize)]) -> Module {
+    queue(depth, layout, &Storage::Inferred)
+}
+
+/// A [`fifo`] in look-up tables: its output comes from flip-flops and so earlier in the cycle than out of a block memory.
+#[must_use]
+pub fn fifo_distributed(depth: usize, layout: &[(impl AsRef<str>, usize)]) -> Module {
+    queue(depth, layout, &Storage::Distributed)
+}
+
+fn queue(depth: usize, layout: &[(impl AsRef<str>, usize)], storage: &Storage) -> Module {
     let mut m = Module::new("stream_fifo", "Queue in a memory with a registered output.");
     let width = item_width(layout);
     m.parameter("depth", depth);
@@ -29,7 +45,10 @@ pub fn fifo(depth: usize, layout: &[(impl AsRef<str>, usize)]) -> Module {
     let has_room = m.wire("has_room", &!held.eq_lit(depth as u128));
     m.ready(&input, &has_room);
     let push = m.wire("push", &input.transfer());
-    let entries = m.memory("entries", depth, width);
+    let entries = match storage {
+        Storage::Inferred => m.memory("entries", depth, width),
+        Storage::Distributed => m.memory_distributed("entries", depth, width),
+    };
     m.write(&entries, &push, &write_address, &packed(&input));
 
     let out_ready = m.forward("out_taken", 1);

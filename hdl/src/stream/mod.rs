@@ -3,7 +3,7 @@
 mod fifo;
 mod skid;
 
-pub use fifo::fifo;
+pub use fifo::{fifo, fifo_distributed};
 pub use skid::skid;
 
 use crate::rtl::{Expr, Stream, cat};
