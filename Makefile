@@ -5,13 +5,15 @@ SCENE ?= scenes/knot.toml
 SCANS = ../shared/data
 SCAN ?= $(wildcard $(SCANS)/igea.ply)
 MODELS ?= $(wildcard $(SCANS)/stanford-bunny.obj $(SCANS)/dragon.ply)
+# Where scripts/python-tools installs.
+TOOLS = $(or $(CARGO_TARGET_DIR),target)/tools
 POINTS ?= $(firstword $(SCAN) surface:100000)
 # What runs under FuseSoC.
 CORE ?= tiny_knn
 TARGETS ?= lint sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-fpga run run-scan knn plan gen test formal check bench synth check-area generated check-generated fusesoc doc clean
+.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench synth check-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -27,6 +29,10 @@ setup-tests: setup ## Install what the tests need besides: Icarus Verilog, yosys
 
 setup-formal: setup-tests ## Install what the proofs need besides: SymbiYosys and a solver, pinned, into target/tools
 	@./scripts/setup python3:python3 ensurepip.py:python3-venv
+	@./scripts/python-tools
+
+setup-cocotb: setup-tests ## Install what the tests on AXI need besides: cocotb and its bus models, pinned, into target/tools
+	@./scripts/setup python3:python3 ensurepip.py:python3-venv libpython:python3-dev
 	@./scripts/python-tools
 
 setup-fpga: ## Install synthesis, place and route, FuseSoC, pinned, into target/tools
@@ -53,6 +59,9 @@ test: setup-tests ## Run all tests
 
 formal: setup-formal ## Prove queues, stacks and the AXI units, or UNIT only (formal/README.md), and that every proof finds faults
 	@./scripts/formal $(UNIT)
+
+cocotb: setup-cocotb ## Run frames and searches through the tops on AXI, with a bus that stalls and errs (cocotb/README.md)
+	@$(TOOLS)/bin/python cocotb/run.py $(CONFIGURATIONS)
 
 check: ## Formatting, clippy and documentation without warnings
 	cargo fmt --all --check
