@@ -10,7 +10,7 @@ TOOLS = $(or $(CARGO_TARGET_DIR),target)/tools
 POINTS ?= $(firstword $(SCAN) surface:100000)
 # What runs under FuseSoC.
 CORE ?= tiny_knn
-TARGETS ?= lint sim synth
+TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
 .PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench synth check-area generated check-generated fusesoc doc clean
