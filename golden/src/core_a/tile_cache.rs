@@ -76,15 +76,21 @@ struct Job {
 
 #[derive(Clone, Copy, Debug)]
 enum JobStep {
+    /// The memory of touched tiles is read.
+    Read,
     Lookup,
-    Move { load: bool, drain: Drain, filled: u8 },
+    Move {
+        load: bool,
+        drain: Drain,
+        filled: u8,
+    },
 }
 
 impl Job {
     /// Whether the next pixel may be filled: it was read before.
     fn may_fill(&self) -> bool {
         match self.step {
-            JobStep::Lookup => false,
+            JobStep::Read | JobStep::Lookup => false,
             JobStep::Move { drain, filled, .. } => filled < PIXELS && (self.evicted.is_none() || filled < drain.next),
         }
     }
@@ -113,6 +119,8 @@ enum Mode {
 
 #[derive(Clone, Copy, Debug)]
 enum FlushStep {
+    /// The memory of touched tiles is read, for two cycles.
+    Read,
     Look,
     Check,
     FromSlot(u8, Drain),
@@ -207,7 +215,7 @@ impl TileCache {
         if self.job.is_none() && entry.in_flight == 0 {
             let evicted = entry.resident.then_some(entry.tile);
             *entry = Entry { tile: copy.tile, resident: true, ready: false, in_flight: 0 };
-            self.job = Some(Job { slot, tile: copy.tile, evicted, step: JobStep::Lookup });
+            self.job = Some(Job { slot, tile: copy.tile, evicted, step: JobStep::Read });
             self.next = (slot + 1) % self.slots.len() as u8;
         }
         None
@@ -218,6 +226,7 @@ impl TileCache {
         let may_fill = job.may_fill();
         let mut written = None;
         match &mut job.step {
+            JobStep::Read => job.step = JobStep::Lookup,
             JobStep::Lookup => {
                 let load = std::mem::replace(&mut self.touched[job.tile as usize], true);
                 if load {
@@ -256,12 +265,13 @@ impl TileCache {
             (value.weight != 0).then_some(FinishedPixel { end: false, placed })
         };
         let next_tile = if code + 1 < self.touched.len() {
-            Mode::Flush(code + 1, FlushStep::Look)
+            Mode::Flush(code + 1, FlushStep::Read)
         } else {
             Mode::Flush(code, FlushStep::Close)
         };
         let mut pushed = None;
         self.mode = match step {
+            FlushStep::Read => Mode::Flush(code, FlushStep::Look),
             FlushStep::Look => Mode::Flush(code, FlushStep::Check),
             FlushStep::Check => {
                 if !std::mem::take(&mut self.touched[code]) {
@@ -334,7 +344,7 @@ impl Model for TileCache {
             Mode::Wait if self.frame_ended && job.is_none() => {
                 self.frame_ended = false;
                 self.slots.iter_mut().for_each(|entry| entry.ready = false);
-                self.mode = Mode::Flush(0, FlushStep::Look);
+                self.mode = Mode::Flush(0, FlushStep::Read);
             }
             Mode::Wait => {}
             Mode::Flush(code, step) => pixel = self.flush(code, step, data, inputs.drained),

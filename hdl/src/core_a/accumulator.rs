@@ -231,10 +231,7 @@ pub fn module(config: &Config) -> Module {
     let drained = m.wire("drained", &select(&drained_slot, &read));
     Record::unpack(&pixel_fields, &drained).output(&mut m, "drain_");
 
-    let carried: Vec<_> = sample_fields
-        .into_iter()
-        .filter(|(name, _)| !PLACE.contains(&name.as_str()))
-        .collect();
+    let carried: Vec<_> = sample_fields.into_iter().filter(|(name, _)| !PLACE.contains(&name.as_str())).collect();
     let sample = head.record.only(&carried).register(&mut m, "sample_1_", &bit(true));
     let sample = sample.register(&mut m, "sample_2_", &bit(true));
     let blend = blend(&mut m, config, &sample, &Record::unpack(&pixel_fields, &stored));

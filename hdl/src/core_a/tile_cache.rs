@@ -39,8 +39,11 @@ pub(super) struct State {
     pub frame_ended: Reg,
     /// The tile code that is cleared or sent.
     pub code: Reg,
-    /// The job of a tile that was missed: first a look at whether the tile was touched, then the exchange.
+    /// Whether that tile was touched is in the memory's output.
+    pub code_read: Reg,
+    /// The job of a tile that was missed: first a look, two cycles long, at whether the tile was touched, then the exchange.
     pub looking: Reg,
+    pub looked: Reg,
     pub moving: Reg,
     pub slot: Reg,
     pub tile: Reg,
@@ -68,7 +71,9 @@ impl State {
             mode: m.reg_reset("mode", address_width(Mode::Close as usize + 1), Mode::Clear as u128),
             frame_ended: m.reg_reset("frame_ended", 1, 0),
             code: m.reg_reset("code", tile_bits, 0),
+            code_read: m.reg_reset("code_read", 1, 0),
             looking: m.reg_reset("looking", 1, 0),
+            looked: m.reg_reset("looked", 1, 0),
             moving: m.reg_reset("moving", 1, 0),
             slot: m.reg("slot", config.slot_bits() as usize),
             tile: m.reg("read_tile", tile_bits),
@@ -99,7 +104,7 @@ impl State {
     }
 
     fn no_job(&self) -> Expr {
-        !(&self.looking | &self.moving)
+        !((&self.looking | &self.looked) | &self.moving)
     }
 }
 
@@ -143,6 +148,7 @@ fn sequence(
     let clear = state.is(Mode::Clear);
     let last = m.wire("last_code", &state.code.all());
     m.next_if(&state.code, &(&clear | &next_tile), &state.code.add_lit(1));
+    m.next(&state.code_read, &(state.is(Mode::Look) & !&state.code_read));
 
     let source = sent.found.mux(&mode(Mode::FromSlot), &mode(Mode::FromMemory));
     let following = last.mux(&mode(Mode::Close), &mode(Mode::Look));
@@ -150,7 +156,7 @@ fn sequence(
         ((&clear & &last) | &close, mode(Mode::Run)),
         (placement.send_end.clone(), mode(Mode::Wait)),
         (finish.clone(), mode(Mode::Look)),
-        (state.is(Mode::Look), mode(Mode::Check)),
+        (state.is(Mode::Look) & &state.code_read, mode(Mode::Check)),
         (next_tile, following),
         (state.is(Mode::Check), source),
     ];
@@ -169,8 +175,9 @@ fn follow_job(
     tile: &Expr,
 ) {
     m.next(&state.looking, start);
-    m.next_if(&state.moving, &(&state.looking | done), &state.looking);
-    m.next_if(&state.load, &state.looking, touched);
+    m.next(&state.looked, &state.looking);
+    m.next_if(&state.moving, &(&state.looked | done), &state.looked);
+    m.next_if(&state.load, &state.looked, touched);
     m.next_if(&state.evict, start, &directory.next_resident);
     m.next_if(&state.evict_tile, start, &directory.next_tile);
     let check = state.is(Mode::Check);
@@ -209,10 +216,12 @@ pub fn module(config: &Config) -> Module {
 
     let touched_tiles = m.memory("touched_tiles", 1 << tile_bits, 1);
     let look_at = state.is(Mode::Look).mux(&state.code, &tile);
-    let touched = m.read(&touched_tiles, "touched", &look_at);
+    let stored = m.read(&touched_tiles, "stored_touched", &look_at);
+    let touched = m.reg("touched", 1);
+    m.next(&touched, &stored);
     let check = state.is(Mode::Check);
-    let touch = &state.looking | (state.is(Mode::Clear) | (&check & &touched));
-    m.write(&touched_tiles, &touch, &state.looking.mux(&state.tile, &state.code), &state.looking);
+    let touch = &state.looked | (state.is(Mode::Clear) | (&check & &touched));
+    m.write(&touched_tiles, &touch, &state.looked.mux(&state.tile, &state.code), &state.looked);
 
     let placement = place(&mut m, &state, &directory, &head, out);
     let fill_valid = m.reg_reset("fill_valid", 1, 0);
@@ -220,7 +229,7 @@ pub fn module(config: &Config) -> Module {
     let (finish, close) = sequence(&mut m, &state, &placement, &touched, &directory.sent, &pixel.room);
     m.next_if(&state.frame_ended, &(&frame_end | &finish), &frame_end);
     follow_job(&mut m, &state, [&placement.start, &moves.done], &touched, &directory, &tile);
-    let raise_read = &touched & (&state.looking | (&check & !&directory.sent.found));
+    let raise_read = &touched & (&state.looked | (&check & !&directory.sent.found));
     m.next_if(&state.read_valid, &(&raise_read | &read_ready), &raise_read);
 
     let arriving = Record::from(&data);

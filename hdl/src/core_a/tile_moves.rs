@@ -53,7 +53,7 @@ pub(super) fn exchange(
 
     let evicted = !&state.evict | (state.all_drained() & !(state.holds_pixels() | &write.holds));
     let done = m.wire("done", &(&state.moving & (&state.filled.msb() & (!fill_valid & evicted))));
-    let begin = &state.looking | state.is(Mode::Check);
+    let begin = &state.looked | state.is(Mode::Check);
     let zero = lit(COUNT_BITS, 0);
     let drains = &drain_enable | (&from_memory & &beat);
     m.next_if(&state.drained, &(&begin | drains), &begin.mux(&zero, &state.drained.add_lit(1)));
