@@ -187,7 +187,7 @@ impl Write {
     fn chooses_uniform(&self, map: &[Register]) -> Expr {
         let mut words = map.iter().filter(|register| register.kind == Kind::Uniform).map(word_of);
         let Some(first) = words.next() else { return bit(false) };
-        let last = words.last().unwrap_or(first);
+        let last = words.next_back().unwrap_or(first);
         self.word.ge_lit(first) & !self.word.gt(&lit(WORD_BITS, last))
     }
 
