@@ -107,7 +107,7 @@ fn exchange(
             for beat in 0..beats {
                 let is_end = beat + 1 == beats;
                 let last = if has_misplaced && early + 1 < beats {
-                    beat == early || (is_end && early % 2 == 0)
+                    beat == early || (is_end && early.is_multiple_of(2))
                 } else {
                     is_end != has_misplaced
                 };

@@ -247,7 +247,7 @@ mod tests {
             assert!(map.iter().all(|register| register.address % 4 == 0 && register.address < 0x1000));
             let names: HashSet<_> = map.iter().map(|register| &register.name).collect();
             assert_eq!(names.len(), map.len());
-            let last = map.iter().filter(|register| matches!(register.kind, Kind::Run)).next_back().unwrap();
+            let last = map.iter().rfind(|register| matches!(register.kind, Kind::Run)).unwrap();
             assert!(last.address < SETTINGS, "counters run into the settings");
             let address =
                 |name: &str| map.iter().find(|register| register.name == name).map(|register| register.address);
