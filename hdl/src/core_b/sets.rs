@@ -7,9 +7,10 @@ pub(super) fn set(members: &[Expr]) -> Expr {
     cat(&members.iter().rev().collect::<Vec<_>>())
 }
 
-/// The set of one number where `valid`, else of none.
+/// The set of one number where `valid`, else of none, whatever the number: a shift would be unknown where that is.
 pub(super) fn decode(valid: &Expr, number: &Expr, count: usize) -> Expr {
-    valid.zext(count).shl_by(number)
+    let members: Vec<_> = (0..count).map(|member| valid & number.eq_lit(member as u128)).collect();
+    set(&members)
 }
 
 /// Whether a number is in a set.
