@@ -2,7 +2,7 @@
 
 use pointcore_spec::core_b::{Config, records};
 
-use crate::rtl::{Expr, Memory, Module, Reg, Stream, bit};
+use crate::rtl::{Expr, Memory, Module, Reg, Stream, bit, cat};
 use crate::units::records::{QueueOut, Record, pulse_in, queue_in, queue_out, width};
 
 /// A thread at a node, or nothing.
@@ -41,10 +41,20 @@ impl Token {
 
 /// What stands between the stages `f` and `v`.
 pub(super) enum Nodes {
-    /// Memories of the even and the odd nodes: siblings are read together.
-    Memories([Memory; 2]),
+    /// Memories of the even and the odd nodes, which are read together; each cut into slices of a few bits.
+    Memories([Vec<Memory>; 2]),
     /// Nodes are sent out and their records come back.
     Cache { node: QueueOut, record: Stream },
+}
+
+/// Bits that a block RAM holds. One holds a slice of all nodes, so that none is chosen among behind their slow outputs.
+const BLOCK_BITS: usize = 1 << 14;
+
+/// The nodes' slices, the lowest first: their highest and lowest bit.
+fn slices(config: &Config) -> Vec<(usize, usize)> {
+    let bits = width(&records::node(config));
+    let slice = (BLOCK_BITS >> pair_bits(config)).clamp(1, bits);
+    (0..bits).step_by(slice).map(|low| (bits.min(low + slice) - 1, low)).collect()
 }
 
 /// Bits of a pair of siblings' address; a memory has two words at least.
@@ -70,10 +80,15 @@ impl Nodes {
         let writes = &tree.valid & !tree.record.get("is_leaf");
         let written = pair(config, &address.resize(config.node_bits() as usize));
         let is_odd = address.bit(0);
+        let word = tree.record.only(&fields).pack();
         Self::Memories([("even", !&is_odd), ("odd", is_odd)].map(|(name, is_here)| {
-            let memory = m.memory(&format!("{name}_nodes"), 1 << pair_bits(config), width(&fields));
-            m.write(&memory, &(&writes & is_here), &written, &tree.record.only(&fields).pack());
-            memory
+            let writes = m.wire(&format!("writes_{name}"), &(&writes & is_here));
+            let slice = |&(high, low): &(usize, usize)| {
+                let memory = m.memory(&format!("{name}_nodes_{low}"), 1 << pair_bits(config), high + 1 - low);
+                m.write(&memory, &writes, &written, &word.bits(high, low));
+                memory
+            };
+            slices(config).iter().map(slice).collect()
         }))
     }
 
@@ -92,8 +107,12 @@ impl Nodes {
         match self {
             Self::Memories(memories) => {
                 let address = pair(config, next);
-                let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
-                    Record::unpack(&fields, &m.read_if(memory, &format!("{name}_node"), advance, &address))
+                let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, slices)| {
+                    let read = |(number, memory): (usize, &Memory)| {
+                        m.read_if(memory, &format!("{name}_node_{number}"), advance, &address)
+                    };
+                    let word: Vec<_> = slices.iter().enumerate().map(read).collect();
+                    Record::unpack(&fields, &cat(&word.iter().rev().collect::<Vec<_>>()))
                 });
                 let record = odd.mux(&wanted.node.bit(0), &even);
                 (wanted, record.register(m, "v_", advance))
