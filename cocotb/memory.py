@@ -18,10 +18,13 @@ class Memory:
     def __init__(self, dut: HierarchyObject, region: Region) -> None:
         self.region = region
         self.contents = bytearray(region.contents)
+        # Writes that have not been answered yet: no read sees them.
+        self.unanswered: list[tuple[slice, bytes]] = []
         self.slave: AxiSlave | AxiSlaveRead
         if hasattr(dut, f"{region.port}_awvalid"):
             self.slave = AxiSlave(AxiBus.from_prefix(dut, region.port), dut.clk, target=self)
             self.reads = self.slave.read_if
+            before(self.slave.write_if.b_channel, self.store)
         else:
             self.slave = AxiSlaveRead(AxiReadBus.from_prefix(dut, region.port), dut.clk, target=self)
             self.reads = self.slave
@@ -39,7 +42,13 @@ class Memory:
 
     async def write(self, address: int, data: bytes) -> None:
         """Called by the slave."""
-        self.contents[self.place(address, len(data))] = data
+        self.unanswered.append((self.place(address, len(data)), data))
+
+    def store(self, _answer: Any) -> None:
+        """What has been written can be read when it is answered."""
+        for place, data in self.unanswered:
+            self.contents[place] = data
+        self.unanswered.clear()
 
     def spoil(self, source: random.Random) -> Counter[str]:
         """Spoils answers at random from now on: data stays as it is, responses and ends of bursts do not. Counts what a core must count."""

@@ -7,7 +7,7 @@ the generator resets only registers that must be reset, others would leave X beh
 import random
 import re
 
-REGISTER = re.compile(r"^ *(?:output )?reg (?:\[(\d+):0\] )?(\w+)(?: \[0:(\d+)\])?[;,]?$", re.MULTILINE)
+REGISTER = re.compile(r"^ *(?:output )?reg +(?:\[(\d+):0\] )?(\w+)(?: \[0:(\d+)\])?[;,]?$", re.MULTILINE)
 MODULE = re.compile(r"^module .*?^endmodule", re.MULTILINE | re.DOTALL)
 
 

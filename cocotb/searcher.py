@@ -23,6 +23,7 @@ class Searcher(Host):
             return
         master = AxiMaster(AxiBus.from_prefix(self.dut, "s_axi"), self.dut.clk)
         self.pause(master)
+        self.fill_payloads()
         begin = 0
         while begin < len(self.tree):
             end = begin + WORD_BYTES * self.random.randint(1, LONGEST_BURST)
