@@ -1660,13 +1660,15 @@ module core_a_accumulator (
     reg [15:0] attribute_2_6;
     reg [15:0] attribute_2_7;
 
+    wire places_in_ready;
+    wire places_out_valid;
+    wire places_out_end;
+    wire places_out_last;
+    wire places_out_inside;
+    wire places_out_slot;
+    wire [5:0] places_out_pixel;
     wire samples_in_ready;
     wire samples_out_valid;
-    wire samples_out_end;
-    wire samples_out_last;
-    wire samples_out_inside;
-    wire samples_out_slot;
-    wire [5:0] samples_out_pixel;
     wire [15:0] samples_out_weight;
     wire [39:0] samples_out_weighted_depth;
     wire [23:0] samples_out_depth_low;
@@ -1680,7 +1682,7 @@ module core_a_accumulator (
     wire [15:0] add_attribute_1_y;
     wire [15:0] add_attribute_2_y;
 
-    assign in_ready = samples_in_ready;
+    assign in_ready = places_in_ready;
     wire [127:0] drained = drained_slot ? slot_1_read : slot_0_read;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
@@ -1693,24 +1695,18 @@ module core_a_accumulator (
     wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
     wire issue_end = head_valid & head_end & ~(term_3 | valid_7);
     wire head_takes = ~head_valid | (issue | issue_end);
-    wire samples_out_ready = head_takes;
+    wire queue_ready = head_takes;
+    wire places_out_ready = queue_ready;
+    wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = {samples_out_slot, samples_out_pixel} == {slot_6, pixel_6};
-    wire term_5 = {samples_out_slot, samples_out_pixel} == {slot_5, pixel_5};
-    wire term_6 = {samples_out_slot, samples_out_pixel} == {slot_4, pixel_4};
-    wire term_7 = {samples_out_slot, samples_out_pixel} == {slot_3, pixel_3};
-    wire term_8 = {samples_out_slot, samples_out_pixel} == {slot_2, pixel_2};
-    wire term_9 = {samples_out_slot, samples_out_pixel} == {slot_1, pixel_1};
-    wire term_10 = {samples_out_slot, samples_out_pixel} == {head_slot, head_pixel};
-    wire [6:0] joined_11 = {
-        inside_6 & term_4,
-        inside_5 & term_5,
-        inside_4 & term_6,
-        inside_3 & term_7,
-        inside_2 & term_8,
-        inside_1 & term_9,
-        head_valid & (head_inside & ~head_end) & term_10
-    };
+    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [6:0] joined_11 = {term_4, term_5, term_6, term_7, term_8, term_9, head_valid & (head_inside & ~head_end) & term_10};
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_7 & (~late_fail_4 & (late_pass_4 | ~weight_sum_7[28]));
     wire [127:0] joined_12 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
@@ -1729,16 +1725,30 @@ module core_a_accumulator (
     assign drain_attribute_1 = drained[31:16];
     assign drain_attribute_2 = drained[15:0];
 
-    stream_fifo_d64_w162 samples (
+    stream_fifo_d64_w10 places (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
-        .in_ready(samples_in_ready),
+        .in_ready(places_in_ready),
         .in_end(in_end),
         .in_last(in_last),
         .in_inside(in_inside),
         .in_slot(in_slot),
         .in_pixel(in_pixel),
+        .out_valid(places_out_valid),
+        .out_ready(places_out_ready),
+        .out_end(places_out_end),
+        .out_last(places_out_last),
+        .out_inside(places_out_inside),
+        .out_slot(places_out_slot),
+        .out_pixel(places_out_pixel)
+    );
+
+    stream_fifo_d64_w152 samples (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(samples_in_ready),
         .in_weight(in_weight),
         .in_weighted_depth(in_weighted_depth),
         .in_depth_low(in_depth_low),
@@ -1748,11 +1758,6 @@ module core_a_accumulator (
         .in_attribute_2(in_attribute_2),
         .out_valid(samples_out_valid),
         .out_ready(samples_out_ready),
-        .out_end(samples_out_end),
-        .out_last(samples_out_last),
-        .out_inside(samples_out_inside),
-        .out_slot(samples_out_slot),
-        .out_pixel(samples_out_pixel),
         .out_weight(samples_out_weight),
         .out_weighted_depth(samples_out_weighted_depth),
         .out_depth_low(samples_out_depth_low),
@@ -1843,7 +1848,7 @@ module core_a_accumulator (
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
             if (head_takes) begin
-                head_valid <= samples_out_valid;
+                head_valid <= places_out_valid;
             end
         end
     end
@@ -1926,11 +1931,11 @@ module core_a_accumulator (
         attribute_2_6 <= attribute_2_5;
         attribute_2_7 <= attribute_2_6;
         if (head_takes) begin
-            head_end <= samples_out_end;
-            head_last <= samples_out_last;
-            head_inside <= samples_out_inside;
-            head_slot <= samples_out_slot;
-            head_pixel <= samples_out_pixel;
+            head_end <= places_out_end;
+            head_last <= places_out_last;
+            head_inside <= places_out_inside;
+            head_slot <= places_out_slot;
+            head_pixel <= places_out_pixel;
             head_weight <= samples_out_weight;
             head_weighted_depth <= samples_out_weighted_depth;
             head_depth_low <= samples_out_depth_low;
@@ -1960,7 +1965,22 @@ module core_a_accumulator (
         end
     end
 
-    wire _unused = &{1'b0, shifted_2[1]};
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_2[1]};
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(places_out_valid == samples_out_valid)) begin
+`ifdef FORMAL
+                queues_move_together: assert (0);
+`else
+                $display("assertion failed: queues_move_together in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Floating-point sum.
@@ -2131,17 +2151,12 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 162
-module stream_fifo_d64_w162 (
+// width = 152
+module stream_fifo_d64_w152 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
     input  wire [15:0] in_weight,
     input  wire [39:0] in_weighted_depth,
     input  wire [23:0] in_depth_low,
@@ -2151,11 +2166,6 @@ module stream_fifo_d64_w162 (
     input  wire [15:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
     output wire [15:0] out_weight,
     output wire [39:0] out_weighted_depth,
     output wire [23:0] out_depth_low,
@@ -2164,12 +2174,12 @@ module stream_fifo_d64_w162 (
     output wire [15:0] out_attribute_1,
     output wire [15:0] out_attribute_2
 );
-    reg [161:0] entries [0:63];
+    reg [151:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
     reg [5:0] write_address;
     reg [5:0] read_address;
-    reg [161:0] item;
+    reg [151:0] item;
 
     wire has_room = ~(held == 7'd64);
     assign in_ready = has_room;
@@ -2178,11 +2188,6 @@ module stream_fifo_d64_w162 (
     wire pop = out_valid & out_taken;
     wire fetch = |waiting & (~out_valid | out_taken);
 
-    assign out_end = item[161];
-    assign out_last = item[160];
-    assign out_inside = item[159];
-    assign out_slot = item[158];
-    assign out_pixel = item[157:152];
     assign out_weight = item[151:136];
     assign out_weighted_depth = item[135:96];
     assign out_depth_low = item[95:72];
@@ -2213,11 +2218,6 @@ module stream_fifo_d64_w162 (
     always @(posedge clk) begin
         if (push) begin
             entries[write_address] <= {
-                in_end,
-                in_last,
-                in_inside,
-                in_slot,
-                in_pixel,
                 in_weight,
                 in_weighted_depth,
                 in_depth_low,
@@ -2226,6 +2226,100 @@ module stream_fifo_d64_w162 (
                 in_attribute_1,
                 in_attribute_2
             };
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 10
+module stream_fifo_d64_w10 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire in_slot,
+    input  wire [5:0] in_pixel,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire out_slot,
+    output wire [5:0] out_pixel
+);
+    (* ram_style = "distributed" *)
+    reg [9:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [9:0] item;
+
+    wire has_room = ~(held == 7'd64);
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_end = item[9];
+    assign out_last = item[8];
+    assign out_inside = item[7];
+    assign out_slot = item[6];
+    assign out_pixel = item[5:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {in_end, in_last, in_inside, in_slot, in_pixel};
         end
         if (fetch) begin
             item <= entries[read_address];
@@ -2292,13 +2386,14 @@ module core_a_weighting (
     output wire [15:0] out_attribute_2
 );
     (* ram_style = "distributed" *)
-    reg [39:0] delay_8_from_0 [0:6];
+    reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg [57:0] delay_10_from_0 [0:8];
-    reg [2:0] delay_8_from_0_pointer;
-    reg [39:0] delay_8_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg [57:0] delay_10_from_0_out;
+    reg [15:0] weight_d8;
     reg [15:0] weight_d9;
     reg [15:0] weight_d10;
     reg [15:0] reinterpret_14_d1;
@@ -2406,8 +2501,8 @@ module core_a_weighting (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(delay_8_from_0_out[15:0]),
-        .b(delay_8_from_0_out[39:16]),
+        .a(delay_7_from_0_out[15:0]),
+        .b(delay_7_from_0_out[39:16]),
         .y(mul_u16_u24_unit_y)
     );
 
@@ -2440,7 +2535,7 @@ module core_a_weighting (
 
     always @(posedge clk) begin
         if (rst) begin
-            delay_8_from_0_pointer <= 3'd0;
+            delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
@@ -2453,7 +2548,7 @@ module core_a_weighting (
             valid_d9 <= 1'd0;
             valid_d10 <= 1'd0;
         end else if (queue_in_ready) begin
-            delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+            delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
@@ -2469,7 +2564,8 @@ module core_a_weighting (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            weight_d9 <= delay_8_from_0_out[15:0];
+            weight_d8 <= delay_7_from_0_out[15:0];
+            weight_d9 <= weight_d8;
             weight_d10 <= weight_d9;
             reinterpret_14_d1 <= in_attribute_0;
             reinterpret_14_d2 <= reinterpret_14_d1;
@@ -2487,10 +2583,10 @@ module core_a_weighting (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_8_from_0[delay_8_from_0_pointer] <= {in_depth, in_weight};
+            delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
         end
         if (queue_in_ready) begin
-            delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
         end
     end
     always @(posedge clk) begin
@@ -2636,28 +2732,29 @@ module float_mul_s6_ff16 (
 endmodule
 
 // Integer product, pipelined.
+// stages = 3
 // a = u16
 // b = u24
-// stages = 2
 module integer_mul (
     input  wire clk,
     input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     input  wire [23:0] b,
-    output wire [39:0] y
+    output reg  [39:0] y
 );
     reg [15:0] a_s1;
     reg [23:0] b_s1;
-    reg [39:0] product_s2;
-
-    assign y = product_s2;
+    reg [27:0] partial_0_0_s2;
+    reg [27:0] partial_0_12_s2;
 
     always @(posedge clk) begin
         if (enable) begin
             a_s1 <= a;
             b_s1 <= b;
-            product_s2 <= {24'd0, a_s1} * {16'd0, b_s1};
+            partial_0_0_s2 <= {12'd0, a_s1} * {16'd0, b_s1[11:0]};
+            partial_0_12_s2 <= {12'd0, a_s1} * {16'd0, b_s1[23:12]};
+            y <= {12'd0, partial_0_0_s2} + ({12'd0, partial_0_12_s2} << 12);
         end
     end
 
@@ -4798,7 +4895,9 @@ module core_a_tile_cache (
     reg [2:0] mode;
     reg frame_ended;
     reg [11:0] code;
+    reg code_read;
     reg looking;
+    reg looked;
     reg moving;
     reg slot;
     reg evict;
@@ -4823,6 +4922,7 @@ module core_a_tile_cache (
     reg [7:0] in_flight_1;
     reg is_of_copy_1;
     reg is_of_code_1;
+    reg stored_touched;
     reg touched;
     reg [27:0] held_weight;
     reg [51:0] held_depth;
@@ -4929,7 +5029,7 @@ module core_a_tile_cache (
     wire pixel_queue_out_ready = pixel_ready;
     wire term_10 = mode == 3'd0;
     wire last_code = &code;
-    wire term_11 = ~(looking | moving);
+    wire term_11 = ~(looking | looked | moving);
     wire finish = (mode == 3'd2) & (frame_ended & term_11);
     wire term_12 = mode == 3'd3;
     wire term_13 = showing | holding;
@@ -4939,14 +5039,14 @@ module core_a_tile_cache (
     wire sent_slot = resident_1 & is_of_code_1;
     wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
     wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_15 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : term_12 ? 3'd4 : choice_16;
+    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_12 & code_read) ? 3'd4 : choice_16;
     wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
     wire start = term_4 & (~copy_hit & (term_11 & term_18));
     wire term_19 = ~evict | (drained[6] & ~(term_13 | write_queue_out_valid));
     wire done = moving & (filled[6] & (~fill_valid & term_19));
     wire term_20 = start | term_15;
-    wire term_21 = touched & (looking | (term_15 & ~sent_hit));
-    wire term_22 = looking | term_15;
+    wire term_21 = touched & (looked | (term_15 & ~sent_hit));
+    wire term_22 = looked | term_15;
     wire fill = may_fill & (~load | data_valid);
     wire term_23 = start & ~next;
     wire term_24 = done & ~slot;
@@ -5161,7 +5261,9 @@ module core_a_tile_cache (
             mode <= 3'd0;
             frame_ended <= 1'd0;
             code <= 12'd0;
+            code_read <= 1'd0;
             looking <= 1'd0;
+            looked <= 1'd0;
             moving <= 1'd0;
             read_valid <= 1'd0;
             showing <= 1'd0;
@@ -5179,7 +5281,9 @@ module core_a_tile_cache (
                 head_valid <= in_queue_out_valid;
             end
             mode <= ((term_10 & last_code) | close) ? 3'd1 : choice_17;
+            code_read <= term_12 & ~code_read;
             looking <= start;
+            looked <= looking;
             fill_valid <= fill;
             if (frame_end | finish) begin
                 frame_ended <= frame_end;
@@ -5187,8 +5291,8 @@ module core_a_tile_cache (
             if (term_10 | next_tile) begin
                 code <= code + 12'd1;
             end
-            if (looking | done) begin
-                moving <= looking;
+            if (looked | done) begin
+                moving <= looked;
             end
             if (term_21 | read_ready) begin
                 read_valid <= term_21;
@@ -5252,7 +5356,7 @@ module core_a_tile_cache (
             evict <= (~next & resident_0) | (next & resident_1);
             evict_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
         end
-        if (looking) begin
+        if (looked) begin
             load <= touched;
         end
         if (term_22 | (drain_next | term_8)) begin
@@ -5279,6 +5383,7 @@ module core_a_tile_cache (
         is_of_code_0 <= tile_0 == code;
         is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
         is_of_code_1 <= tile_1 == code;
+        touched <= stored_touched;
         if (term_27) begin
             tile_1 <= head_tile;
         end
@@ -5292,10 +5397,10 @@ module core_a_tile_cache (
         end
     end
     always @(posedge clk) begin
-        if (looking | (term_10 | (term_15 & touched))) begin
-            touched_tiles[looking ? read_tile : code] <= looking;
+        if (looked | (term_10 | (term_15 & touched))) begin
+            touched_tiles[looked ? read_tile : code] <= looked;
         end
-        touched <= touched_tiles[term_12 ? code : head_tile];
+        stored_touched <= touched_tiles[term_12 ? code : head_tile];
     end
 
 `ifdef POINTCORE_ASSERT

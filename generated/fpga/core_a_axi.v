@@ -1671,161 +1671,112 @@ module bus_registers (
     wire term_1 = write_address[11:2] == 10'd1;
     wire term_2 = write_address[11:2] == 10'd3;
     wire term_3 = write_address[11:2] == 10'd32;
-    wire term_4 = write_address[11:2] == 10'd64;
-    wire term_5 = write_address[11:2] == 10'd65;
-    wire term_6 = write_address[11:2] == 10'd66;
-    wire term_7 = write_address[11:2] == 10'd67;
-    wire term_8 = term_1 | term_2 | term_3 | term_4 | term_5 | term_6 | term_7;
-    wire term_9 = write_address[11:2] == 10'd68;
-    wire term_10 = write_address[11:2] == 10'd69;
-    wire term_11 = write_address[11:2] == 10'd70;
-    wire term_12 = write_address[11:2] == 10'd71;
-    wire term_13 = write_address[11:2] == 10'd72;
-    wire term_14 = write_address[11:2] == 10'd73;
-    wire term_15 = term_8 | term_9 | term_10 | term_11 | term_12 | term_13 | term_14;
-    wire term_16 = write_address[11:2] == 10'd74;
-    wire term_17 = write_address[11:2] == 10'd75;
-    wire term_18 = write_address[11:2] == 10'd76;
-    wire term_19 = write_address[11:2] == 10'd77;
-    wire term_20 = write_address[11:2] == 10'd78;
-    wire term_21 = term_15 | term_16 | term_17 | term_18 | term_19 | term_20;
-    wire term_22 = write_address[11:2] == 10'd79;
-    wire term_23 = write_address[11:2] == 10'd80;
-    wire term_24 = write_address[11:2] == 10'd81;
-    wire term_25 = write_address[11:2] == 10'd82;
-    wire term_26 = write_address[11:2] == 10'd83;
-    wire term_27 = term_21 | term_22 | term_23 | term_24 | term_25 | term_26;
-    wire term_28 = write_address[11:2] == 10'd84;
-    wire term_29 = write_address[11:2] == 10'd85;
-    wire term_30 = write_address[11:2] == 10'd86;
-    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (term_27 | term_28 | term_29 | term_30);
-    wire term_31 = (write_address[11:2] == 10'd0) | (term_1 & (write_data[0] | write_data[1]));
-    wire term_32 = term_31 | (write_address[11:2] == 10'd2) | (write_address[11:2] == 10'd4);
-    wire term_33 = term_32 | (write_address[11:2] == 10'd5) | (write_address[11:2] == 10'd6);
-    wire term_34 = term_33 | (write_address[11:2] == 10'd7) | (write_address[11:2] == 10'd8);
-    wire term_35 = term_34 | (write_address[11:2] == 10'd9) | (write_address[11:2] == 10'd10);
-    wire term_36 = term_35 | (write_address[11:2] == 10'd11) | (write_address[11:2] == 10'd16);
-    wire term_37 = term_36 | (write_address[11:2] == 10'd17) | (write_address[11:2] == 10'd18);
-    wire term_38 = term_37 | (write_address[11:2] == 10'd19) | (write_address[11:2] == 10'd20);
-    wire term_39 = term_38 | (write_address[11:2] == 10'd21) | term_3 | term_4;
-    wire term_40 = term_39 | term_5 | term_6 | term_7 | term_9 | term_10 | term_11;
-    wire term_41 = term_40 | term_12 | term_13 | term_14 | term_16 | term_17;
-    wire term_42 = term_41 | term_18 | term_19 | term_20 | term_22 | term_23;
-    wire term_43 = term_42 | term_24 | term_25 | term_26 | term_28 | term_29;
+    wire term_4 = (10'd64 <= write_address[11:2]) & ~(10'd86 < write_address[11:2]);
+    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (term_1 | term_2 | term_3 | term_4);
+    wire idle_only = (term_1 & (write_data[0] | write_data[1])) | term_3 | term_4;
     wire wants_start = term_1 & write_data[0];
-    wire blocked = ((term_43 | term_30) & busy) | (wants_start & occupied);
+    wire blocked = (idle_only & busy) | (wants_start & occupied);
     wire senseless = term_3 & |write_data[11:0];
     wire write_accepted = judges & (shaped & ~(blocked | senseless));
     wire commands = write_accepted & term_1;
     wire starts = commands & write_data[0];
-    wire term_44 = term_4 | term_5 | term_6 | term_7 | term_9 | term_10 | term_11;
-    wire term_45 = term_44 | term_12 | term_13 | term_14 | term_16 | term_17;
-    wire term_46 = term_45 | term_18 | term_19 | term_20 | term_22 | term_23;
-    wire term_47 = term_46 | term_24 | term_25 | term_26 | term_28 | term_29;
-    reg [4:0] counter;
+    reg [4:0] found;
     always @(*) begin
         case (read_address[6:2])
-            5'd0: counter = 5'd0;
-            5'd1: counter = 5'd0;
-            5'd2: counter = 5'd0;
-            5'd3: counter = 5'd0;
-            5'd4: counter = 5'd16;
-            5'd5: counter = 5'd17;
-            5'd6: counter = 5'd18;
-            5'd7: counter = 5'd19;
-            5'd8: counter = 5'd20;
-            5'd9: counter = 5'd21;
-            5'd10: counter = 5'd22;
-            5'd11: counter = 5'd23;
-            5'd12: counter = 5'd0;
-            5'd13: counter = 5'd0;
-            5'd14: counter = 5'd0;
-            5'd15: counter = 5'd0;
-            5'd16: counter = 5'd24;
-            5'd17: counter = 5'd25;
-            5'd18: counter = 5'd26;
-            5'd19: counter = 5'd27;
-            5'd20: counter = 5'd28;
-            5'd21: counter = 5'd29;
-            5'd22: counter = 5'd0;
-            5'd23: counter = 5'd0;
-            5'd24: counter = 5'd0;
-            5'd25: counter = 5'd0;
-            5'd26: counter = 5'd0;
-            5'd27: counter = 5'd0;
-            5'd28: counter = 5'd0;
-            5'd29: counter = 5'd0;
-            5'd30: counter = 5'd0;
-            default: counter = 5'd0;
+            5'd0: found = 5'd0;
+            5'd1: found = 5'd0;
+            5'd2: found = 5'd0;
+            5'd3: found = 5'd0;
+            5'd4: found = 5'd16;
+            5'd5: found = 5'd17;
+            5'd6: found = 5'd18;
+            5'd7: found = 5'd19;
+            5'd8: found = 5'd20;
+            5'd9: found = 5'd21;
+            5'd10: found = 5'd22;
+            5'd11: found = 5'd23;
+            5'd12: found = 5'd0;
+            5'd13: found = 5'd0;
+            5'd14: found = 5'd0;
+            5'd15: found = 5'd0;
+            5'd16: found = 5'd24;
+            5'd17: found = 5'd25;
+            5'd18: found = 5'd26;
+            5'd19: found = 5'd27;
+            5'd20: found = 5'd28;
+            5'd21: found = 5'd29;
+            5'd22: found = 5'd0;
+            5'd23: found = 5'd0;
+            5'd24: found = 5'd0;
+            5'd25: found = 5'd0;
+            5'd26: found = 5'd0;
+            5'd27: found = 5'd0;
+            5'd28: found = 5'd0;
+            5'd29: found = 5'd0;
+            5'd30: found = 5'd0;
+            default: found = 5'd0;
         endcase
     end
-    wire reads_counter = counter[4] & (read_address[11:7] == 5'd0);
-    wire term_48 = read_address[11:2] == 10'd0;
-    wire term_49 = read_address[11:2] == 10'd2;
-    wire term_50 = read_address[11:2] == 10'd3;
-    wire term_51 = term_48 | term_49 | term_50 | (read_address[11:2] == 10'd4);
-    wire term_52 = term_51 | (read_address[11:2] == 10'd5) | (read_address[11:2] == 10'd6);
-    wire term_53 = term_52 | (read_address[11:2] == 10'd7) | (read_address[11:2] == 10'd8);
-    wire term_54 = term_53 | (read_address[11:2] == 10'd9) | (read_address[11:2] == 10'd10);
-    wire term_55 = term_54 | (read_address[11:2] == 10'd11) | (read_address[11:2] == 10'd16);
-    wire term_56 = term_55 | (read_address[11:2] == 10'd17) | (read_address[11:2] == 10'd18);
-    wire term_57 = term_56 | (read_address[11:2] == 10'd19) | (read_address[11:2] == 10'd20);
-    wire term_58 = read_address[11:2] == 10'd32;
-    wire term_59 = (read_address[1:0] == 2'd0) & (term_57 | (read_address[11:2] == 10'd21) | term_58);
-    wire refused_read = has_read_address & ~term_59;
+    wire reads_counter = found[4] & (read_address[11:7] == 5'd0);
+    wire term_5 = read_address[11:2] == 10'd0;
+    wire term_6 = read_address[11:2] == 10'd2;
+    wire term_7 = read_address[11:2] == 10'd3;
+    wire term_8 = read_address[11:2] == 10'd32;
+    wire term_9 = (read_address[1:0] == 2'd0) & (term_5 | term_6 | term_7 | term_8 | reads_counter);
+    wire refused_read = has_read_address & ~term_9;
     wire asks = has_read_address & (reads_counter & ~refused_read);
     wire answers = has_read_address & (~asks | read_valid);
     wire refused_write = judges & (~shaped | (~blocked & senseless));
     wire refused_busy = judges & (shaped & blocked);
-    wire term_60 = refused_write | refused_read | refused_busy | burst_error;
-    wire term_61 = term_60 | packet_error | memory_error[0] | memory_error[1];
+    wire term_10 = refused_write | refused_read | refused_busy | burst_error;
+    wire term_11 = term_10 | packet_error | memory_error[0] | memory_error[1];
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 4'd0);
-    wire [6:0] sum_62 = {6'd0, refused_write} + {6'd0, refused_read};
+    wire [6:0] sum_12 = {6'd0, refused_write} + {6'd0, refused_read};
     wire visits_1 = looks & (visited == 4'd1);
     wire visits_2 = looks & (visited == 4'd2);
     wire visits_3 = looks & (visited == 4'd3);
     wire visits_4 = looks & (visited == 4'd4);
-    wire [6:0] sum_63 = {6'd0, memory_error[0]} + {6'd0, memory_error[1]};
+    wire [6:0] sum_13 = {6'd0, memory_error[0]} + {6'd0, memory_error[1]};
     wire visits_5 = looks & (visited == 4'd5);
     wire visits_6 = looks & (visited == 4'd6);
-    wire term_64 = packet_taken & busy;
-    wire [5:0] joined_65 = {5'd0, term_64};
+    wire term_14 = packet_taken & busy;
+    wire [5:0] joined_15 = {5'd0, term_14};
     wire visits_7 = looks & (visited == 4'd7);
-    wire term_66 = packet_sent & busy;
-    wire [5:0] joined_67 = {5'd0, term_66};
+    wire term_16 = packet_sent & busy;
+    wire [5:0] joined_17 = {5'd0, term_16};
     wire visits_8 = looks & (visited == 4'd8);
-    wire term_68 = event_sample & busy;
-    wire [5:0] joined_69 = {5'd0, term_68};
+    wire term_18 = event_sample & busy;
+    wire [5:0] joined_19 = {5'd0, term_18};
     wire visits_9 = looks & (visited == 4'd9);
-    wire term_70 = event_starved & busy;
-    wire [5:0] joined_71 = {5'd0, term_70};
+    wire term_20 = event_starved & busy;
+    wire [5:0] joined_21 = {5'd0, term_20};
     wire visits_10 = looks & (visited == 4'd10);
-    wire term_72 = event_blocked & busy;
-    wire [5:0] joined_73 = {5'd0, term_72};
+    wire term_22 = event_blocked & busy;
+    wire [5:0] joined_23 = {5'd0, term_22};
     wire visits_11 = looks & (visited == 4'd11);
-    wire term_74 = event_accumulate & busy;
-    wire [5:0] joined_75 = {5'd0, term_74};
+    wire term_24 = event_accumulate & busy;
+    wire [5:0] joined_25 = {5'd0, term_24};
     wire visits_12 = looks & (visited == 4'd12);
-    wire term_76 = event_hazard & busy;
-    wire [5:0] joined_77 = {5'd0, term_76};
+    wire term_26 = event_hazard & busy;
+    wire [5:0] joined_27 = {5'd0, term_26};
     wire visits_13 = looks & (visited == 4'd13);
-    wire term_78 = event_slot_wait & busy;
-    wire [5:0] joined_79 = {5'd0, term_78};
-    wire [6:0] choice_80 = visited[1] ? {1'd0, part_13} : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
-    wire [6:0] choice_81 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
-    wire [6:0] choice_82 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : part_4;
-    wire [6:0] choice_83 = visited[1] ? (visited[0] ? {1'd0, part_3} : {1'd0, part_2}) : visited[0] ? {1'd0, part_1} : part_0;
-    wire choice_84 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
-    wire choice_85 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : choice_84;
-    wire choice_86 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
-    wire choice_87 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire term_28 = event_slot_wait & busy;
+    wire [5:0] joined_29 = {5'd0, term_28};
+    wire [6:0] choice_30 = visited[1] ? {1'd0, part_13} : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
+    wire [6:0] choice_31 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
+    wire [6:0] choice_32 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : part_4;
+    wire [6:0] choice_33 = visited[1] ? (visited[0] ? {1'd0, part_3} : {1'd0, part_2}) : visited[0] ? {1'd0, part_1} : part_0;
+    wire choice_34 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
+    wire choice_35 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : choice_34;
+    wire choice_36 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire choice_37 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
     wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {26'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
-    wire [31:0] term_88 = ({32{term_48}} & 32'h50430a01) | ({32{term_49}} & {29'd0, error, done, busy});
-    wire [31:0] term_89 = term_88 | ({32{term_50}} & {31'd0, interrupt_enable_bits});
-    wire [31:0] term_90 = (term_89 | ({32{term_58}} & {buffer_base_bits, 12'd0})) & {32{~refused_read}};
+    wire [31:0] term_38 = ({32{term_5}} & 32'h50430a01) | ({32{term_6}} & {29'd0, error, done, busy});
+    wire [31:0] term_39 = term_38 | ({32{term_7}} & {31'd0, interrupt_enable_bits});
+    wire [31:0] term_40 = (term_39 | ({32{term_8}} & {buffer_base_bits, 12'd0})) & {32{~refused_read}};
 
     assign s_axil_awready = ~has_address;
     assign s_axil_wready = ~has_data;
@@ -1893,11 +1844,11 @@ module bus_registers (
             core_reset <= commands & write_data[1];
             clear_errors <= commands & write_data[2];
             done <= ~starts & (done | (busy & finished));
-            uniform_valid <= write_accepted & (term_47 | term_30);
+            uniform_valid <= write_accepted & term_4;
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
-            error <= term_61 | (error & ~clear_errors);
+            error <= term_11 | (error & ~clear_errors);
             adds <= looks;
-            part_0 <= (visits_0 | clear_errors) ? sum_62 : (part_0 + sum_62);
+            part_0 <= (visits_0 | clear_errors) ? sum_12 : (part_0 + sum_12);
             void_0 <= clear_errors | (void_0 & ~visits_0);
             part_1 <= (visits_1 | clear_errors) ? {5'd0, refused_busy} : (part_1 + {5'd0, refused_busy});
             void_1 <= clear_errors | (void_1 & ~visits_1);
@@ -1905,25 +1856,25 @@ module bus_registers (
             void_2 <= clear_errors | (void_2 & ~visits_2);
             part_3 <= (visits_3 | clear_errors) ? {5'd0, packet_error} : (part_3 + {5'd0, packet_error});
             void_3 <= clear_errors | (void_3 & ~visits_3);
-            part_4 <= (visits_4 | clear_errors) ? sum_63 : (part_4 + sum_63);
+            part_4 <= (visits_4 | clear_errors) ? sum_13 : (part_4 + sum_13);
             void_4 <= clear_errors | (void_4 & ~visits_4);
             part_5 <= (visits_5 | start) ? {5'd0, busy} : (part_5 + {5'd0, busy});
             void_5 <= start | (void_5 & ~visits_5);
-            part_6 <= (visits_6 | start) ? joined_65 : (part_6 + joined_65);
+            part_6 <= (visits_6 | start) ? joined_15 : (part_6 + joined_15);
             void_6 <= start | (void_6 & ~visits_6);
-            part_7 <= (visits_7 | start) ? joined_67 : (part_7 + joined_67);
+            part_7 <= (visits_7 | start) ? joined_17 : (part_7 + joined_17);
             void_7 <= start | (void_7 & ~visits_7);
-            part_8 <= (visits_8 | start) ? joined_69 : (part_8 + joined_69);
+            part_8 <= (visits_8 | start) ? joined_19 : (part_8 + joined_19);
             void_8 <= start | (void_8 & ~visits_8);
-            part_9 <= (visits_9 | start) ? joined_71 : (part_9 + joined_71);
+            part_9 <= (visits_9 | start) ? joined_21 : (part_9 + joined_21);
             void_9 <= start | (void_9 & ~visits_9);
-            part_10 <= (visits_10 | start) ? joined_73 : (part_10 + joined_73);
+            part_10 <= (visits_10 | start) ? joined_23 : (part_10 + joined_23);
             void_10 <= start | (void_10 & ~visits_10);
-            part_11 <= (visits_11 | start) ? joined_75 : (part_11 + joined_75);
+            part_11 <= (visits_11 | start) ? joined_25 : (part_11 + joined_25);
             void_11 <= start | (void_11 & ~visits_11);
-            part_12 <= (visits_12 | start) ? joined_77 : (part_12 + joined_77);
+            part_12 <= (visits_12 | start) ? joined_27 : (part_12 + joined_27);
             void_12 <= start | (void_12 & ~visits_12);
-            part_13 <= (visits_13 | start) ? joined_79 : (part_13 + joined_79);
+            part_13 <= (visits_13 | start) ? joined_29 : (part_13 + joined_29);
             void_13 <= start | (void_13 & ~visits_13);
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
@@ -1935,7 +1886,7 @@ module bus_registers (
                 buffer_base_bits <= write_data[31:12];
             end
             if (adds) begin
-                visited <= turns_aside ? counter[3:0] : round;
+                visited <= turns_aside ? found[3:0] : round;
                 for_read <= turns_aside;
             end
             if (adds & ~turns_aside) begin
@@ -1956,14 +1907,14 @@ module bus_registers (
         end
         uniform_address <= write_address[6:2];
         uniform_data <= write_data;
-        part <= visited[3] ? (visited[2] ? choice_80 : choice_81) : visited[2] ? choice_82 : choice_83;
-        is_void <= visited[3] ? choice_85 : visited[2] ? choice_86 : choice_87;
+        part <= visited[3] ? (visited[2] ? choice_30 : choice_31) : visited[2] ? choice_32 : choice_33;
+        is_void <= visited[3] ? choice_35 : visited[2] ? choice_36 : choice_37;
         read_value <= saturated;
         if (read_ready) begin
             read_address <= s_axil_araddr;
         end
         if (answers) begin
-            s_axil_rdata <= asks ? read_value : term_90;
+            s_axil_rdata <= asks ? read_value : term_40;
             read_is_error <= refused_read;
         end
     end
@@ -1975,24 +1926,24 @@ module bus_registers (
     end
 
 `ifdef POINTCORE_ASSERT
-    wire [7:0] sum_91 = {1'd0, part_0} + {1'd0, sum_62};
-    wire [6:0] sum_92 = {1'd0, part_1} + {6'd0, refused_busy};
-    wire [6:0] sum_93 = {1'd0, part_2} + {6'd0, burst_error};
-    wire [6:0] sum_94 = {1'd0, part_3} + {6'd0, packet_error};
-    wire [7:0] sum_95 = {1'd0, part_4} + {1'd0, sum_63};
-    wire [6:0] sum_96 = {1'd0, part_5} + {6'd0, busy};
-    wire [6:0] sum_97 = {1'd0, part_6} + {6'd0, term_64};
-    wire [6:0] sum_98 = {1'd0, part_7} + {6'd0, term_66};
-    wire [6:0] sum_99 = {1'd0, part_8} + {6'd0, term_68};
-    wire [6:0] sum_100 = {1'd0, part_9} + {6'd0, term_70};
-    wire [6:0] sum_101 = {1'd0, part_10} + {6'd0, term_72};
-    wire [6:0] sum_102 = {1'd0, part_11} + {6'd0, term_74};
-    wire [6:0] sum_103 = {1'd0, part_12} + {6'd0, term_76};
-    wire [6:0] sum_104 = {1'd0, part_13} + {6'd0, term_78};
+    wire [7:0] sum_41 = {1'd0, part_0} + {1'd0, sum_12};
+    wire [6:0] sum_42 = {1'd0, part_1} + {6'd0, refused_busy};
+    wire [6:0] sum_43 = {1'd0, part_2} + {6'd0, burst_error};
+    wire [6:0] sum_44 = {1'd0, part_3} + {6'd0, packet_error};
+    wire [7:0] sum_45 = {1'd0, part_4} + {1'd0, sum_13};
+    wire [6:0] sum_46 = {1'd0, part_5} + {6'd0, busy};
+    wire [6:0] sum_47 = {1'd0, part_6} + {6'd0, term_14};
+    wire [6:0] sum_48 = {1'd0, part_7} + {6'd0, term_16};
+    wire [6:0] sum_49 = {1'd0, part_8} + {6'd0, term_18};
+    wire [6:0] sum_50 = {1'd0, part_9} + {6'd0, term_20};
+    wire [6:0] sum_51 = {1'd0, part_10} + {6'd0, term_22};
+    wire [6:0] sum_52 = {1'd0, part_11} + {6'd0, term_24};
+    wire [6:0] sum_53 = {1'd0, part_12} + {6'd0, term_26};
+    wire [6:0] sum_54 = {1'd0, part_13} + {6'd0, term_28};
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~sum_91[7])) begin
+            if (!(~sum_41[7])) begin
 `ifdef FORMAL
                 part_0_has_room: assert (0);
 `else
@@ -2000,7 +1951,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_92[6])) begin
+            if (!(~sum_42[6])) begin
 `ifdef FORMAL
                 part_1_has_room: assert (0);
 `else
@@ -2008,7 +1959,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_93[6])) begin
+            if (!(~sum_43[6])) begin
 `ifdef FORMAL
                 part_2_has_room: assert (0);
 `else
@@ -2016,7 +1967,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_94[6])) begin
+            if (!(~sum_44[6])) begin
 `ifdef FORMAL
                 part_3_has_room: assert (0);
 `else
@@ -2024,7 +1975,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_95[7])) begin
+            if (!(~sum_45[7])) begin
 `ifdef FORMAL
                 part_4_has_room: assert (0);
 `else
@@ -2032,7 +1983,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_96[6])) begin
+            if (!(~sum_46[6])) begin
 `ifdef FORMAL
                 part_5_has_room: assert (0);
 `else
@@ -2040,7 +1991,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_97[6])) begin
+            if (!(~sum_47[6])) begin
 `ifdef FORMAL
                 part_6_has_room: assert (0);
 `else
@@ -2048,7 +1999,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_98[6])) begin
+            if (!(~sum_48[6])) begin
 `ifdef FORMAL
                 part_7_has_room: assert (0);
 `else
@@ -2056,7 +2007,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_99[6])) begin
+            if (!(~sum_49[6])) begin
 `ifdef FORMAL
                 part_8_has_room: assert (0);
 `else
@@ -2064,7 +2015,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_100[6])) begin
+            if (!(~sum_50[6])) begin
 `ifdef FORMAL
                 part_9_has_room: assert (0);
 `else
@@ -2072,7 +2023,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_101[6])) begin
+            if (!(~sum_51[6])) begin
 `ifdef FORMAL
                 part_10_has_room: assert (0);
 `else
@@ -2080,7 +2031,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_102[6])) begin
+            if (!(~sum_52[6])) begin
 `ifdef FORMAL
                 part_11_has_room: assert (0);
 `else
@@ -2088,7 +2039,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_103[6])) begin
+            if (!(~sum_53[6])) begin
 `ifdef FORMAL
                 part_12_has_room: assert (0);
 `else
@@ -2096,7 +2047,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_104[6])) begin
+            if (!(~sum_54[6])) begin
 `ifdef FORMAL
                 part_13_has_room: assert (0);
 `else
@@ -2109,20 +2060,20 @@ module bus_registers (
 
     wire _unused_by_checks = &{
         1'b0,
-        sum_100[5:0],
-        sum_101[5:0],
-        sum_102[5:0],
-        sum_103[5:0],
-        sum_104[5:0],
-        sum_91[6:0],
-        sum_92[5:0],
-        sum_93[5:0],
-        sum_94[5:0],
-        sum_95[6:0],
-        sum_96[5:0],
-        sum_97[5:0],
-        sum_98[5:0],
-        sum_99[5:0]
+        sum_41[6:0],
+        sum_42[5:0],
+        sum_43[5:0],
+        sum_44[5:0],
+        sum_45[6:0],
+        sum_46[5:0],
+        sum_47[5:0],
+        sum_48[5:0],
+        sum_49[5:0],
+        sum_50[5:0],
+        sum_51[5:0],
+        sum_52[5:0],
+        sum_53[5:0],
+        sum_54[5:0]
     };
 `endif
 endmodule

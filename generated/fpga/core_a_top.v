@@ -2722,13 +2722,15 @@ module core_a_accumulator (
     reg [15:0] stored_cardinal_0_6;
     reg [15:0] stored_cardinal_0_7;
 
+    wire places_in_ready;
+    wire places_out_valid;
+    wire places_out_end;
+    wire places_out_last;
+    wire places_out_inside;
+    wire [1:0] places_out_slot;
+    wire [5:0] places_out_pixel;
     wire samples_in_ready;
     wire samples_out_valid;
-    wire samples_out_end;
-    wire samples_out_last;
-    wire samples_out_inside;
-    wire [1:0] samples_out_slot;
-    wire [5:0] samples_out_pixel;
     wire [15:0] samples_out_weight;
     wire [39:0] samples_out_weighted_depth;
     wire [23:0] samples_out_depth_low;
@@ -2763,7 +2765,7 @@ module core_a_accumulator (
     wire [15:0] add_attribute_11_y;
     wire [15:0] add_attribute_12_y;
 
-    assign in_ready = samples_in_ready;
+    assign in_ready = places_in_ready;
     wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_read : slot_2_read) : drained_slot[0] ? slot_1_read : slot_0_read;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
@@ -2776,24 +2778,18 @@ module core_a_accumulator (
     wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
     wire issue_end = head_valid & head_end & ~(term_3 | valid_7);
     wire head_takes = ~head_valid | (issue | issue_end);
-    wire samples_out_ready = head_takes;
+    wire queue_ready = head_takes;
+    wire places_out_ready = queue_ready;
+    wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = {samples_out_slot, samples_out_pixel} == {slot_6, pixel_6};
-    wire term_5 = {samples_out_slot, samples_out_pixel} == {slot_5, pixel_5};
-    wire term_6 = {samples_out_slot, samples_out_pixel} == {slot_4, pixel_4};
-    wire term_7 = {samples_out_slot, samples_out_pixel} == {slot_3, pixel_3};
-    wire term_8 = {samples_out_slot, samples_out_pixel} == {slot_2, pixel_2};
-    wire term_9 = {samples_out_slot, samples_out_pixel} == {slot_1, pixel_1};
-    wire term_10 = {samples_out_slot, samples_out_pixel} == {head_slot, head_pixel};
-    wire [6:0] joined_11 = {
-        inside_6 & term_4,
-        inside_5 & term_5,
-        inside_4 & term_6,
-        inside_3 & term_7,
-        inside_2 & term_8,
-        inside_1 & term_9,
-        head_valid & (head_inside & ~head_end) & term_10
-    };
+    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [6:0] joined_11 = {term_4, term_5, term_6, term_7, term_8, term_9, head_valid & (head_inside & ~head_end) & term_10};
     wire filling_0 = fill_valid & (fill_slot == 2'd0);
     wire writes = inside_7 & (~late_fail_4 & (late_pass_4 | ~weight_sum_7[28]));
     wire [319:0] joined_12 = {
@@ -2857,16 +2853,30 @@ module core_a_accumulator (
     assign drain_attribute_12 = drained[31:16];
     assign drain_cardinal_0 = drained[15:0];
 
-    stream_fifo_d64_w339 samples (
+    stream_fifo_d64_w11 places (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
-        .in_ready(samples_in_ready),
+        .in_ready(places_in_ready),
         .in_end(in_end),
         .in_last(in_last),
         .in_inside(in_inside),
         .in_slot(in_slot),
         .in_pixel(in_pixel),
+        .out_valid(places_out_valid),
+        .out_ready(places_out_ready),
+        .out_end(places_out_end),
+        .out_last(places_out_last),
+        .out_inside(places_out_inside),
+        .out_slot(places_out_slot),
+        .out_pixel(places_out_pixel)
+    );
+
+    stream_fifo_d64_w328 samples (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(samples_in_ready),
         .in_weight(in_weight),
         .in_weighted_depth(in_weighted_depth),
         .in_depth_low(in_depth_low),
@@ -2887,11 +2897,6 @@ module core_a_accumulator (
         .in_cardinal_0(in_cardinal_0),
         .out_valid(samples_out_valid),
         .out_ready(samples_out_ready),
-        .out_end(samples_out_end),
-        .out_last(samples_out_last),
-        .out_inside(samples_out_inside),
-        .out_slot(samples_out_slot),
-        .out_pixel(samples_out_pixel),
         .out_weight(samples_out_weight),
         .out_weighted_depth(samples_out_weighted_depth),
         .out_depth_low(samples_out_depth_low),
@@ -3083,7 +3088,7 @@ module core_a_accumulator (
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
             if (head_takes) begin
-                head_valid <= samples_out_valid;
+                head_valid <= places_out_valid;
             end
         end
     end
@@ -3258,11 +3263,11 @@ module core_a_accumulator (
         stored_cardinal_0_6 <= stored_cardinal_0_5;
         stored_cardinal_0_7 <= stored_cardinal_0_6;
         if (head_takes) begin
-            head_end <= samples_out_end;
-            head_last <= samples_out_last;
-            head_inside <= samples_out_inside;
-            head_slot <= samples_out_slot;
-            head_pixel <= samples_out_pixel;
+            head_end <= places_out_end;
+            head_last <= places_out_last;
+            head_inside <= places_out_inside;
+            head_slot <= places_out_slot;
+            head_pixel <= places_out_pixel;
             head_weight <= samples_out_weight;
             head_weighted_depth <= samples_out_weighted_depth;
             head_depth_low <= samples_out_depth_low;
@@ -3319,7 +3324,22 @@ module core_a_accumulator (
         end
     end
 
-    wire _unused = &{1'b0, shifted_2[3:1]};
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_2[3:1]};
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(places_out_valid == samples_out_valid)) begin
+`ifdef FORMAL
+                queues_move_together: assert (0);
+`else
+                $display("assertion failed: queues_move_together in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Floating-point sum.
@@ -3490,17 +3510,12 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 339
-module stream_fifo_d64_w339 (
+// width = 328
+module stream_fifo_d64_w328 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire [1:0] in_slot,
-    input  wire [5:0] in_pixel,
     input  wire [15:0] in_weight,
     input  wire [39:0] in_weighted_depth,
     input  wire [23:0] in_depth_low,
@@ -3521,11 +3536,6 @@ module stream_fifo_d64_w339 (
     input  wire [15:0] in_cardinal_0,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire [1:0] out_slot,
-    output wire [5:0] out_pixel,
     output wire [15:0] out_weight,
     output wire [39:0] out_weighted_depth,
     output wire [23:0] out_depth_low,
@@ -3545,12 +3555,12 @@ module stream_fifo_d64_w339 (
     output wire [15:0] out_attribute_12,
     output wire [15:0] out_cardinal_0
 );
-    reg [338:0] entries [0:63];
+    reg [327:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
     reg [5:0] write_address;
     reg [5:0] read_address;
-    reg [338:0] item;
+    reg [327:0] item;
 
     wire has_room = ~(held == 7'd64);
     assign in_ready = has_room;
@@ -3559,11 +3569,6 @@ module stream_fifo_d64_w339 (
     wire pop = out_valid & out_taken;
     wire fetch = |waiting & (~out_valid | out_taken);
 
-    assign out_end = item[338];
-    assign out_last = item[337];
-    assign out_inside = item[336];
-    assign out_slot = item[335:334];
-    assign out_pixel = item[333:328];
     assign out_weight = item[327:312];
     assign out_weighted_depth = item[311:272];
     assign out_depth_low = item[271:248];
@@ -3605,11 +3610,6 @@ module stream_fifo_d64_w339 (
     always @(posedge clk) begin
         if (push) begin
             entries[write_address] <= {
-                in_end,
-                in_last,
-                in_inside,
-                in_slot,
-                in_pixel,
                 in_weight,
                 in_weighted_depth,
                 in_depth_low,
@@ -3629,6 +3629,100 @@ module stream_fifo_d64_w339 (
                 in_attribute_12,
                 in_cardinal_0
             };
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+    end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 11
+module stream_fifo_d64_w11 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire [1:0] in_slot,
+    input  wire [5:0] in_pixel,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire [1:0] out_slot,
+    output wire [5:0] out_pixel
+);
+    (* ram_style = "distributed" *)
+    reg [10:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [10:0] item;
+
+    wire has_room = ~(held == 7'd64);
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_end = item[10];
+    assign out_last = item[9];
+    assign out_inside = item[8];
+    assign out_slot = item[7:6];
+    assign out_pixel = item[5:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {in_end, in_last, in_inside, in_slot, in_pixel};
         end
         if (fetch) begin
             item <= entries[read_address];
@@ -3717,13 +3811,14 @@ module core_a_weighting (
     output wire [15:0] out_cardinal_0
 );
     (* ram_style = "distributed" *)
-    reg [39:0] delay_8_from_0 [0:6];
+    reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
     reg [74:0] delay_10_from_0 [0:8];
-    reg [2:0] delay_8_from_0_pointer;
-    reg [39:0] delay_8_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg [74:0] delay_10_from_0_out;
+    reg [15:0] weight_d8;
     reg [15:0] weight_d9;
     reg [15:0] weight_d10;
     reg [15:0] reinterpret_25_d1;
@@ -3925,8 +4020,8 @@ module core_a_weighting (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(delay_8_from_0_out[15:0]),
-        .b(delay_8_from_0_out[39:16]),
+        .a(delay_7_from_0_out[15:0]),
+        .b(delay_7_from_0_out[39:16]),
         .y(mul_u16_u24_unit_y)
     );
 
@@ -4049,7 +4144,7 @@ module core_a_weighting (
 
     always @(posedge clk) begin
         if (rst) begin
-            delay_8_from_0_pointer <= 3'd0;
+            delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
@@ -4062,7 +4157,7 @@ module core_a_weighting (
             valid_d9 <= 1'd0;
             valid_d10 <= 1'd0;
         end else if (queue_in_ready) begin
-            delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+            delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
@@ -4078,7 +4173,8 @@ module core_a_weighting (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            weight_d9 <= delay_8_from_0_out[15:0];
+            weight_d8 <= delay_7_from_0_out[15:0];
+            weight_d9 <= weight_d8;
             weight_d10 <= weight_d9;
             reinterpret_25_d1 <= in_attribute_0;
             reinterpret_25_d2 <= reinterpret_25_d1;
@@ -4136,10 +4232,10 @@ module core_a_weighting (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_8_from_0[delay_8_from_0_pointer] <= {in_depth, in_weight};
+            delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
         end
         if (queue_in_ready) begin
-            delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
         end
     end
     always @(posedge clk) begin
@@ -4285,28 +4381,29 @@ module float_mul_s6_ff16 (
 endmodule
 
 // Integer product, pipelined.
+// stages = 3
 // a = u16
 // b = u24
-// stages = 2
 module integer_mul (
     input  wire clk,
     input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     input  wire [23:0] b,
-    output wire [39:0] y
+    output reg  [39:0] y
 );
     reg [15:0] a_s1;
     reg [23:0] b_s1;
-    reg [39:0] product_s2;
-
-    assign y = product_s2;
+    reg [27:0] partial_0_0_s2;
+    reg [27:0] partial_0_12_s2;
 
     always @(posedge clk) begin
         if (enable) begin
             a_s1 <= a;
             b_s1 <= b;
-            product_s2 <= {24'd0, a_s1} * {16'd0, b_s1};
+            partial_0_0_s2 <= {12'd0, a_s1} * {16'd0, b_s1[11:0]};
+            partial_0_12_s2 <= {12'd0, a_s1} * {16'd0, b_s1[23:12]};
+            y <= {12'd0, partial_0_0_s2} + ({12'd0, partial_0_12_s2} << 12);
         end
     end
 
@@ -6883,7 +6980,9 @@ module core_a_tile_cache (
     reg [2:0] mode;
     reg frame_ended;
     reg [11:0] code;
+    reg code_read;
     reg looking;
+    reg looked;
     reg moving;
     reg [1:0] slot;
     reg evict;
@@ -6920,6 +7019,7 @@ module core_a_tile_cache (
     reg [7:0] in_flight_3;
     reg is_of_copy_3;
     reg is_of_code_3;
+    reg stored_touched;
     reg touched;
     reg [27:0] held_weight;
     reg [51:0] held_depth;
@@ -7088,7 +7188,7 @@ module core_a_tile_cache (
     wire pixel_queue_out_ready = pixel_ready;
     wire term_14 = mode == 3'd0;
     wire last_code = &code;
-    wire term_15 = ~(looking | moving);
+    wire term_15 = ~(looking | looked | moving);
     wire finish = (mode == 3'd2) & (frame_ended & term_15);
     wire term_16 = mode == 3'd3;
     wire term_17 = showing | holding;
@@ -7100,7 +7200,7 @@ module core_a_tile_cache (
     wire term_22 = resident_3 & is_of_code_3;
     wire sent_hit = |{resident_0 & is_of_code_0, term_20, term_21, term_22};
     wire [2:0] choice_23 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_19 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_24 = send_end ? 3'd2 : finish ? 3'd3 : term_16 ? 3'd4 : choice_23;
+    wire [2:0] choice_24 = send_end ? 3'd2 : finish ? 3'd3 : (term_16 & code_read) ? 3'd4 : choice_23;
     wire term_25 = next == 2'd0;
     wire term_26 = next == 2'd1;
     wire term_27 = (term_25 & (in_flight_0 == 8'd0)) | (term_26 & (in_flight_1 == 8'd0));
@@ -7112,10 +7212,10 @@ module core_a_tile_cache (
     wire done = moving & (filled[6] & (~fill_valid & term_31));
     wire term_32 = start | term_19;
     wire [1:0] sent_slot = ({2{term_20}} & 2'd1) | ({2{term_21}} & 2'd2) | {2{term_22}};
-    wire term_33 = touched & (looking | (term_19 & ~sent_hit));
+    wire term_33 = touched & (looked | (term_19 & ~sent_hit));
     wire term_34 = (term_25 & resident_0) | (term_26 & resident_1) | (term_28 & resident_2);
     wire [11:0] term_35 = ({12{term_25}} & tile_0) | ({12{term_26}} & tile_1) | ({12{term_28}} & tile_2);
-    wire term_36 = looking | term_19;
+    wire term_36 = looked | term_19;
     wire fill = may_fill & (~load | data_valid);
     wire term_37 = start & term_25;
     wire term_38 = done & (slot == 2'd0);
@@ -7465,7 +7565,9 @@ module core_a_tile_cache (
             mode <= 3'd0;
             frame_ended <= 1'd0;
             code <= 12'd0;
+            code_read <= 1'd0;
             looking <= 1'd0;
+            looked <= 1'd0;
             moving <= 1'd0;
             read_valid <= 1'd0;
             showing <= 1'd0;
@@ -7489,7 +7591,9 @@ module core_a_tile_cache (
                 head_valid <= in_queue_out_valid;
             end
             mode <= ((term_14 & last_code) | close) ? 3'd1 : choice_24;
+            code_read <= term_16 & ~code_read;
             looking <= start;
+            looked <= looking;
             fill_valid <= fill;
             if (frame_end | finish) begin
                 frame_ended <= frame_end;
@@ -7497,8 +7601,8 @@ module core_a_tile_cache (
             if (term_14 | next_tile) begin
                 code <= code + 12'd1;
             end
-            if (looking | done) begin
-                moving <= looking;
+            if (looked | done) begin
+                moving <= looked;
             end
             if (term_33 | read_ready) begin
                 read_valid <= term_33;
@@ -7591,7 +7695,7 @@ module core_a_tile_cache (
             evict <= term_34 | (term_29 & resident_3);
             evict_tile <= term_35 | ({12{term_29}} & tile_3);
         end
-        if (looking) begin
+        if (looked) begin
             load <= touched;
         end
         if (term_36 | (drain_next | term_12)) begin
@@ -7634,6 +7738,7 @@ module core_a_tile_cache (
         is_of_code_2 <= tile_2 == code;
         is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | term_49);
         is_of_code_3 <= tile_3 == code;
+        touched <= stored_touched;
         if (term_41) begin
             tile_1 <= head_tile;
         end
@@ -7665,10 +7770,10 @@ module core_a_tile_cache (
         end
     end
     always @(posedge clk) begin
-        if (looking | (term_14 | (term_19 & touched))) begin
-            touched_tiles[looking ? read_tile : code] <= looking;
+        if (looked | (term_14 | (term_19 & touched))) begin
+            touched_tiles[looked ? read_tile : code] <= looked;
         end
-        touched <= touched_tiles[term_16 ? code : head_tile];
+        stored_touched <= touched_tiles[term_16 ? code : head_tile];
     end
 
 `ifdef POINTCORE_ASSERT

@@ -674,6 +674,203 @@ module core_b_point_cache (
     wire enter = hits;
     wire store = fill_taken & fill_kept;
     wire term_6 = store & ~fill_under_way;
+    wire term_7 = fill_slot == 6'd63;
+    wire term_8 = fill_slot == 6'd62;
+    wire term_9 = fill_slot == 6'd61;
+    wire term_10 = fill_slot == 6'd60;
+    wire term_11 = fill_slot == 6'd59;
+    wire term_12 = fill_slot == 6'd58;
+    wire term_13 = fill_slot == 6'd57;
+    wire term_14 = fill_slot == 6'd56;
+    wire term_15 = fill_slot == 6'd55;
+    wire term_16 = fill_slot == 6'd54;
+    wire term_17 = fill_slot == 6'd53;
+    wire term_18 = fill_slot == 6'd52;
+    wire term_19 = fill_slot == 6'd51;
+    wire term_20 = fill_slot == 6'd50;
+    wire term_21 = fill_slot == 6'd49;
+    wire term_22 = fill_slot == 6'd48;
+    wire term_23 = fill_slot == 6'd47;
+    wire term_24 = fill_slot == 6'd46;
+    wire term_25 = fill_slot == 6'd45;
+    wire term_26 = fill_slot == 6'd44;
+    wire term_27 = fill_slot == 6'd43;
+    wire term_28 = fill_slot == 6'd42;
+    wire term_29 = fill_slot == 6'd41;
+    wire term_30 = fill_slot == 6'd40;
+    wire term_31 = fill_slot == 6'd39;
+    wire term_32 = fill_slot == 6'd38;
+    wire term_33 = fill_slot == 6'd37;
+    wire term_34 = fill_slot == 6'd36;
+    wire term_35 = fill_slot == 6'd35;
+    wire term_36 = fill_slot == 6'd34;
+    wire term_37 = fill_slot == 6'd33;
+    wire term_38 = fill_slot == 6'd32;
+    wire term_39 = fill_slot == 6'd31;
+    wire term_40 = fill_slot == 6'd30;
+    wire term_41 = fill_slot == 6'd29;
+    wire term_42 = fill_slot == 6'd28;
+    wire term_43 = fill_slot == 6'd27;
+    wire term_44 = fill_slot == 6'd26;
+    wire term_45 = fill_slot == 6'd25;
+    wire term_46 = fill_slot == 6'd24;
+    wire term_47 = fill_slot == 6'd23;
+    wire term_48 = fill_slot == 6'd22;
+    wire term_49 = fill_slot == 6'd21;
+    wire term_50 = fill_slot == 6'd20;
+    wire term_51 = fill_slot == 6'd19;
+    wire term_52 = fill_slot == 6'd18;
+    wire term_53 = fill_slot == 6'd17;
+    wire term_54 = fill_slot == 6'd16;
+    wire term_55 = fill_slot == 6'd15;
+    wire term_56 = fill_slot == 6'd14;
+    wire term_57 = fill_slot == 6'd13;
+    wire term_58 = fill_slot == 6'd12;
+    wire term_59 = fill_slot == 6'd11;
+    wire term_60 = fill_slot == 6'd10;
+    wire term_61 = fill_slot == 6'd9;
+    wire term_62 = fill_slot == 6'd8;
+    wire term_63 = fill_slot == 6'd7;
+    wire term_64 = fill_slot == 6'd6;
+    wire term_65 = fill_slot == 6'd5;
+    wire term_66 = fill_slot == 6'd4;
+    wire term_67 = fill_slot == 6'd3;
+    wire term_68 = fill_slot == 6'd2;
+    wire term_69 = fill_slot == 6'd1;
+    wire term_70 = fill_slot == 6'd0;
+    wire [63:0] joined_71 = {
+        term_6 & term_7,
+        term_6 & term_8,
+        term_6 & term_9,
+        term_6 & term_10,
+        term_6 & term_11,
+        term_6 & term_12,
+        term_6 & term_13,
+        term_6 & term_14,
+        term_6 & term_15,
+        term_6 & term_16,
+        term_6 & term_17,
+        term_6 & term_18,
+        term_6 & term_19,
+        term_6 & term_20,
+        term_6 & term_21,
+        term_6 & term_22,
+        term_6 & term_23,
+        term_6 & term_24,
+        term_6 & term_25,
+        term_6 & term_26,
+        term_6 & term_27,
+        term_6 & term_28,
+        term_6 & term_29,
+        term_6 & term_30,
+        term_6 & term_31,
+        term_6 & term_32,
+        term_6 & term_33,
+        term_6 & term_34,
+        term_6 & term_35,
+        term_6 & term_36,
+        term_6 & term_37,
+        term_6 & term_38,
+        term_6 & term_39,
+        term_6 & term_40,
+        term_6 & term_41,
+        term_6 & term_42,
+        term_6 & term_43,
+        term_6 & term_44,
+        term_6 & term_45,
+        term_6 & term_46,
+        term_6 & term_47,
+        term_6 & term_48,
+        term_6 & term_49,
+        term_6 & term_50,
+        term_6 & term_51,
+        term_6 & term_52,
+        term_6 & term_53,
+        term_6 & term_54,
+        term_6 & term_55,
+        term_6 & term_56,
+        term_6 & term_57,
+        term_6 & term_58,
+        term_6 & term_59,
+        term_6 & term_60,
+        term_6 & term_61,
+        term_6 & term_62,
+        term_6 & term_63,
+        term_6 & term_64,
+        term_6 & term_65,
+        term_6 & term_66,
+        term_6 & term_67,
+        term_6 & term_68,
+        term_6 & term_69,
+        term_6 & term_70
+    };
+    wire term_72 = store & fill_queue_out_last;
+    wire [63:0] joined_73 = {
+        term_72 & term_7,
+        term_72 & term_8,
+        term_72 & term_9,
+        term_72 & term_10,
+        term_72 & term_11,
+        term_72 & term_12,
+        term_72 & term_13,
+        term_72 & term_14,
+        term_72 & term_15,
+        term_72 & term_16,
+        term_72 & term_17,
+        term_72 & term_18,
+        term_72 & term_19,
+        term_72 & term_20,
+        term_72 & term_21,
+        term_72 & term_22,
+        term_72 & term_23,
+        term_72 & term_24,
+        term_72 & term_25,
+        term_72 & term_26,
+        term_72 & term_27,
+        term_72 & term_28,
+        term_72 & term_29,
+        term_72 & term_30,
+        term_72 & term_31,
+        term_72 & term_32,
+        term_72 & term_33,
+        term_72 & term_34,
+        term_72 & term_35,
+        term_72 & term_36,
+        term_72 & term_37,
+        term_72 & term_38,
+        term_72 & term_39,
+        term_72 & term_40,
+        term_72 & term_41,
+        term_72 & term_42,
+        term_72 & term_43,
+        term_72 & term_44,
+        term_72 & term_45,
+        term_72 & term_46,
+        term_72 & term_47,
+        term_72 & term_48,
+        term_72 & term_49,
+        term_72 & term_50,
+        term_72 & term_51,
+        term_72 & term_52,
+        term_72 & term_53,
+        term_72 & term_54,
+        term_72 & term_55,
+        term_72 & term_56,
+        term_72 & term_57,
+        term_72 & term_58,
+        term_72 & term_59,
+        term_72 & term_60,
+        term_72 & term_61,
+        term_72 & term_62,
+        term_72 & term_63,
+        term_72 & term_64,
+        term_72 & term_65,
+        term_72 & term_66,
+        term_72 & term_67,
+        term_72 & term_68,
+        term_72 & term_69,
+        term_72 & term_70
+    };
 
     assign miss_valid = miss_queue_out_valid;
     assign miss_thread = miss_queue_out_thread;
@@ -828,7 +1025,7 @@ module core_b_point_cache (
                 l_valid <= fetch_queue_out_valid;
             end
             run_valid <= hits | (run_valid & ~(run_step & run_last));
-            present <= (present & ~({63'd0, term_6} << fill_slot)) | ({63'd0, store & fill_queue_out_last} << fill_slot);
+            present <= (present & ~joined_71) | joined_73;
             event_point_hit <= hits;
             event_point_miss <= misses;
             if (run_step) begin
@@ -908,11 +1105,11 @@ module core_b_point_cache (
     wire _unused = &{1'b0, shifted_2[63:1]};
 
 `ifdef POINTCORE_ASSERT
-    wire [63:0] shifted_7 = present >> run_slot;
+    wire [63:0] shifted_74 = present >> run_slot;
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~run_valid | shifted_7[0])) begin
+            if (!(~run_valid | shifted_74[0])) begin
 `ifdef FORMAL
                 what_is_read_is_there: assert (0);
 `else
@@ -923,7 +1120,7 @@ module core_b_point_cache (
         end
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_7[63:1]};
+    wire _unused_by_checks = &{1'b0, shifted_74[63:1]};
 `endif
 endmodule
 
@@ -1578,11 +1775,46 @@ module core_b_queue (
         nearer[0] ? new_distance2 : working[31:0]
     };
     wire reads = moves & beat_reads;
-    wire [15:0] query_set = {15'd0, start_valid} << start_thread;
-    wire [15:0] shifted_172 = fresh >> candidates_queue_out_thread;
-    wire is_fresh = shifted_172[0];
-    wire [15:0] shifted_173 = fresh >> beat_thread;
-    wire [31:0] joined_174 = {
+    wire [15:0] joined_172 = {
+        reads & (beat_thread == 4'd15),
+        reads & (beat_thread == 4'd14),
+        reads & (beat_thread == 4'd13),
+        reads & (beat_thread == 4'd12),
+        reads & (beat_thread == 4'd11),
+        reads & (beat_thread == 4'd10),
+        reads & (beat_thread == 4'd9),
+        reads & (beat_thread == 4'd8),
+        reads & (beat_thread == 4'd7),
+        reads & (beat_thread == 4'd6),
+        reads & (beat_thread == 4'd5),
+        reads & (beat_thread == 4'd4),
+        reads & (beat_thread == 4'd3),
+        reads & (beat_thread == 4'd2),
+        reads & (beat_thread == 4'd1),
+        reads & (beat_thread == 4'd0)
+    };
+    wire [15:0] query_set = {
+        start_valid & (start_thread == 4'd15),
+        start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13),
+        start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11),
+        start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9),
+        start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7),
+        start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5),
+        start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3),
+        start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1),
+        start_valid & (start_thread == 4'd0)
+    };
+    wire [15:0] shifted_173 = fresh >> candidates_queue_out_thread;
+    wire is_fresh = shifted_173[0];
+    wire [15:0] shifted_174 = fresh >> beat_thread;
+    wire [31:0] joined_175 = {
         ~term_47,
         ~term_48,
         ~term_49,
@@ -1617,40 +1849,39 @@ module core_b_queue (
         ~term_78
     };
     wire [1823:0] base = item_reads ? stored : working;
-    wire term_175 = item_distance2 < base[1798:1767];
-    wire term_176 = item_distance2 < base[1741:1710];
-    wire term_177 = item_distance2 < base[1684:1653];
-    wire term_178 = item_distance2 < base[1627:1596];
-    wire term_179 = item_distance2 < base[1570:1539];
-    wire term_180 = item_distance2 < base[1513:1482];
-    wire term_181 = item_distance2 < base[1456:1425];
-    wire term_182 = item_distance2 < base[1399:1368];
-    wire term_183 = item_distance2 < base[1342:1311];
-    wire term_184 = item_distance2 < base[1285:1254];
-    wire term_185 = item_distance2 < base[1228:1197];
-    wire term_186 = item_distance2 < base[1171:1140];
-    wire term_187 = item_distance2 < base[1114:1083];
-    wire term_188 = item_distance2 < base[1057:1026];
-    wire term_189 = item_distance2 < base[1000:969];
-    wire term_190 = item_distance2 < base[943:912];
-    wire term_191 = item_distance2 < base[886:855];
-    wire term_192 = item_distance2 < base[829:798];
-    wire term_193 = item_distance2 < base[772:741];
-    wire term_194 = item_distance2 < base[715:684];
-    wire term_195 = item_distance2 < base[658:627];
-    wire term_196 = item_distance2 < base[601:570];
-    wire term_197 = item_distance2 < base[544:513];
-    wire term_198 = item_distance2 < base[487:456];
-    wire term_199 = item_distance2 < base[430:399];
-    wire term_200 = item_distance2 < base[373:342];
-    wire term_201 = item_distance2 < base[316:285];
-    wire term_202 = item_distance2 < base[259:228];
-    wire term_203 = item_distance2 < base[202:171];
-    wire term_204 = item_distance2 < base[145:114];
-    wire term_205 = item_distance2 < base[88:57];
-    wire term_206 = item_distance2 < base[31:0];
-    wire [31:0] joined_207 = {
-        term_175,
+    wire term_176 = item_distance2 < base[1798:1767];
+    wire term_177 = item_distance2 < base[1741:1710];
+    wire term_178 = item_distance2 < base[1684:1653];
+    wire term_179 = item_distance2 < base[1627:1596];
+    wire term_180 = item_distance2 < base[1570:1539];
+    wire term_181 = item_distance2 < base[1513:1482];
+    wire term_182 = item_distance2 < base[1456:1425];
+    wire term_183 = item_distance2 < base[1399:1368];
+    wire term_184 = item_distance2 < base[1342:1311];
+    wire term_185 = item_distance2 < base[1285:1254];
+    wire term_186 = item_distance2 < base[1228:1197];
+    wire term_187 = item_distance2 < base[1171:1140];
+    wire term_188 = item_distance2 < base[1114:1083];
+    wire term_189 = item_distance2 < base[1057:1026];
+    wire term_190 = item_distance2 < base[1000:969];
+    wire term_191 = item_distance2 < base[943:912];
+    wire term_192 = item_distance2 < base[886:855];
+    wire term_193 = item_distance2 < base[829:798];
+    wire term_194 = item_distance2 < base[772:741];
+    wire term_195 = item_distance2 < base[715:684];
+    wire term_196 = item_distance2 < base[658:627];
+    wire term_197 = item_distance2 < base[601:570];
+    wire term_198 = item_distance2 < base[544:513];
+    wire term_199 = item_distance2 < base[487:456];
+    wire term_200 = item_distance2 < base[430:399];
+    wire term_201 = item_distance2 < base[373:342];
+    wire term_202 = item_distance2 < base[316:285];
+    wire term_203 = item_distance2 < base[259:228];
+    wire term_204 = item_distance2 < base[202:171];
+    wire term_205 = item_distance2 < base[145:114];
+    wire term_206 = item_distance2 < base[88:57];
+    wire term_207 = item_distance2 < base[31:0];
+    wire [31:0] joined_208 = {
         term_176,
         term_177,
         term_178,
@@ -1681,33 +1912,33 @@ module core_b_queue (
         term_203,
         term_204,
         term_205,
-        term_206
+        term_206,
+        term_207
     };
-    wire term_208 = item_distance2 < new_distance2;
-    wire choice_209 = nearer[31] ? (nearer[30] ? term_176 : term_208) : term_175;
-    wire choice_210 = nearer[30] ? (nearer[29] ? term_177 : term_208) : term_176;
-    wire choice_211 = nearer[29] ? (nearer[28] ? term_178 : term_208) : term_177;
-    wire choice_212 = nearer[28] ? (nearer[27] ? term_179 : term_208) : term_178;
-    wire choice_213 = nearer[27] ? (nearer[26] ? term_180 : term_208) : term_179;
-    wire choice_214 = nearer[26] ? (nearer[25] ? term_181 : term_208) : term_180;
-    wire choice_215 = nearer[25] ? (nearer[24] ? term_182 : term_208) : term_181;
-    wire choice_216 = nearer[24] ? (nearer[23] ? term_183 : term_208) : term_182;
-    wire choice_217 = nearer[23] ? (nearer[22] ? term_184 : term_208) : term_183;
-    wire choice_218 = nearer[22] ? (nearer[21] ? term_185 : term_208) : term_184;
-    wire choice_219 = nearer[21] ? (nearer[20] ? term_186 : term_208) : term_185;
-    wire choice_220 = nearer[20] ? (nearer[19] ? term_187 : term_208) : term_186;
-    wire choice_221 = nearer[19] ? (nearer[18] ? term_188 : term_208) : term_187;
-    wire choice_222 = nearer[18] ? (nearer[17] ? term_189 : term_208) : term_188;
-    wire choice_223 = nearer[17] ? (nearer[16] ? term_190 : term_208) : term_189;
-    wire choice_224 = nearer[16] ? (nearer[15] ? term_191 : term_208) : term_190;
-    wire choice_225 = nearer[15] ? (nearer[14] ? term_192 : term_208) : term_191;
-    wire choice_226 = nearer[14] ? (nearer[13] ? term_193 : term_208) : term_192;
-    wire choice_227 = nearer[13] ? (nearer[12] ? term_194 : term_208) : term_193;
-    wire choice_228 = nearer[12] ? (nearer[11] ? term_195 : term_208) : term_194;
-    wire choice_229 = nearer[11] ? (nearer[10] ? term_196 : term_208) : term_195;
-    wire choice_230 = nearer[10] ? (nearer[9] ? term_197 : term_208) : term_196;
-    wire [31:0] joined_231 = {
-        choice_209,
+    wire term_209 = item_distance2 < new_distance2;
+    wire choice_210 = nearer[31] ? (nearer[30] ? term_177 : term_209) : term_176;
+    wire choice_211 = nearer[30] ? (nearer[29] ? term_178 : term_209) : term_177;
+    wire choice_212 = nearer[29] ? (nearer[28] ? term_179 : term_209) : term_178;
+    wire choice_213 = nearer[28] ? (nearer[27] ? term_180 : term_209) : term_179;
+    wire choice_214 = nearer[27] ? (nearer[26] ? term_181 : term_209) : term_180;
+    wire choice_215 = nearer[26] ? (nearer[25] ? term_182 : term_209) : term_181;
+    wire choice_216 = nearer[25] ? (nearer[24] ? term_183 : term_209) : term_182;
+    wire choice_217 = nearer[24] ? (nearer[23] ? term_184 : term_209) : term_183;
+    wire choice_218 = nearer[23] ? (nearer[22] ? term_185 : term_209) : term_184;
+    wire choice_219 = nearer[22] ? (nearer[21] ? term_186 : term_209) : term_185;
+    wire choice_220 = nearer[21] ? (nearer[20] ? term_187 : term_209) : term_186;
+    wire choice_221 = nearer[20] ? (nearer[19] ? term_188 : term_209) : term_187;
+    wire choice_222 = nearer[19] ? (nearer[18] ? term_189 : term_209) : term_188;
+    wire choice_223 = nearer[18] ? (nearer[17] ? term_190 : term_209) : term_189;
+    wire choice_224 = nearer[17] ? (nearer[16] ? term_191 : term_209) : term_190;
+    wire choice_225 = nearer[16] ? (nearer[15] ? term_192 : term_209) : term_191;
+    wire choice_226 = nearer[15] ? (nearer[14] ? term_193 : term_209) : term_192;
+    wire choice_227 = nearer[14] ? (nearer[13] ? term_194 : term_209) : term_193;
+    wire choice_228 = nearer[13] ? (nearer[12] ? term_195 : term_209) : term_194;
+    wire choice_229 = nearer[12] ? (nearer[11] ? term_196 : term_209) : term_195;
+    wire choice_230 = nearer[11] ? (nearer[10] ? term_197 : term_209) : term_196;
+    wire choice_231 = nearer[10] ? (nearer[9] ? term_198 : term_209) : term_197;
+    wire [31:0] joined_232 = {
         choice_210,
         choice_211,
         choice_212,
@@ -1729,23 +1960,41 @@ module core_b_queue (
         choice_228,
         choice_229,
         choice_230,
-        nearer[9] ? (nearer[8] ? term_198 : term_208) : term_197,
-        nearer[8] ? (nearer[7] ? term_199 : term_208) : term_198,
-        nearer[7] ? (nearer[6] ? term_200 : term_208) : term_199,
-        nearer[6] ? (nearer[5] ? term_201 : term_208) : term_200,
-        nearer[5] ? (nearer[4] ? term_202 : term_208) : term_201,
-        nearer[4] ? (nearer[3] ? term_203 : term_208) : term_202,
-        nearer[3] ? (nearer[2] ? term_204 : term_208) : term_203,
-        nearer[2] ? (nearer[1] ? term_205 : term_208) : term_204,
-        nearer[1] ? (nearer[0] ? term_206 : term_208) : term_205,
-        nearer[0] ? term_208 : term_206
+        choice_231,
+        nearer[9] ? (nearer[8] ? term_199 : term_209) : term_198,
+        nearer[8] ? (nearer[7] ? term_200 : term_209) : term_199,
+        nearer[7] ? (nearer[6] ? term_201 : term_209) : term_200,
+        nearer[6] ? (nearer[5] ? term_202 : term_209) : term_201,
+        nearer[5] ? (nearer[4] ? term_203 : term_209) : term_202,
+        nearer[4] ? (nearer[3] ? term_204 : term_209) : term_203,
+        nearer[3] ? (nearer[2] ? term_205 : term_209) : term_204,
+        nearer[2] ? (nearer[1] ? term_206 : term_209) : term_205,
+        nearer[1] ? (nearer[0] ? term_207 : term_209) : term_206,
+        nearer[0] ? term_209 : term_207
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_174 : joined_207) : joined_231;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_175 : joined_208) : joined_232;
     wire result_transfer = sending & result_ready;
-    wire [15:0] leaf_set = {15'd0, radius_valid} << radius_thread;
-    wire [15:0] shifted_232 = from_leaf >> candidates_queue_out_thread;
-    wire [31:0] choice_233 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
-    wire [15:0] shifted_234 = fresh >> readout_thread;
+    wire [15:0] leaf_set = {
+        radius_valid & (radius_thread == 4'd15),
+        radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13),
+        radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11),
+        radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9),
+        radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7),
+        radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5),
+        radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3),
+        radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1),
+        radius_valid & (radius_thread == 4'd0)
+    };
+    wire [15:0] shifted_233 = from_leaf >> candidates_queue_out_thread;
+    wire [31:0] choice_234 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [15:0] shifted_235 = fresh >> readout_thread;
     wire [3:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
     assign result_valid = sending;
@@ -1812,7 +2061,7 @@ module core_b_queue (
             event_insert_wait <= 1'd0;
         end else begin
             owned <= owned | item_valid;
-            fresh <= (fresh & ~({15'd0, reads} << beat_thread)) | query_set;
+            fresh <= (fresh & ~joined_172) | query_set;
             beat_valid <= take | (stays | waits);
             beat_reads <= take ? (beat_valid ? ~follows_beat : (~follows_tail | is_fresh)) : (beat_reads & waits);
             item_valid <= moves;
@@ -1839,7 +2088,7 @@ module core_b_queue (
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
         beat_pending <= take ? 4'd15 : waits ? beat_pending : rest;
         item_thread <= beat_thread;
-        item_fresh <= shifted_173[0];
+        item_fresh <= shifted_174[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
@@ -1850,7 +2099,7 @@ module core_b_queue (
         farthest_thread <= owner;
         item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : choice_233;
+        item_distance2 <= chosen[0] ? beat_distance0 : choice_234;
         released_thread <= readout_thread;
         if (take) begin
             beat_thread <= candidates_queue_out_thread;
@@ -1860,13 +2109,13 @@ module core_b_queue (
             beat_distance1 <= candidates_queue_out_distance1;
             beat_distance2 <= candidates_queue_out_distance2;
             beat_distance3 <= candidates_queue_out_distance3;
-            is_from_leaf <= shifted_232[0];
+            is_from_leaf <= shifted_233[0];
         end
         if (readout_starts) begin
             readout_thread <= finish_queue_out_thread;
         end
         if (fetching) begin
-            sent_row <= shifted_234[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
+            sent_row <= shifted_235[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
             sent_number <= query[61:38];
         end
         if (fetching | result_transfer) begin
@@ -1936,10 +2185,10 @@ module core_b_queue (
         base[1709:1685],
         base[1766:1742],
         base[1823:1799],
-        shifted_172[15:1],
         shifted_173[15:1],
-        shifted_232[15:1],
-        shifted_234[15:1],
+        shifted_174[15:1],
+        shifted_233[15:1],
+        shifted_235[15:1],
         start_x,
         start_y,
         start_z
@@ -2038,8 +2287,42 @@ module core_b_sieve (
     wire candidates_queue_out_ready = advance;
     wire leaves = displaced & kept_queue_in_ready;
     wire kept_queue_out_ready = kept_ready;
-    wire [15:0] query_set = {15'd0, start_valid} << start_thread;
-    wire [15:0] leaf_set = {15'd0, radius_valid} << radius_thread;
+    wire [15:0] query_set = {
+        start_valid & (start_thread == 4'd15),
+        start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13),
+        start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11),
+        start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9),
+        start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7),
+        start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5),
+        start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3),
+        start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1),
+        start_valid & (start_thread == 4'd0)
+    };
+    wire [15:0] leaf_set = {
+        radius_valid & (radius_thread == 4'd15),
+        radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13),
+        radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11),
+        radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9),
+        radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7),
+        radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5),
+        radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3),
+        radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1),
+        radius_valid & (radius_thread == 4'd0)
+    };
     wire [15:0] shifted_3 = from_leaf >> candidates_queue_out_thread;
     wire keep = near & proceeds;
     wire ends = s1_valid & s1_last & (~near & proceeds);
@@ -3394,8 +3677,42 @@ module core_b_recursion (
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
     wire resume_queue_out_ready = resume_ready;
-    wire [15:0] query_set = {15'd0, start_valid} << start_thread;
-    wire [15:0] leaf_set = {15'd0, radius_valid} << radius_thread;
+    wire [15:0] query_set = {
+        start_valid & (start_thread == 4'd15),
+        start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13),
+        start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11),
+        start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9),
+        start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7),
+        start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5),
+        start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3),
+        start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1),
+        start_valid & (start_thread == 4'd0)
+    };
+    wire [15:0] leaf_set = {
+        radius_valid & (radius_thread == 4'd15),
+        radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13),
+        radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11),
+        radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9),
+        radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7),
+        radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5),
+        radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3),
+        radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1),
+        radius_valid & (radius_thread == 4'd0)
+    };
     wire [15:0] shifted_1 = from_leaf >> r0_thread;
 
     assign resume_valid = resume_queue_out_valid;
@@ -3567,14 +3884,48 @@ module core_b_stack (
     reg [3:0] depth_15;
     reg [46:0] top;
 
-    wire [15:0] up = {15'd0, push_valid} << push_thread;
+    wire [15:0] up = {
+        push_valid & (push_thread == 4'd15),
+        push_valid & (push_thread == 4'd14),
+        push_valid & (push_thread == 4'd13),
+        push_valid & (push_thread == 4'd12),
+        push_valid & (push_thread == 4'd11),
+        push_valid & (push_thread == 4'd10),
+        push_valid & (push_thread == 4'd9),
+        push_valid & (push_thread == 4'd8),
+        push_valid & (push_thread == 4'd7),
+        push_valid & (push_thread == 4'd6),
+        push_valid & (push_thread == 4'd5),
+        push_valid & (push_thread == 4'd4),
+        push_valid & (push_thread == 4'd3),
+        push_valid & (push_thread == 4'd2),
+        push_valid & (push_thread == 4'd1),
+        push_valid & (push_thread == 4'd0)
+    };
     wire [3:0] choice_1 = pop_thread[1] ? (pop_thread[0] ? depth_15 : depth_14) : pop_thread[0] ? depth_13 : depth_12;
     wire [3:0] choice_2 = pop_thread[1] ? (pop_thread[0] ? depth_11 : depth_10) : pop_thread[0] ? depth_9 : depth_8;
     wire [3:0] choice_3 = pop_thread[1] ? (pop_thread[0] ? depth_7 : depth_6) : pop_thread[0] ? depth_5 : depth_4;
     wire [3:0] choice_4 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
     wire [3:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? choice_1 : choice_2) : pop_thread[2] ? choice_3 : choice_4;
     wire takes = pop_valid & |pop_depth;
-    wire [15:0] down = {15'd0, takes} << pop_thread;
+    wire [15:0] down = {
+        takes & (pop_thread == 4'd15),
+        takes & (pop_thread == 4'd14),
+        takes & (pop_thread == 4'd13),
+        takes & (pop_thread == 4'd12),
+        takes & (pop_thread == 4'd11),
+        takes & (pop_thread == 4'd10),
+        takes & (pop_thread == 4'd9),
+        takes & (pop_thread == 4'd8),
+        takes & (pop_thread == 4'd7),
+        takes & (pop_thread == 4'd6),
+        takes & (pop_thread == 4'd5),
+        takes & (pop_thread == 4'd4),
+        takes & (pop_thread == 4'd3),
+        takes & (pop_thread == 4'd2),
+        takes & (pop_thread == 4'd1),
+        takes & (pop_thread == 4'd0)
+    };
     wire [3:0] choice_5 = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
     wire [3:0] choice_6 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
     wire [3:0] choice_7 = push_thread[1] ? (push_thread[0] ? depth_7 : depth_6) : push_thread[0] ? depth_5 : depth_4;
@@ -3732,8 +4083,42 @@ module core_b_traversal (
     output wire reached_valid,
     output wire [3:0] reached_thread
 );
-    reg [34:0] even_nodes [0:8191];
-    reg [34:0] odd_nodes [0:8191];
+    reg [1:0] even_nodes_0 [0:8191];
+    reg [1:0] even_nodes_2 [0:8191];
+    reg [1:0] even_nodes_4 [0:8191];
+    reg [1:0] even_nodes_6 [0:8191];
+    reg [1:0] even_nodes_8 [0:8191];
+    reg [1:0] even_nodes_10 [0:8191];
+    reg [1:0] even_nodes_12 [0:8191];
+    reg [1:0] even_nodes_14 [0:8191];
+    reg [1:0] even_nodes_16 [0:8191];
+    reg [1:0] even_nodes_18 [0:8191];
+    reg [1:0] even_nodes_20 [0:8191];
+    reg [1:0] even_nodes_22 [0:8191];
+    reg [1:0] even_nodes_24 [0:8191];
+    reg [1:0] even_nodes_26 [0:8191];
+    reg [1:0] even_nodes_28 [0:8191];
+    reg [1:0] even_nodes_30 [0:8191];
+    reg [1:0] even_nodes_32 [0:8191];
+    reg even_nodes_34 [0:8191];
+    reg [1:0] odd_nodes_0 [0:8191];
+    reg [1:0] odd_nodes_2 [0:8191];
+    reg [1:0] odd_nodes_4 [0:8191];
+    reg [1:0] odd_nodes_6 [0:8191];
+    reg [1:0] odd_nodes_8 [0:8191];
+    reg [1:0] odd_nodes_10 [0:8191];
+    reg [1:0] odd_nodes_12 [0:8191];
+    reg [1:0] odd_nodes_14 [0:8191];
+    reg [1:0] odd_nodes_16 [0:8191];
+    reg [1:0] odd_nodes_18 [0:8191];
+    reg [1:0] odd_nodes_20 [0:8191];
+    reg [1:0] odd_nodes_22 [0:8191];
+    reg [1:0] odd_nodes_24 [0:8191];
+    reg [1:0] odd_nodes_26 [0:8191];
+    reg [1:0] odd_nodes_28 [0:8191];
+    reg [1:0] odd_nodes_30 [0:8191];
+    reg [1:0] odd_nodes_32 [0:8191];
+    reg odd_nodes_34 [0:8191];
     reg [95:0] queries [0:15];
     reg f_valid;
     reg [3:0] f_thread;
@@ -3748,8 +4133,42 @@ module core_b_traversal (
     reg s_at_leaf;
     reg [31:0] s_coordinate;
     reg [31:0] s_split;
-    reg [34:0] even_node;
-    reg [34:0] odd_node;
+    reg [1:0] even_node_0;
+    reg [1:0] even_node_1;
+    reg [1:0] even_node_2;
+    reg [1:0] even_node_3;
+    reg [1:0] even_node_4;
+    reg [1:0] even_node_5;
+    reg [1:0] even_node_6;
+    reg [1:0] even_node_7;
+    reg [1:0] even_node_8;
+    reg [1:0] even_node_9;
+    reg [1:0] even_node_10;
+    reg [1:0] even_node_11;
+    reg [1:0] even_node_12;
+    reg [1:0] even_node_13;
+    reg [1:0] even_node_14;
+    reg [1:0] even_node_15;
+    reg [1:0] even_node_16;
+    reg even_node_17;
+    reg [1:0] odd_node_0;
+    reg [1:0] odd_node_1;
+    reg [1:0] odd_node_2;
+    reg [1:0] odd_node_3;
+    reg [1:0] odd_node_4;
+    reg [1:0] odd_node_5;
+    reg [1:0] odd_node_6;
+    reg [1:0] odd_node_7;
+    reg [1:0] odd_node_8;
+    reg [1:0] odd_node_9;
+    reg [1:0] odd_node_10;
+    reg [1:0] odd_node_11;
+    reg [1:0] odd_node_12;
+    reg [1:0] odd_node_13;
+    reg [1:0] odd_node_14;
+    reg [1:0] odd_node_15;
+    reg [1:0] odd_node_16;
+    reg odd_node_17;
     reg [31:0] v_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
@@ -3796,8 +4215,49 @@ module core_b_traversal (
     wire [14:0] choice_6 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
     wire [14:0] next_node = descends ? {v_node[13:0], 1'd0} : choice_6;
     wire choice_7 = f_is_child ? ~less_y : f_node[0];
-    wire term_8 = tree_valid & ~tree_is_leaf;
-    wire [34:0] joined_9 = {tree_split, tree_dimension, tree_internal_leaf};
+    wire [31:0] joined_8 = {
+        odd_node_17,
+        odd_node_16,
+        odd_node_15,
+        odd_node_14,
+        odd_node_13,
+        odd_node_12,
+        odd_node_11,
+        odd_node_10,
+        odd_node_9,
+        odd_node_8,
+        odd_node_7,
+        odd_node_6,
+        odd_node_5,
+        odd_node_4,
+        odd_node_3,
+        odd_node_2,
+        odd_node_1[1]
+    };
+    wire [31:0] joined_9 = {
+        even_node_17,
+        even_node_16,
+        even_node_15,
+        even_node_14,
+        even_node_13,
+        even_node_12,
+        even_node_11,
+        even_node_10,
+        even_node_9,
+        even_node_8,
+        even_node_7,
+        even_node_6,
+        even_node_5,
+        even_node_4,
+        even_node_3,
+        even_node_2,
+        even_node_1[1]
+    };
+    wire term_10 = tree_valid & ~tree_is_leaf;
+    wire writes_even = term_10 & ~tree_address[0];
+    wire [1:0] joined_11 = {tree_dimension[0], tree_internal_leaf};
+    wire [1:0] joined_12 = {tree_split[0], tree_dimension[1]};
+    wire writes_odd = term_10 & tree_address[0];
 
     assign leaf_valid = leaf_queue_out_valid;
     assign leaf_thread = leaf_queue_out_thread;
@@ -3902,25 +4362,297 @@ module core_b_traversal (
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
             s_split <= v_split;
-            v_split <= choice_7 ? odd_node[34:3] : even_node[34:3];
-            v_dimension <= choice_7 ? odd_node[2:1] : even_node[2:1];
-            v_internal_leaf <= choice_7 ? odd_node[0] : even_node[0];
+            v_split <= choice_7 ? joined_8 : joined_9;
+            v_dimension <= choice_7 ? {odd_node_1[0], odd_node_0[1]} : {even_node_1[0], even_node_0[1]};
+            v_internal_leaf <= choice_7 ? odd_node_0[0] : even_node_0[0];
         end
     end
     always @(posedge clk) begin
-        if (term_8 & ~tree_address[0]) begin
-            even_nodes[tree_address[13:1]] <= joined_9;
+        if (writes_even) begin
+            even_nodes_0[tree_address[13:1]] <= joined_11;
         end
         if (advance) begin
-            even_node <= even_nodes[next_node[13:1]];
+            even_node_0 <= even_nodes_0[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
-        if (term_8 & tree_address[0]) begin
-            odd_nodes[tree_address[13:1]] <= joined_9;
+        if (writes_even) begin
+            even_nodes_2[tree_address[13:1]] <= joined_12;
         end
         if (advance) begin
-            odd_node <= odd_nodes[next_node[13:1]];
+            even_node_1 <= even_nodes_2[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_4[tree_address[13:1]] <= tree_split[2:1];
+        end
+        if (advance) begin
+            even_node_2 <= even_nodes_4[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_6[tree_address[13:1]] <= tree_split[4:3];
+        end
+        if (advance) begin
+            even_node_3 <= even_nodes_6[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_8[tree_address[13:1]] <= tree_split[6:5];
+        end
+        if (advance) begin
+            even_node_4 <= even_nodes_8[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_10[tree_address[13:1]] <= tree_split[8:7];
+        end
+        if (advance) begin
+            even_node_5 <= even_nodes_10[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_12[tree_address[13:1]] <= tree_split[10:9];
+        end
+        if (advance) begin
+            even_node_6 <= even_nodes_12[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_14[tree_address[13:1]] <= tree_split[12:11];
+        end
+        if (advance) begin
+            even_node_7 <= even_nodes_14[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_16[tree_address[13:1]] <= tree_split[14:13];
+        end
+        if (advance) begin
+            even_node_8 <= even_nodes_16[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_18[tree_address[13:1]] <= tree_split[16:15];
+        end
+        if (advance) begin
+            even_node_9 <= even_nodes_18[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_20[tree_address[13:1]] <= tree_split[18:17];
+        end
+        if (advance) begin
+            even_node_10 <= even_nodes_20[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_22[tree_address[13:1]] <= tree_split[20:19];
+        end
+        if (advance) begin
+            even_node_11 <= even_nodes_22[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_24[tree_address[13:1]] <= tree_split[22:21];
+        end
+        if (advance) begin
+            even_node_12 <= even_nodes_24[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_26[tree_address[13:1]] <= tree_split[24:23];
+        end
+        if (advance) begin
+            even_node_13 <= even_nodes_26[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_28[tree_address[13:1]] <= tree_split[26:25];
+        end
+        if (advance) begin
+            even_node_14 <= even_nodes_28[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_30[tree_address[13:1]] <= tree_split[28:27];
+        end
+        if (advance) begin
+            even_node_15 <= even_nodes_30[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_32[tree_address[13:1]] <= tree_split[30:29];
+        end
+        if (advance) begin
+            even_node_16 <= even_nodes_32[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_even) begin
+            even_nodes_34[tree_address[13:1]] <= tree_split[31];
+        end
+        if (advance) begin
+            even_node_17 <= even_nodes_34[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_0[tree_address[13:1]] <= joined_11;
+        end
+        if (advance) begin
+            odd_node_0 <= odd_nodes_0[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_2[tree_address[13:1]] <= joined_12;
+        end
+        if (advance) begin
+            odd_node_1 <= odd_nodes_2[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_4[tree_address[13:1]] <= tree_split[2:1];
+        end
+        if (advance) begin
+            odd_node_2 <= odd_nodes_4[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_6[tree_address[13:1]] <= tree_split[4:3];
+        end
+        if (advance) begin
+            odd_node_3 <= odd_nodes_6[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_8[tree_address[13:1]] <= tree_split[6:5];
+        end
+        if (advance) begin
+            odd_node_4 <= odd_nodes_8[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_10[tree_address[13:1]] <= tree_split[8:7];
+        end
+        if (advance) begin
+            odd_node_5 <= odd_nodes_10[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_12[tree_address[13:1]] <= tree_split[10:9];
+        end
+        if (advance) begin
+            odd_node_6 <= odd_nodes_12[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_14[tree_address[13:1]] <= tree_split[12:11];
+        end
+        if (advance) begin
+            odd_node_7 <= odd_nodes_14[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_16[tree_address[13:1]] <= tree_split[14:13];
+        end
+        if (advance) begin
+            odd_node_8 <= odd_nodes_16[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_18[tree_address[13:1]] <= tree_split[16:15];
+        end
+        if (advance) begin
+            odd_node_9 <= odd_nodes_18[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_20[tree_address[13:1]] <= tree_split[18:17];
+        end
+        if (advance) begin
+            odd_node_10 <= odd_nodes_20[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_22[tree_address[13:1]] <= tree_split[20:19];
+        end
+        if (advance) begin
+            odd_node_11 <= odd_nodes_22[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_24[tree_address[13:1]] <= tree_split[22:21];
+        end
+        if (advance) begin
+            odd_node_12 <= odd_nodes_24[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_26[tree_address[13:1]] <= tree_split[24:23];
+        end
+        if (advance) begin
+            odd_node_13 <= odd_nodes_26[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_28[tree_address[13:1]] <= tree_split[26:25];
+        end
+        if (advance) begin
+            odd_node_14 <= odd_nodes_28[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_30[tree_address[13:1]] <= tree_split[28:27];
+        end
+        if (advance) begin
+            odd_node_15 <= odd_nodes_30[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_32[tree_address[13:1]] <= tree_split[30:29];
+        end
+        if (advance) begin
+            odd_node_16 <= odd_nodes_32[next_node[13:1]];
+        end
+    end
+    always @(posedge clk) begin
+        if (writes_odd) begin
+            odd_nodes_34[tree_address[13:1]] <= tree_split[31];
+        end
+        if (advance) begin
+            odd_node_17 <= odd_nodes_34[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4530,12 +5262,80 @@ module core_b_threads (
     assign query_ready = |free & ~start_valid & descend_queue_in_ready;
     wire descend_queue_out_ready = descend_ready;
     wire take = query_valid & query_ready;
-    wire [15:0] released_set = {15'd0, released_valid} << released_thread;
+    wire [15:0] released_set = {
+        released_valid & (released_thread == 4'd15),
+        released_valid & (released_thread == 4'd14),
+        released_valid & (released_thread == 4'd13),
+        released_valid & (released_thread == 4'd12),
+        released_valid & (released_thread == 4'd11),
+        released_valid & (released_thread == 4'd10),
+        released_valid & (released_thread == 4'd9),
+        released_valid & (released_thread == 4'd8),
+        released_valid & (released_thread == 4'd7),
+        released_valid & (released_thread == 4'd6),
+        released_valid & (released_thread == 4'd5),
+        released_valid & (released_thread == 4'd4),
+        released_valid & (released_thread == 4'd3),
+        released_valid & (released_thread == 4'd2),
+        released_valid & (released_thread == 4'd1),
+        released_valid & (released_thread == 4'd0)
+    };
     wire [15:0] kept = ~released_set;
-    wire [15:0] leaf_done_set = {15'd0, leaf_done_valid} << leaf_done_thread;
-    wire [15:0] skipped_set = {15'd0, skipped_valid} << skipped_thread;
+    wire [15:0] leaf_done_set = {
+        leaf_done_valid & (leaf_done_thread == 4'd15),
+        leaf_done_valid & (leaf_done_thread == 4'd14),
+        leaf_done_valid & (leaf_done_thread == 4'd13),
+        leaf_done_valid & (leaf_done_thread == 4'd12),
+        leaf_done_valid & (leaf_done_thread == 4'd11),
+        leaf_done_valid & (leaf_done_thread == 4'd10),
+        leaf_done_valid & (leaf_done_thread == 4'd9),
+        leaf_done_valid & (leaf_done_thread == 4'd8),
+        leaf_done_valid & (leaf_done_thread == 4'd7),
+        leaf_done_valid & (leaf_done_thread == 4'd6),
+        leaf_done_valid & (leaf_done_thread == 4'd5),
+        leaf_done_valid & (leaf_done_thread == 4'd4),
+        leaf_done_valid & (leaf_done_thread == 4'd3),
+        leaf_done_valid & (leaf_done_thread == 4'd2),
+        leaf_done_valid & (leaf_done_thread == 4'd1),
+        leaf_done_valid & (leaf_done_thread == 4'd0)
+    };
+    wire [15:0] skipped_set = {
+        skipped_valid & (skipped_thread == 4'd15),
+        skipped_valid & (skipped_thread == 4'd14),
+        skipped_valid & (skipped_thread == 4'd13),
+        skipped_valid & (skipped_thread == 4'd12),
+        skipped_valid & (skipped_thread == 4'd11),
+        skipped_valid & (skipped_thread == 4'd10),
+        skipped_valid & (skipped_thread == 4'd9),
+        skipped_valid & (skipped_thread == 4'd8),
+        skipped_valid & (skipped_thread == 4'd7),
+        skipped_valid & (skipped_thread == 4'd6),
+        skipped_valid & (skipped_thread == 4'd5),
+        skipped_valid & (skipped_thread == 4'd4),
+        skipped_valid & (skipped_thread == 4'd3),
+        skipped_valid & (skipped_thread == 4'd2),
+        skipped_valid & (skipped_thread == 4'd1),
+        skipped_valid & (skipped_thread == 4'd0)
+    };
     wire [15:0] leaf_ended = leaf_done_set | skipped_set;
-    wire [15:0] reached_set = {15'd0, reached_valid} << reached_thread;
+    wire [15:0] reached_set = {
+        reached_valid & (reached_thread == 4'd15),
+        reached_valid & (reached_thread == 4'd14),
+        reached_valid & (reached_thread == 4'd13),
+        reached_valid & (reached_thread == 4'd12),
+        reached_valid & (reached_thread == 4'd11),
+        reached_valid & (reached_thread == 4'd10),
+        reached_valid & (reached_thread == 4'd9),
+        reached_valid & (reached_thread == 4'd8),
+        reached_valid & (reached_thread == 4'd7),
+        reached_valid & (reached_thread == 4'd6),
+        reached_valid & (reached_thread == 4'd5),
+        reached_valid & (reached_thread == 4'd4),
+        reached_valid & (reached_thread == 4'd3),
+        reached_valid & (reached_thread == 4'd2),
+        reached_valid & (reached_thread == 4'd1),
+        reached_valid & (reached_thread == 4'd0)
+    };
     wire [1:0] difference_1 = (outstanding_15 + {1'd0, reached_set[15]}) - {1'd0, leaf_done_set[15]};
     wire [1:0] outstanding_15_next = difference_1 - {1'd0, skipped_set[15]};
     wire [1:0] difference_2 = (outstanding_14 + {1'd0, reached_set[14]}) - {1'd0, leaf_done_set[14]};
@@ -4586,7 +5386,24 @@ module core_b_threads (
         outstanding_1_next < 2'd2,
         outstanding_0_next < 2'd2
     };
-    wire [15:0] empty_set = {15'd0, empty_valid} << empty_thread;
+    wire [15:0] empty_set = {
+        empty_valid & (empty_thread == 4'd15),
+        empty_valid & (empty_thread == 4'd14),
+        empty_valid & (empty_thread == 4'd13),
+        empty_valid & (empty_thread == 4'd12),
+        empty_valid & (empty_thread == 4'd11),
+        empty_valid & (empty_thread == 4'd10),
+        empty_valid & (empty_thread == 4'd9),
+        empty_valid & (empty_thread == 4'd8),
+        empty_valid & (empty_thread == 4'd7),
+        empty_valid & (empty_thread == 4'd6),
+        empty_valid & (empty_thread == 4'd5),
+        empty_valid & (empty_thread == 4'd4),
+        empty_valid & (empty_thread == 4'd3),
+        empty_valid & (empty_thread == 4'd2),
+        empty_valid & (empty_thread == 4'd1),
+        empty_valid & (empty_thread == 4'd0)
+    };
     wire [15:0] exhausted_now = exhausted | empty_set;
     wire [15:0] pop_next = wants_pop & behind_pop;
     wire pop_from_next = |pop_next;

@@ -1472,126 +1472,111 @@ module bus_registers (
     wire term_3 = write_address[11:2] == 10'd32;
     wire term_4 = write_address[11:2] == 10'd34;
     wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (term_1 | term_2 | term_3 | term_4);
-    wire term_5 = (write_address[11:2] == 10'd0) | (term_1 & (write_data[0] | write_data[1]));
-    wire term_6 = term_5 | (write_address[11:2] == 10'd2) | (write_address[11:2] == 10'd4);
-    wire term_7 = term_6 | (write_address[11:2] == 10'd5) | (write_address[11:2] == 10'd6);
-    wire term_8 = term_7 | (write_address[11:2] == 10'd7) | (write_address[11:2] == 10'd8);
-    wire term_9 = term_8 | (write_address[11:2] == 10'd9) | (write_address[11:2] == 10'd10);
-    wire term_10 = term_9 | (write_address[11:2] == 10'd11) | (write_address[11:2] == 10'd16);
-    wire term_11 = term_10 | (write_address[11:2] == 10'd17) | (write_address[11:2] == 10'd18);
-    wire term_12 = term_11 | (write_address[11:2] == 10'd19) | (write_address[11:2] == 10'd20);
-    wire term_13 = term_12 | (write_address[11:2] == 10'd21) | term_3 | term_4;
+    wire idle_only = (term_1 & (write_data[0] | write_data[1])) | term_3 | term_4;
     wire wants_start = term_1 & write_data[0];
-    wire blocked = (term_13 & busy) | (wants_start & occupied);
+    wire blocked = (idle_only & busy) | (wants_start & occupied);
     wire senseless = (term_3 & |write_data[11:0]) | (wants_start & (queries_bits == 32'd0));
     wire write_accepted = judges & (shaped & ~(blocked | senseless));
     wire commands = write_accepted & term_1;
     wire starts = commands & write_data[0];
-    reg [4:0] counter;
+    reg [4:0] found;
     always @(*) begin
         case (read_address[6:2])
-            5'd0: counter = 5'd0;
-            5'd1: counter = 5'd0;
-            5'd2: counter = 5'd0;
-            5'd3: counter = 5'd0;
-            5'd4: counter = 5'd16;
-            5'd5: counter = 5'd17;
-            5'd6: counter = 5'd18;
-            5'd7: counter = 5'd19;
-            5'd8: counter = 5'd20;
-            5'd9: counter = 5'd21;
-            5'd10: counter = 5'd22;
-            5'd11: counter = 5'd23;
-            5'd12: counter = 5'd0;
-            5'd13: counter = 5'd0;
-            5'd14: counter = 5'd0;
-            5'd15: counter = 5'd0;
-            5'd16: counter = 5'd24;
-            5'd17: counter = 5'd25;
-            5'd18: counter = 5'd26;
-            5'd19: counter = 5'd27;
-            5'd20: counter = 5'd28;
-            5'd21: counter = 5'd29;
-            5'd22: counter = 5'd0;
-            5'd23: counter = 5'd0;
-            5'd24: counter = 5'd0;
-            5'd25: counter = 5'd0;
-            5'd26: counter = 5'd0;
-            5'd27: counter = 5'd0;
-            5'd28: counter = 5'd0;
-            5'd29: counter = 5'd0;
-            5'd30: counter = 5'd0;
-            default: counter = 5'd0;
+            5'd0: found = 5'd0;
+            5'd1: found = 5'd0;
+            5'd2: found = 5'd0;
+            5'd3: found = 5'd0;
+            5'd4: found = 5'd16;
+            5'd5: found = 5'd17;
+            5'd6: found = 5'd18;
+            5'd7: found = 5'd19;
+            5'd8: found = 5'd20;
+            5'd9: found = 5'd21;
+            5'd10: found = 5'd22;
+            5'd11: found = 5'd23;
+            5'd12: found = 5'd0;
+            5'd13: found = 5'd0;
+            5'd14: found = 5'd0;
+            5'd15: found = 5'd0;
+            5'd16: found = 5'd24;
+            5'd17: found = 5'd25;
+            5'd18: found = 5'd26;
+            5'd19: found = 5'd27;
+            5'd20: found = 5'd28;
+            5'd21: found = 5'd29;
+            5'd22: found = 5'd0;
+            5'd23: found = 5'd0;
+            5'd24: found = 5'd0;
+            5'd25: found = 5'd0;
+            5'd26: found = 5'd0;
+            5'd27: found = 5'd0;
+            5'd28: found = 5'd0;
+            5'd29: found = 5'd0;
+            5'd30: found = 5'd0;
+            default: found = 5'd0;
         endcase
     end
-    wire reads_counter = counter[4] & (read_address[11:7] == 5'd0);
-    wire term_14 = read_address[11:2] == 10'd0;
-    wire term_15 = read_address[11:2] == 10'd2;
-    wire term_16 = read_address[11:2] == 10'd3;
-    wire term_17 = term_14 | term_15 | term_16 | (read_address[11:2] == 10'd4);
-    wire term_18 = term_17 | (read_address[11:2] == 10'd5) | (read_address[11:2] == 10'd6);
-    wire term_19 = term_18 | (read_address[11:2] == 10'd7) | (read_address[11:2] == 10'd8);
-    wire term_20 = term_19 | (read_address[11:2] == 10'd9) | (read_address[11:2] == 10'd10);
-    wire term_21 = term_20 | (read_address[11:2] == 10'd11) | (read_address[11:2] == 10'd16);
-    wire term_22 = term_21 | (read_address[11:2] == 10'd17) | (read_address[11:2] == 10'd18);
-    wire term_23 = term_22 | (read_address[11:2] == 10'd19) | (read_address[11:2] == 10'd20);
-    wire term_24 = read_address[11:2] == 10'd32;
-    wire term_25 = read_address[11:2] == 10'd34;
-    wire term_26 = term_23 | (read_address[11:2] == 10'd21) | term_24 | term_25;
-    wire refused_read = has_read_address & ~((read_address[1:0] == 2'd0) & term_26);
+    wire reads_counter = found[4] & (read_address[11:7] == 5'd0);
+    wire term_5 = read_address[11:2] == 10'd0;
+    wire term_6 = read_address[11:2] == 10'd2;
+    wire term_7 = read_address[11:2] == 10'd3;
+    wire term_8 = read_address[11:2] == 10'd32;
+    wire term_9 = read_address[11:2] == 10'd34;
+    wire term_10 = term_5 | term_6 | term_7 | term_8 | term_9 | reads_counter;
+    wire refused_read = has_read_address & ~((read_address[1:0] == 2'd0) & term_10);
     wire asks = has_read_address & (reads_counter & ~refused_read);
     wire answers = has_read_address & (~asks | read_valid);
     wire refused_write = judges & (~shaped | (~blocked & senseless));
     wire refused_busy = judges & (shaped & blocked);
-    wire term_27 = refused_write | refused_read | refused_busy | busy_error | burst_error[0];
+    wire term_11 = refused_write | refused_read | refused_busy | busy_error | burst_error[0];
     wire looks = ~adds;
     wire turns_aside = asks & ~for_read;
     wire visits_0 = looks & (visited == 4'd0);
-    wire [6:0] sum_28 = {6'd0, refused_write} + {6'd0, refused_read};
+    wire [6:0] sum_12 = {6'd0, refused_write} + {6'd0, refused_read};
     wire visits_1 = looks & (visited == 4'd1);
-    wire [6:0] sum_29 = {6'd0, refused_busy} + {6'd0, busy_error};
+    wire [6:0] sum_13 = {6'd0, refused_busy} + {6'd0, busy_error};
     wire visits_2 = looks & (visited == 4'd2);
-    wire [6:0] sum_30 = {6'd0, burst_error[0]} + {6'd0, burst_error[1]};
+    wire [6:0] sum_14 = {6'd0, burst_error[0]} + {6'd0, burst_error[1]};
     wire visits_3 = looks & (visited == 4'd3);
     wire visits_4 = looks & (visited == 4'd4);
     wire visits_5 = looks & (visited == 4'd5);
     wire visits_6 = looks & (visited == 4'd6);
-    wire term_31 = packet_taken & busy;
-    wire [5:0] joined_32 = {5'd0, term_31};
+    wire term_15 = packet_taken & busy;
+    wire [5:0] joined_16 = {5'd0, term_15};
     wire visits_7 = looks & (visited == 4'd7);
-    wire term_33 = packet_sent & busy;
-    wire [5:0] joined_34 = {5'd0, term_33};
+    wire term_17 = packet_sent & busy;
+    wire [5:0] joined_18 = {5'd0, term_17};
     wire visits_8 = looks & (visited == 4'd8);
-    wire term_35 = event_node & busy;
-    wire [5:0] joined_36 = {5'd0, term_35};
+    wire term_19 = event_node & busy;
+    wire [5:0] joined_20 = {5'd0, term_19};
     wire visits_9 = looks & (visited == 4'd9);
-    wire term_37 = event_pop & busy;
-    wire [5:0] joined_38 = {5'd0, term_37};
+    wire term_21 = event_pop & busy;
+    wire [5:0] joined_22 = {5'd0, term_21};
     wire visits_10 = looks & (visited == 4'd10);
-    wire term_39 = event_beat & busy;
-    wire [5:0] joined_40 = {5'd0, term_39};
+    wire term_23 = event_beat & busy;
+    wire [5:0] joined_24 = {5'd0, term_23};
     wire visits_11 = looks & (visited == 4'd11);
-    wire term_41 = event_insert & busy;
-    wire [5:0] joined_42 = {5'd0, term_41};
+    wire term_25 = event_insert & busy;
+    wire [5:0] joined_26 = {5'd0, term_25};
     wire visits_12 = looks & (visited == 4'd12);
-    wire term_43 = event_insert_wait & busy;
-    wire [5:0] joined_44 = {5'd0, term_43};
+    wire term_27 = event_insert_wait & busy;
+    wire [5:0] joined_28 = {5'd0, term_27};
     wire visits_13 = looks & (visited == 4'd13);
-    wire term_45 = event_thread_wait & busy;
-    wire [5:0] joined_46 = {5'd0, term_45};
-    wire [6:0] choice_47 = visited[1] ? {1'd0, part_13} : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
-    wire [6:0] choice_48 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
-    wire [6:0] choice_49 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : {1'd0, part_4};
-    wire [6:0] choice_50 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? part_1 : part_0;
-    wire choice_51 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
-    wire choice_52 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : choice_51;
-    wire choice_53 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
-    wire choice_54 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire term_29 = event_thread_wait & busy;
+    wire [5:0] joined_30 = {5'd0, term_29};
+    wire [6:0] choice_31 = visited[1] ? {1'd0, part_13} : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
+    wire [6:0] choice_32 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
+    wire [6:0] choice_33 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : {1'd0, part_4};
+    wire [6:0] choice_34 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? part_1 : part_0;
+    wire choice_35 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
+    wire choice_36 = visited[2] ? (visited[1] ? void_13 : visited[0] ? void_13 : void_12) : choice_35;
+    wire choice_37 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire choice_38 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
     wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {26'd0, part};
     wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
-    wire [31:0] term_55 = ({32{term_14}} & 32'h50430b01) | ({32{term_15}} & {29'd0, error, done, busy});
-    wire [31:0] term_56 = term_55 | ({32{term_16}} & {31'd0, interrupt_enable_bits});
-    wire [31:0] term_57 = term_56 | ({32{term_24}} & {points_base_bits, 12'd0}) | ({32{term_25}} & queries_bits);
+    wire [31:0] term_39 = ({32{term_5}} & 32'h50430b01) | ({32{term_6}} & {29'd0, error, done, busy});
+    wire [31:0] term_40 = term_39 | ({32{term_7}} & {31'd0, interrupt_enable_bits});
+    wire [31:0] term_41 = term_40 | ({32{term_8}} & {points_base_bits, 12'd0}) | ({32{term_9}} & queries_bits);
 
     assign s_axil_awready = ~has_address;
     assign s_axil_wready = ~has_data;
@@ -1661,13 +1646,13 @@ module bus_registers (
             clear_errors <= commands & write_data[2];
             done <= ~starts & (done | (busy & finished));
             has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
-            error <= term_27 | burst_error[1] | packet_error | memory_error | (error & ~clear_errors);
+            error <= term_11 | burst_error[1] | packet_error | memory_error | (error & ~clear_errors);
             adds <= looks;
-            part_0 <= (visits_0 | clear_errors) ? sum_28 : (part_0 + sum_28);
+            part_0 <= (visits_0 | clear_errors) ? sum_12 : (part_0 + sum_12);
             void_0 <= clear_errors | (void_0 & ~visits_0);
-            part_1 <= (visits_1 | clear_errors) ? sum_29 : (part_1 + sum_29);
+            part_1 <= (visits_1 | clear_errors) ? sum_13 : (part_1 + sum_13);
             void_1 <= clear_errors | (void_1 & ~visits_1);
-            part_2 <= (visits_2 | clear_errors) ? sum_30 : (part_2 + sum_30);
+            part_2 <= (visits_2 | clear_errors) ? sum_14 : (part_2 + sum_14);
             void_2 <= clear_errors | (void_2 & ~visits_2);
             part_3 <= (visits_3 | clear_errors) ? {5'd0, packet_error} : (part_3 + {5'd0, packet_error});
             void_3 <= clear_errors | (void_3 & ~visits_3);
@@ -1675,21 +1660,21 @@ module bus_registers (
             void_4 <= clear_errors | (void_4 & ~visits_4);
             part_5 <= (visits_5 | start) ? {5'd0, busy} : (part_5 + {5'd0, busy});
             void_5 <= start | (void_5 & ~visits_5);
-            part_6 <= (visits_6 | start) ? joined_32 : (part_6 + joined_32);
+            part_6 <= (visits_6 | start) ? joined_16 : (part_6 + joined_16);
             void_6 <= start | (void_6 & ~visits_6);
-            part_7 <= (visits_7 | start) ? joined_34 : (part_7 + joined_34);
+            part_7 <= (visits_7 | start) ? joined_18 : (part_7 + joined_18);
             void_7 <= start | (void_7 & ~visits_7);
-            part_8 <= (visits_8 | start) ? joined_36 : (part_8 + joined_36);
+            part_8 <= (visits_8 | start) ? joined_20 : (part_8 + joined_20);
             void_8 <= start | (void_8 & ~visits_8);
-            part_9 <= (visits_9 | start) ? joined_38 : (part_9 + joined_38);
+            part_9 <= (visits_9 | start) ? joined_22 : (part_9 + joined_22);
             void_9 <= start | (void_9 & ~visits_9);
-            part_10 <= (visits_10 | start) ? joined_40 : (part_10 + joined_40);
+            part_10 <= (visits_10 | start) ? joined_24 : (part_10 + joined_24);
             void_10 <= start | (void_10 & ~visits_10);
-            part_11 <= (visits_11 | start) ? joined_42 : (part_11 + joined_42);
+            part_11 <= (visits_11 | start) ? joined_26 : (part_11 + joined_26);
             void_11 <= start | (void_11 & ~visits_11);
-            part_12 <= (visits_12 | start) ? joined_44 : (part_12 + joined_44);
+            part_12 <= (visits_12 | start) ? joined_28 : (part_12 + joined_28);
             void_12 <= start | (void_12 & ~visits_12);
-            part_13 <= (visits_13 | start) ? joined_46 : (part_13 + joined_46);
+            part_13 <= (visits_13 | start) ? joined_30 : (part_13 + joined_30);
             void_13 <= start | (void_13 & ~visits_13);
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
@@ -1704,7 +1689,7 @@ module bus_registers (
                 queries_bits <= write_data;
             end
             if (adds) begin
-                visited <= turns_aside ? counter[3:0] : round;
+                visited <= turns_aside ? found[3:0] : round;
                 for_read <= turns_aside;
             end
             if (adds & ~turns_aside) begin
@@ -1726,11 +1711,11 @@ module bus_registers (
         if (read_ready) begin
             read_address <= s_axil_araddr;
         end
-        part <= visited[3] ? (visited[2] ? choice_47 : choice_48) : visited[2] ? choice_49 : choice_50;
-        is_void <= visited[3] ? choice_52 : visited[2] ? choice_53 : choice_54;
+        part <= visited[3] ? (visited[2] ? choice_31 : choice_32) : visited[2] ? choice_33 : choice_34;
+        is_void <= visited[3] ? choice_36 : visited[2] ? choice_37 : choice_38;
         read_value <= saturated;
         if (answers) begin
-            s_axil_rdata <= asks ? read_value : (term_57 & {32{~refused_read}});
+            s_axil_rdata <= asks ? read_value : (term_41 & {32{~refused_read}});
             read_is_error <= refused_read;
         end
     end
@@ -1742,24 +1727,24 @@ module bus_registers (
     end
 
 `ifdef POINTCORE_ASSERT
-    wire [7:0] sum_58 = {1'd0, part_0} + {1'd0, sum_28};
-    wire [7:0] sum_59 = {1'd0, part_1} + {1'd0, sum_29};
-    wire [7:0] sum_60 = {1'd0, part_2} + {1'd0, sum_30};
-    wire [6:0] sum_61 = {1'd0, part_3} + {6'd0, packet_error};
-    wire [6:0] sum_62 = {1'd0, part_4} + {6'd0, memory_error};
-    wire [6:0] sum_63 = {1'd0, part_5} + {6'd0, busy};
-    wire [6:0] sum_64 = {1'd0, part_6} + {6'd0, term_31};
-    wire [6:0] sum_65 = {1'd0, part_7} + {6'd0, term_33};
-    wire [6:0] sum_66 = {1'd0, part_8} + {6'd0, term_35};
-    wire [6:0] sum_67 = {1'd0, part_9} + {6'd0, term_37};
-    wire [6:0] sum_68 = {1'd0, part_10} + {6'd0, term_39};
-    wire [6:0] sum_69 = {1'd0, part_11} + {6'd0, term_41};
-    wire [6:0] sum_70 = {1'd0, part_12} + {6'd0, term_43};
-    wire [6:0] sum_71 = {1'd0, part_13} + {6'd0, term_45};
+    wire [7:0] sum_42 = {1'd0, part_0} + {1'd0, sum_12};
+    wire [7:0] sum_43 = {1'd0, part_1} + {1'd0, sum_13};
+    wire [7:0] sum_44 = {1'd0, part_2} + {1'd0, sum_14};
+    wire [6:0] sum_45 = {1'd0, part_3} + {6'd0, packet_error};
+    wire [6:0] sum_46 = {1'd0, part_4} + {6'd0, memory_error};
+    wire [6:0] sum_47 = {1'd0, part_5} + {6'd0, busy};
+    wire [6:0] sum_48 = {1'd0, part_6} + {6'd0, term_15};
+    wire [6:0] sum_49 = {1'd0, part_7} + {6'd0, term_17};
+    wire [6:0] sum_50 = {1'd0, part_8} + {6'd0, term_19};
+    wire [6:0] sum_51 = {1'd0, part_9} + {6'd0, term_21};
+    wire [6:0] sum_52 = {1'd0, part_10} + {6'd0, term_23};
+    wire [6:0] sum_53 = {1'd0, part_11} + {6'd0, term_25};
+    wire [6:0] sum_54 = {1'd0, part_12} + {6'd0, term_27};
+    wire [6:0] sum_55 = {1'd0, part_13} + {6'd0, term_29};
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~sum_58[7])) begin
+            if (!(~sum_42[7])) begin
 `ifdef FORMAL
                 part_0_has_room: assert (0);
 `else
@@ -1767,7 +1752,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_59[7])) begin
+            if (!(~sum_43[7])) begin
 `ifdef FORMAL
                 part_1_has_room: assert (0);
 `else
@@ -1775,7 +1760,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_60[7])) begin
+            if (!(~sum_44[7])) begin
 `ifdef FORMAL
                 part_2_has_room: assert (0);
 `else
@@ -1783,7 +1768,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_61[6])) begin
+            if (!(~sum_45[6])) begin
 `ifdef FORMAL
                 part_3_has_room: assert (0);
 `else
@@ -1791,7 +1776,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_62[6])) begin
+            if (!(~sum_46[6])) begin
 `ifdef FORMAL
                 part_4_has_room: assert (0);
 `else
@@ -1799,7 +1784,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_63[6])) begin
+            if (!(~sum_47[6])) begin
 `ifdef FORMAL
                 part_5_has_room: assert (0);
 `else
@@ -1807,7 +1792,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_64[6])) begin
+            if (!(~sum_48[6])) begin
 `ifdef FORMAL
                 part_6_has_room: assert (0);
 `else
@@ -1815,7 +1800,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_65[6])) begin
+            if (!(~sum_49[6])) begin
 `ifdef FORMAL
                 part_7_has_room: assert (0);
 `else
@@ -1823,7 +1808,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_66[6])) begin
+            if (!(~sum_50[6])) begin
 `ifdef FORMAL
                 part_8_has_room: assert (0);
 `else
@@ -1831,7 +1816,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_67[6])) begin
+            if (!(~sum_51[6])) begin
 `ifdef FORMAL
                 part_9_has_room: assert (0);
 `else
@@ -1839,7 +1824,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_68[6])) begin
+            if (!(~sum_52[6])) begin
 `ifdef FORMAL
                 part_10_has_room: assert (0);
 `else
@@ -1847,7 +1832,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_69[6])) begin
+            if (!(~sum_53[6])) begin
 `ifdef FORMAL
                 part_11_has_room: assert (0);
 `else
@@ -1855,7 +1840,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_70[6])) begin
+            if (!(~sum_54[6])) begin
 `ifdef FORMAL
                 part_12_has_room: assert (0);
 `else
@@ -1863,7 +1848,7 @@ module bus_registers (
                 $stop;
 `endif
             end
-            if (!(~sum_71[6])) begin
+            if (!(~sum_55[6])) begin
 `ifdef FORMAL
                 part_13_has_room: assert (0);
 `else
@@ -1876,20 +1861,20 @@ module bus_registers (
 
     wire _unused_by_checks = &{
         1'b0,
-        sum_58[6:0],
-        sum_59[6:0],
-        sum_60[6:0],
-        sum_61[5:0],
-        sum_62[5:0],
-        sum_63[5:0],
-        sum_64[5:0],
-        sum_65[5:0],
-        sum_66[5:0],
-        sum_67[5:0],
-        sum_68[5:0],
-        sum_69[5:0],
-        sum_70[5:0],
-        sum_71[5:0]
+        sum_42[6:0],
+        sum_43[6:0],
+        sum_44[6:0],
+        sum_45[5:0],
+        sum_46[5:0],
+        sum_47[5:0],
+        sum_48[5:0],
+        sum_49[5:0],
+        sum_50[5:0],
+        sum_51[5:0],
+        sum_52[5:0],
+        sum_53[5:0],
+        sum_54[5:0],
+        sum_55[5:0]
     };
 `endif
 endmodule

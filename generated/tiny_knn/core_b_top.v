@@ -595,37 +595,53 @@ module core_b_queue (
         nearer[0] ? new_distance2 : working[23:0]
     };
     wire reads = moves & beat_reads;
-    wire [3:0] query_set = {3'd0, start_valid} << start_thread;
-    wire [3:0] shifted_41 = fresh >> candidates_queue_out_thread;
-    wire is_fresh = shifted_41[0];
-    wire [3:0] shifted_42 = fresh >> beat_thread;
-    wire [7:0] joined_43 = {~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18, ~term_19};
-    wire [327:0] base = item_reads ? stored : working;
-    wire term_44 = item_distance2 < base[310:287];
-    wire term_45 = item_distance2 < base[269:246];
-    wire term_46 = item_distance2 < base[228:205];
-    wire term_47 = item_distance2 < base[187:164];
-    wire term_48 = item_distance2 < base[146:123];
-    wire term_49 = item_distance2 < base[105:82];
-    wire term_50 = item_distance2 < base[64:41];
-    wire term_51 = item_distance2 < base[23:0];
-    wire [7:0] joined_52 = {term_44, term_45, term_46, term_47, term_48, term_49, term_50, term_51};
-    wire term_53 = item_distance2 < new_distance2;
-    wire [7:0] joined_54 = {
-        nearer[7] ? (nearer[6] ? term_45 : term_53) : term_44,
-        nearer[6] ? (nearer[5] ? term_46 : term_53) : term_45,
-        nearer[5] ? (nearer[4] ? term_47 : term_53) : term_46,
-        nearer[4] ? (nearer[3] ? term_48 : term_53) : term_47,
-        nearer[3] ? (nearer[2] ? term_49 : term_53) : term_48,
-        nearer[2] ? (nearer[1] ? term_50 : term_53) : term_49,
-        nearer[1] ? (nearer[0] ? term_51 : term_53) : term_50,
-        nearer[0] ? term_53 : term_51
+    wire [3:0] joined_41 = {
+        reads & (beat_thread == 2'd3),
+        reads & (beat_thread == 2'd2),
+        reads & (beat_thread == 2'd1),
+        reads & (beat_thread == 2'd0)
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_43 : joined_52) : joined_54;
+    wire [3:0] query_set = {
+        start_valid & (start_thread == 2'd3),
+        start_valid & (start_thread == 2'd2),
+        start_valid & (start_thread == 2'd1),
+        start_valid & (start_thread == 2'd0)
+    };
+    wire [3:0] shifted_42 = fresh >> candidates_queue_out_thread;
+    wire is_fresh = shifted_42[0];
+    wire [3:0] shifted_43 = fresh >> beat_thread;
+    wire [7:0] joined_44 = {~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18, ~term_19};
+    wire [327:0] base = item_reads ? stored : working;
+    wire term_45 = item_distance2 < base[310:287];
+    wire term_46 = item_distance2 < base[269:246];
+    wire term_47 = item_distance2 < base[228:205];
+    wire term_48 = item_distance2 < base[187:164];
+    wire term_49 = item_distance2 < base[146:123];
+    wire term_50 = item_distance2 < base[105:82];
+    wire term_51 = item_distance2 < base[64:41];
+    wire term_52 = item_distance2 < base[23:0];
+    wire [7:0] joined_53 = {term_45, term_46, term_47, term_48, term_49, term_50, term_51, term_52};
+    wire term_54 = item_distance2 < new_distance2;
+    wire [7:0] joined_55 = {
+        nearer[7] ? (nearer[6] ? term_46 : term_54) : term_45,
+        nearer[6] ? (nearer[5] ? term_47 : term_54) : term_46,
+        nearer[5] ? (nearer[4] ? term_48 : term_54) : term_47,
+        nearer[4] ? (nearer[3] ? term_49 : term_54) : term_48,
+        nearer[3] ? (nearer[2] ? term_50 : term_54) : term_49,
+        nearer[2] ? (nearer[1] ? term_51 : term_54) : term_50,
+        nearer[1] ? (nearer[0] ? term_52 : term_54) : term_51,
+        nearer[0] ? term_54 : term_52
+    };
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_44 : joined_53) : joined_55;
     wire result_transfer = sending & result_ready;
-    wire [3:0] leaf_set = {3'd0, radius_valid} << radius_thread;
-    wire [3:0] shifted_55 = from_leaf >> candidates_queue_out_thread;
-    wire [3:0] shifted_56 = fresh >> readout_thread;
+    wire [3:0] leaf_set = {
+        radius_valid & (radius_thread == 2'd3),
+        radius_valid & (radius_thread == 2'd2),
+        radius_valid & (radius_thread == 2'd1),
+        radius_valid & (radius_thread == 2'd0)
+    };
+    wire [3:0] shifted_56 = from_leaf >> candidates_queue_out_thread;
+    wire [3:0] shifted_57 = fresh >> readout_thread;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
     assign result_valid = sending;
@@ -686,7 +702,7 @@ module core_b_queue (
             event_insert_wait <= 1'd0;
         end else begin
             owned <= owned | item_valid;
-            fresh <= (fresh & ~({3'd0, reads} << beat_thread)) | query_set;
+            fresh <= (fresh & ~joined_41) | query_set;
             beat_valid <= take | (stays | waits);
             beat_reads <= take ? (beat_valid ? ~follows_beat : (~follows_tail | is_fresh)) : (beat_reads & waits);
             item_valid <= moves;
@@ -713,7 +729,7 @@ module core_b_queue (
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
         beat_pending <= take ? 1'd1 : waits ? beat_pending : rest;
         item_thread <= beat_thread;
-        item_fresh <= shifted_42[0];
+        item_fresh <= shifted_43[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
@@ -731,13 +747,13 @@ module core_b_queue (
             beat_address <= candidates_queue_out_address;
             beat_last <= candidates_queue_out_last;
             beat_distance0 <= candidates_queue_out_distance0;
-            is_from_leaf <= shifted_55[0];
+            is_from_leaf <= shifted_56[0];
         end
         if (readout_starts) begin
             readout_thread <= finish_queue_out_thread;
         end
         if (fetching) begin
-            sent_row <= shifted_56[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
+            sent_row <= shifted_57[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
             sent_number <= query[43:28];
         end
         if (fetching | result_transfer) begin
@@ -783,10 +799,10 @@ module core_b_queue (
         base[245:229],
         base[286:270],
         base[327:311],
-        shifted_41[3:1],
         shifted_42[3:1],
-        shifted_55[3:1],
+        shifted_43[3:1],
         shifted_56[3:1],
+        shifted_57[3:1],
         start_x,
         start_y,
         start_z
@@ -866,8 +882,18 @@ module core_b_sieve (
     wire candidates_queue_out_ready = advance;
     wire leaves = displaced & kept_queue_in_ready;
     wire kept_queue_out_ready = kept_ready;
-    wire [3:0] query_set = {3'd0, start_valid} << start_thread;
-    wire [3:0] leaf_set = {3'd0, radius_valid} << radius_thread;
+    wire [3:0] query_set = {
+        start_valid & (start_thread == 2'd3),
+        start_valid & (start_thread == 2'd2),
+        start_valid & (start_thread == 2'd1),
+        start_valid & (start_thread == 2'd0)
+    };
+    wire [3:0] leaf_set = {
+        radius_valid & (radius_thread == 2'd3),
+        radius_valid & (radius_thread == 2'd2),
+        radius_valid & (radius_thread == 2'd1),
+        radius_valid & (radius_thread == 2'd0)
+    };
     wire [3:0] shifted_2 = from_leaf >> candidates_queue_out_thread;
     wire keep = near & proceeds;
     wire ends = s1_valid & s1_last & (~near & proceeds);
@@ -1790,8 +1816,18 @@ module core_b_recursion (
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
     wire resume_queue_out_ready = resume_ready;
-    wire [3:0] query_set = {3'd0, start_valid} << start_thread;
-    wire [3:0] leaf_set = {3'd0, radius_valid} << radius_thread;
+    wire [3:0] query_set = {
+        start_valid & (start_thread == 2'd3),
+        start_valid & (start_thread == 2'd2),
+        start_valid & (start_thread == 2'd1),
+        start_valid & (start_thread == 2'd0)
+    };
+    wire [3:0] leaf_set = {
+        radius_valid & (radius_thread == 2'd3),
+        radius_valid & (radius_thread == 2'd2),
+        radius_valid & (radius_thread == 2'd1),
+        radius_valid & (radius_thread == 2'd0)
+    };
     wire [3:0] shifted_1 = from_leaf >> r0_thread;
 
     assign resume_valid = resume_queue_out_valid;
@@ -1951,10 +1987,20 @@ module core_b_stack (
     reg [2:0] depth_3;
     reg [30:0] top;
 
-    wire [3:0] up = {3'd0, push_valid} << push_thread;
+    wire [3:0] up = {
+        push_valid & (push_thread == 2'd3),
+        push_valid & (push_thread == 2'd2),
+        push_valid & (push_thread == 2'd1),
+        push_valid & (push_thread == 2'd0)
+    };
     wire [2:0] pop_depth = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
     wire takes = pop_valid & |pop_depth;
-    wire [3:0] down = {3'd0, takes} << pop_thread;
+    wire [3:0] down = {
+        takes & (pop_thread == 2'd3),
+        takes & (pop_thread == 2'd2),
+        takes & (pop_thread == 2'd1),
+        takes & (pop_thread == 2'd0)
+    };
     wire [2:0] push_depth = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
 
     assign top_node = top[30:24];
@@ -2060,8 +2106,8 @@ module core_b_traversal (
     output wire reached_valid,
     output wire [1:0] reached_thread
 );
-    reg [26:0] even_nodes [0:31];
-    reg [26:0] odd_nodes [0:31];
+    reg [26:0] even_nodes_0 [0:31];
+    reg [26:0] odd_nodes_0 [0:31];
     reg [71:0] queries [0:3];
     reg f_valid;
     reg [1:0] f_thread;
@@ -2076,8 +2122,8 @@ module core_b_traversal (
     reg s_at_leaf;
     reg [23:0] s_coordinate;
     reg [23:0] s_split;
-    reg [26:0] even_node;
-    reg [26:0] odd_node;
+    reg [26:0] even_node_0;
+    reg [26:0] odd_node_0;
     reg [23:0] v_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
@@ -2124,7 +2170,9 @@ module core_b_traversal (
     wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_5;
     wire choice_6 = f_is_child ? ~less_y : f_node[0];
     wire term_7 = tree_valid & ~tree_is_leaf;
+    wire writes_even = term_7 & ~tree_address[0];
     wire [26:0] joined_8 = {tree_split, tree_dimension, tree_internal_leaf};
+    wire writes_odd = term_7 & tree_address[0];
 
     assign leaf_valid = leaf_queue_out_valid;
     assign leaf_thread = leaf_queue_out_thread;
@@ -2229,25 +2277,25 @@ module core_b_traversal (
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
             s_split <= v_split;
-            v_split <= choice_6 ? odd_node[26:3] : even_node[26:3];
-            v_dimension <= choice_6 ? odd_node[2:1] : even_node[2:1];
-            v_internal_leaf <= choice_6 ? odd_node[0] : even_node[0];
+            v_split <= choice_6 ? odd_node_0[26:3] : even_node_0[26:3];
+            v_dimension <= choice_6 ? odd_node_0[2:1] : even_node_0[2:1];
+            v_internal_leaf <= choice_6 ? odd_node_0[0] : even_node_0[0];
         end
     end
     always @(posedge clk) begin
-        if (term_7 & ~tree_address[0]) begin
-            even_nodes[tree_address[5:1]] <= joined_8;
+        if (writes_even) begin
+            even_nodes_0[tree_address[5:1]] <= joined_8;
         end
         if (advance) begin
-            even_node <= even_nodes[next_node[5:1]];
+            even_node_0 <= even_nodes_0[next_node[5:1]];
         end
     end
     always @(posedge clk) begin
-        if (term_7 & tree_address[0]) begin
-            odd_nodes[tree_address[5:1]] <= joined_8;
+        if (writes_odd) begin
+            odd_nodes_0[tree_address[5:1]] <= joined_8;
         end
         if (advance) begin
-            odd_node <= odd_nodes[next_node[5:1]];
+            odd_node_0 <= odd_nodes_0[next_node[5:1]];
         end
     end
     always @(posedge clk) begin
@@ -2817,12 +2865,32 @@ module core_b_threads (
     assign query_ready = |free & ~start_valid & descend_queue_in_ready;
     wire descend_queue_out_ready = descend_ready;
     wire take = query_valid & query_ready;
-    wire [3:0] released_set = {3'd0, released_valid} << released_thread;
+    wire [3:0] released_set = {
+        released_valid & (released_thread == 2'd3),
+        released_valid & (released_thread == 2'd2),
+        released_valid & (released_thread == 2'd1),
+        released_valid & (released_thread == 2'd0)
+    };
     wire [3:0] kept = ~released_set;
-    wire [3:0] leaf_done_set = {3'd0, leaf_done_valid} << leaf_done_thread;
-    wire [3:0] skipped_set = {3'd0, skipped_valid} << skipped_thread;
+    wire [3:0] leaf_done_set = {
+        leaf_done_valid & (leaf_done_thread == 2'd3),
+        leaf_done_valid & (leaf_done_thread == 2'd2),
+        leaf_done_valid & (leaf_done_thread == 2'd1),
+        leaf_done_valid & (leaf_done_thread == 2'd0)
+    };
+    wire [3:0] skipped_set = {
+        skipped_valid & (skipped_thread == 2'd3),
+        skipped_valid & (skipped_thread == 2'd2),
+        skipped_valid & (skipped_thread == 2'd1),
+        skipped_valid & (skipped_thread == 2'd0)
+    };
     wire [3:0] leaf_ended = leaf_done_set | skipped_set;
-    wire [3:0] reached_set = {3'd0, reached_valid} << reached_thread;
+    wire [3:0] reached_set = {
+        reached_valid & (reached_thread == 2'd3),
+        reached_valid & (reached_thread == 2'd2),
+        reached_valid & (reached_thread == 2'd1),
+        reached_valid & (reached_thread == 2'd0)
+    };
     wire outstanding_3_next = ((outstanding_3 + reached_set[3]) - leaf_done_set[3]) - skipped_set[3];
     wire outstanding_2_next = ((outstanding_2 + reached_set[2]) - leaf_done_set[2]) - skipped_set[2];
     wire outstanding_1_next = ((outstanding_1 + reached_set[1]) - leaf_done_set[1]) - skipped_set[1];
@@ -2833,7 +2901,12 @@ module core_b_threads (
         outstanding_1_next < 1'd1,
         outstanding_0_next < 1'd1
     };
-    wire [3:0] empty_set = {3'd0, empty_valid} << empty_thread;
+    wire [3:0] empty_set = {
+        empty_valid & (empty_thread == 2'd3),
+        empty_valid & (empty_thread == 2'd2),
+        empty_valid & (empty_thread == 2'd1),
+        empty_valid & (empty_thread == 2'd0)
+    };
     wire [3:0] exhausted_now = exhausted | empty_set;
     wire [3:0] pop_next = wants_pop & behind_pop;
     wire pop_from_next = |pop_next;
