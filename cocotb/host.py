@@ -6,7 +6,6 @@ import random
 import re
 from collections.abc import Iterator
 from enum import IntEnum, IntFlag
-from itertools import repeat
 from pathlib import Path
 from typing import Any, Self
 
@@ -123,8 +122,7 @@ class Host:
         for interface in interfaces:
             for channel in channels(interface):
                 share = self.random.choice([0.0, 0.1, 0.3, 0.6])
-                pauses = random.Random(self.random.random())
-                channel.set_pause_generator(pauses.random() < share for _ in repeat(None))
+                channel.set_pause_generator(pauses(share, self.random.random()))
 
     def fill_payloads(self) -> None:
         """Gives signals that count only with `valid` any value; the bus models leave them X until something is sent."""
@@ -199,6 +197,13 @@ class Host:
         cycles = await self.read(Register.CYCLES)
         assert cycles >= len(self.vectors.send.packets)
         assert cycles == await self.read(Register.CYCLES), "cycles are counted after the run"
+
+
+def pauses(share: float, seed: float) -> Iterator[bool]:
+    """Whether to pause, cycle by cycle."""
+    source = random.Random(seed)
+    while True:
+        yield source.random() < share
 
 
 def channels(interface: Any) -> Iterator[Any]:
