@@ -86,9 +86,12 @@ pub fn target_folder() -> PathBuf {
     target_of(&std::env::current_exe().unwrap_or_default())
 }
 
+/// What cargo writes into its target folder, whoever made it.
+const CARGO_MARK: &str = ".rustc_info.json";
+
 /// The target folder that a program lies in, else `target` here. Absolute, for tools are started in other folders.
 fn target_of(program: &Path) -> PathBuf {
-    let target = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").exists());
+    let target = program.ancestors().find(|folder| folder.join(CARGO_MARK).exists());
     let target = target.unwrap_or(Path::new("target"));
     std::path::absolute(target).unwrap_or_else(|_| target.to_path_buf())
 }
@@ -145,7 +148,7 @@ mod tests {
         let here = std::env::current_dir().expect("tests run somewhere");
         assert_eq!(target_of(Path::new("/nowhere/pointcore")), here.join("target"));
         let target = tempfile::tempdir().expect("the system has a temporary folder");
-        fs::write(target.path().join("CACHEDIR.TAG"), "").expect("a temporary folder can be written");
+        fs::write(target.path().join(CARGO_MARK), "").expect("a temporary folder can be written");
         assert_eq!(target_of(&target.path().join("debug/pointcore")), target.path());
     }
 }
