@@ -7,13 +7,16 @@ SCAN ?= $(wildcard $(SCANS)/igea.ply)
 MODELS ?= $(wildcard $(SCANS)/stanford-bunny.obj $(SCANS)/dragon.ply)
 # Where scripts/python-tools installs.
 TOOLS = $(or $(CARGO_TARGET_DIR),target)/tools
+# Hard cases a number format of stability, and those it sends through the hardware.
+CASES ?= 1000000
+SPLATS ?= 100000
 POINTS ?= $(firstword $(SCAN) surface:100000)
 # What runs under FuseSoC.
 CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench synth check-area generated check-generated fusesoc doc clean
+.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench stability synth check-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -70,6 +73,9 @@ check: ## Formatting, clippy and documentation without warnings
 
 bench: setup ## Measure and merge the figures into out/bench.json
 	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN))) $(if $(MODELS),--models $(abspath $(MODELS)))
+
+stability: setup ## Check core A's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
+	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)
 
 synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5; into docs/area.json, README's tables, out/bench.json
 	cargo run --release --bin pointcore -- area --record docs/area.json --tables README.md --merge out/bench.json $(UNIT) $(ARGS)

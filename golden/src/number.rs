@@ -32,6 +32,18 @@ impl Number {
         self.bits as u32
     }
 
+    /// Another value of this format, the nearest to `value`.
+    #[must_use]
+    pub fn of(self, value: f32) -> Self {
+        Self::new(Format::F32, value.to_bits()).convert(self.format)
+    }
+
+    /// The value rounded to `f32`, which is the value itself in every named format.
+    #[must_use]
+    pub fn value(self) -> f32 {
+        f32::from_bits(self.convert(Format::F32).bits())
+    }
+
     /// Truncated to an unsigned number of `width` bits, saturated; NaN becomes 0.
     #[must_use]
     pub fn to_fixed(self, width: u32, fraction: u32) -> u64 {

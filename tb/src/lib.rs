@@ -16,6 +16,7 @@ pub mod plan;
 pub mod plot;
 pub mod scene;
 pub mod shading;
+pub mod stability;
 pub mod synthesis;
 pub mod toolchain;
 pub mod vectors;

@@ -3,7 +3,7 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
-use commands::{Failure, area, bench, generate, inspect, knn, plan, run, vectors};
+use commands::{Failure, area, bench, generate, inspect, knn, plan, run, stability, vectors};
 use pointcore::core_b::Error as SearchError;
 use pointcore::driver::Error as DriverError;
 use pointcore::synthesis::SynthesisError;
@@ -51,6 +51,8 @@ enum Command {
     Inspect(inspect::Arguments),
     /// Measure the project's figures and merge them into out/bench.json.
     Bench(bench::Arguments),
+    /// Check the arithmetic of core A's geometry on hard cases, beside an exact truth and other methods (docs/stability.md).
+    Stability(stability::Arguments),
     /// Measure area and clock of units on FPGA tools.
     Area(area::Arguments),
 }
@@ -66,6 +68,7 @@ fn main() -> ExitCode {
         Command::Vectors(arguments) => vectors::run(&arguments, output),
         Command::Inspect(arguments) => inspect::run(&arguments, output),
         Command::Bench(arguments) => bench::run(&arguments, output),
+        Command::Stability(arguments) => stability::run(&arguments, output),
         Command::Area(arguments) => area::run(&arguments, output),
     };
     match result {

@@ -44,6 +44,7 @@ mod harness;
 mod layout;
 mod package;
 mod plan;
+mod stability;
 mod stream_fifo;
 mod stream_skid;
 mod support;

@@ -119,7 +119,8 @@ impl Accumulator {
     }
 
     /// The pixel with the sample in it; `None` if it does not change.
-    fn accumulate(&self, stored: &Pixel, sample: &WeightedSample) -> Option<Pixel> {
+    #[must_use]
+    pub fn accumulate(&self, stored: &Pixel, sample: &WeightedSample) -> Option<Pixel> {
         let weight = sample.place.weight;
         let WeightedSample { depth_low, depth_high, .. } = *sample;
         let limits = depth_test::In { weight: stored.weight, depth: stored.depth, depth_low, depth_high };

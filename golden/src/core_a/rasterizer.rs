@@ -3,7 +3,7 @@
 //! A pixel a cycle, in the geometry format; samples outside the splat are dropped, but for a copy's last. Depth band and
 //! attributes wait in a queue beside the datapath and meet each of their samples at its end.
 
-use super::records::{Attributes, Band, PlacedCopy, Sample, SamplePlace, Shape};
+use super::records::{Attributes, Band, Footprint, PlacedCopy, Sample, SamplePlace, Shape};
 use crate::datapath::Datapath;
 use crate::float::{Table, kernel_table};
 use crate::number::Number;
@@ -121,8 +121,12 @@ impl Rasterizer {
         if copy.end {
             return Some(SamplePlace { end: true, ..SamplePlace::default() });
         }
-        let squared = self.squared_distance(scan, filter_scale);
-        let inside = squared.is_below(Number::from_fixed(self.geometry, 1, 1, 0));
+        let [tile_column, tile_row] =
+            [copy.tile & ((1 << self.tile_column_bits) - 1), copy.tile >> self.tile_column_bits];
+        let place = |tile: u32, local: u16| tile * TILE_SIZE + u32::from(local);
+        let [column, row] = [place(tile_column, scan.column), place(tile_row, scan.row)];
+        let squared = self.squared_distance(&copy.footprint, [column, row], filter_scale);
+        let inside = self.is_inside(squared);
         let last = scan.is_last();
         (inside || last).then(|| SamplePlace {
             end: false,
@@ -130,24 +134,34 @@ impl Rasterizer {
             inside,
             slot: *slot,
             pixel: (scan.row * SIZE + scan.column) as u8,
-            weight: self.kernel.interpolate(squared.to_fixed(KERNEL_BITS, KERNEL_BITS)) as u16,
+            weight: self.weight(squared),
         })
     }
 
-    /// `ρ²` at the scan's pixel.
-    fn squared_distance(&self, scan: &Scan, filter_scale: u32) -> Number {
-        let copy = &scan.placed.copy;
-        let number = |bits| Number::new(self.geometry, bits);
-        let [tile_column, tile_row] =
-            [copy.tile & ((1 << self.tile_column_bits) - 1), copy.tile >> self.tile_column_bits];
-        let [center_x, center_y] = copy.footprint.center.map(number);
-        let [ax, ay] = copy.footprint.a.map(number);
-        let [bx, by] = copy.footprint.b.map(number);
-        let [mx, my] = copy.footprint.m.map(number);
-        let delta = number(copy.footprint.delta);
+    /// Whether a sample at `ρ²` lies inside its splat; a NaN does not.
+    #[must_use]
+    pub fn is_inside(&self, squared: Number) -> bool {
+        squared.is_below(Number::from_fixed(self.geometry, 1, 1, 0))
+    }
 
-        let x = self.sample_position(tile_column, scan.column) - center_x;
-        let y = self.sample_position(tile_row, scan.row) - center_y;
+    /// Kernel weight at `ρ²`.
+    #[must_use]
+    pub fn weight(&self, squared: Number) -> u16 {
+        self.kernel.interpolate(squared.to_fixed(KERNEL_BITS, KERNEL_BITS)) as u16
+    }
+
+    /// `ρ²` at the sample of a pixel, given by column and row of the image.
+    #[must_use]
+    pub fn squared_distance(&self, footprint: &Footprint, pixel: [u32; 2], filter_scale: u32) -> Number {
+        let number = |bits| Number::new(self.geometry, bits);
+        let [center_x, center_y] = footprint.center.map(number);
+        let [ax, ay] = footprint.a.map(number);
+        let [bx, by] = footprint.b.map(number);
+        let [mx, my] = footprint.m.map(number);
+        let delta = number(footprint.delta);
+
+        let x = self.sample_position(pixel[0]) - center_x;
+        let y = self.sample_position(pixel[1]) - center_y;
         let determinant = delta + x * mx + y * my;
         let on_splat = if determinant.is_negative() == delta.is_negative() {
             let (s1, s2) = (x * ay - y * ax, x * by - y * bx);
@@ -159,9 +173,8 @@ impl Rasterizer {
     }
 
     /// The middle of a pixel: its index with half a pixel appended.
-    fn sample_position(&self, tile: u32, local: u16) -> Number {
+    fn sample_position(&self, pixel: u32) -> Number {
         const HALF_PIXELS_BITS: u32 = 16;
-        let pixel = tile * TILE_SIZE + u32::from(local);
         Number::from_fixed(self.geometry, u64::from(pixel << 1 | 1), HALF_PIXELS_BITS, 1)
     }
 }
@@ -236,7 +249,7 @@ impl Events {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::core_a::records::{Footprint, Rectangle, SplatCopy};
+    use crate::core_a::records::{Rectangle, SplatCopy};
 
     fn bits(number: f32) -> u32 {
         number.to_bits()

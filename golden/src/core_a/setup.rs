@@ -80,7 +80,8 @@ impl Setup {
     }
 
     /// The splat with footprint and bounds; `None` if it lies behind the far plane or covers no pixel.
-    fn setup(&self, splat: &Splat, uniforms: &SetupUniforms) -> Option<SetupSplat> {
+    #[must_use]
+    pub fn setup(&self, splat: &Splat, uniforms: &SetupUniforms) -> Option<SetupSplat> {
         if splat.end {
             return Some(SetupSplat { end: true, ..SetupSplat::default() });
         }

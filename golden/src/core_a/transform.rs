@@ -47,7 +47,8 @@ impl Transform {
     }
 
     /// The splat in camera space; `None` if it is culled.
-    fn transform(&self, splat: &Splat, uniforms: &TransformUniforms) -> Option<Splat> {
+    #[must_use]
+    pub fn transform(&self, splat: &Splat, uniforms: &TransformUniforms) -> Option<Splat> {
         if splat.end {
             return Some(Splat { end: true, ..Splat::default() });
         }

@@ -32,7 +32,9 @@ impl Weighting {
         Self { shape: Shape::new(config), attribute: config.attribute, datapath: Datapath::new(latency, 1) }
     }
 
-    fn weigh(&self, sample: &Sample) -> WeightedSample {
+    /// A sample with its contributions.
+    #[must_use]
+    pub fn weigh(&self, sample: &Sample) -> WeightedSample {
         let Sample { place, band, mut attributes } = *sample;
         if place.end {
             return WeightedSample { place, ..WeightedSample::default() };

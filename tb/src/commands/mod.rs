@@ -9,6 +9,7 @@ pub mod plan;
 pub mod progress;
 pub mod run;
 pub mod search;
+pub mod stability;
 pub mod vectors;
 
 use pointcore::configuration::{self, ConfigurationError};

@@ -33,3 +33,14 @@ pub fn with_spinner<T>(message: &'static str, run: impl FnOnce() -> T) -> T {
     bar.finish_and_clear();
     outcome
 }
+
+/// Runs many cases with a progress bar.
+pub fn with_count<T>(message: &'static str, total: u64, run: impl FnOnce(&(dyn Fn(u64) + Sync)) -> T) -> T {
+    let bar = bar(message);
+    let outcome = run(&|done| {
+        bar.set_prefix(format!("{done},"));
+        bar.set_position(done * STEPS / total.max(1));
+    });
+    bar.finish_and_clear();
+    outcome
+}
