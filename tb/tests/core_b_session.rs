@@ -84,6 +84,28 @@ fn neighbors_in_sets_of_all_kinds_equal_brute_force() {
     }
 }
 
+/// Every plane of a lattice's tree goes through points or between two layers of them; so do the queries, and some radii end exactly there.
+#[test]
+fn queries_on_splitting_planes_equal_brute_force() {
+    const EDGE: u16 = 6;
+    let cloud: Vec<[f32; 3]> =
+        (0..EDGE.pow(3)).map(|i| [i % EDGE, i / EDGE % EDGE, i / EDGE / EDGE].map(f32::from)).collect();
+    let steps = || (0..2 * EDGE).map(|step| f32::from(step) / 2.0);
+    let radii = [None, Some(1.0), Some(f32::EPSILON), Some(0.5)];
+    let queries: Vec<Query> = steps()
+        .flat_map(|x| steps().map(move |y| [x, y, 2.5]))
+        .zip(radii.into_iter().cycle())
+        .map(|(point, radius)| Query { point, k: 8, radius })
+        .collect();
+    for splitting in [Splitting::Median, Splitting::Packed, Splitting::Midpoint] {
+        let config = Config { bucket: 4, tree_depth: depth_for(cloud.len(), 4) + 2, ..Config::default() };
+        let points = PointSet::new(config.geometry, &cloud).expect("the points are finite");
+        let outcome = open(&config, &points, splitting, MemorySettings::default(), Engine::Golden).search(&queries);
+        let outcome = outcome.unwrap_or_else(|error| panic!("{error}"));
+        assert!(check("lattice", &config, &points, &queries, &outcome) > queries.len());
+    }
+}
+
 #[test]
 fn hardware_answers_as_its_model_in_every_cycle() {
     const POINTS: usize = 200;
