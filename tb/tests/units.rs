@@ -43,6 +43,7 @@ mod float;
 mod harness;
 mod layout;
 mod package;
+mod parsers;
 mod plan;
 mod stability;
 mod stream_fifo;
