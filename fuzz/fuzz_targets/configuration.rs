@@ -1,0 +1,20 @@
+//! Any text as a configuration of either core is one or an error, never a panic; a valid one reads back the same.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use pointcore_spec::{core_a, core_b};
+
+fuzz_target!(|text: &str| {
+    if let Ok(config) = toml::from_str::<core_a::Config>(text)
+        && config.validate().is_ok()
+    {
+        let written = toml::to_string(&config).expect("a configuration is a TOML table");
+        assert_eq!(toml::from_str(&written), Ok(config));
+    }
+    if let Ok(config) = toml::from_str::<core_b::Config>(text)
+        && config.validate().is_ok()
+    {
+        let written = toml::to_string(&config).expect("a configuration is a TOML table");
+        assert_eq!(toml::from_str(&written), Ok(config));
+    }
+});
