@@ -186,8 +186,8 @@ impl Synthesizer {
         let entry = self.cache.entry(&key, |content| {
             let netlist = content.join(NETLIST);
             fs::copy(synthesis.join(NETLIST), &netlist).map_err(file("copy the netlist to", &netlist))?;
-            let files = ["-q", "--timing-allow-fail", "--seed", &seed, "--json", NETLIST, "--report", TIMING];
-            router.run(unit, content, &[&files, device.arguments].concat())?;
+            let files = ["--seed", &seed, "--json", NETLIST, "--report", TIMING, "--log", ROUTING];
+            router.run(unit, content, &[&["-q", "--timing-allow-fail"], &files[..], device.arguments].concat())?;
             Ok::<_, SynthesisError>(fs::remove_file(&netlist).map_err(file("remove", &netlist))?)
         })?;
         timing::parse(&read(&entry.join(TIMING))?)
@@ -216,6 +216,8 @@ pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError
 const CELLS: &str = "cells.json";
 /// What yosys hands to place and route.
 const NETLIST: &str = "netlist.json";
+/// What place and route say on their way; a whole core takes them most of an hour.
+const ROUTING: &str = "route.log";
 /// What place and route report.
 const TIMING: &str = "timing.json";
 
