@@ -9,6 +9,8 @@ pub const STAGE: u32 = 68;
 
 /// A hardware multiplier: a stage of its own.
 pub const MULTIPLIER: u32 = 60;
+/// From the clock to the output of a block RAM, which takes the register behind a large table into itself.
+pub const BLOCK_RAM: u32 = 50;
 
 /// Addition, subtraction or comparison: a carry chain.
 #[must_use]

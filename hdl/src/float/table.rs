@@ -15,7 +15,7 @@ pub fn stages(shape: TableShape) -> u32 {
 
 fn delays(shape: TableShape) -> Vec<u32> {
     let read = shape.index_bits.div_ceil(2) * delay::LEVEL;
-    vec![read, delay::MULTIPLIER, delay::adder(shape.value_bits + 1)]
+    vec![read, delay::BLOCK_RAM, delay::MULTIPLIER, delay::adder(shape.value_bits + 1)]
 }
 
 /// Module `float_table`: interpolates those `2^index_bits + 1` samples of `value_bits` bits.
@@ -37,9 +37,9 @@ pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
     let argument = pipe.module.input("a", fraction_bits + shape.index_bits as usize);
     let index = argument.bits(argument.width() - 1, fraction_bits);
     let entry = pipe.module.lookup("samples", &entries, 2 * value_bits + 1, &index);
+    let [entry, fraction] = pipe.cut([("entry", &entry), ("fraction", &argument.trunc(fraction_bits))]);
     let mut start = pipe.carry("start", &entry.bits(2 * value_bits, value_bits + 1));
-    let [slope, fraction] =
-        pipe.cut([("slope", &entry.trunc(value_bits + 1)), ("fraction", &argument.trunc(fraction_bits))]);
+    let [slope, fraction] = pipe.cut([("slope", &entry.trunc(value_bits + 1)), ("fraction", &fraction)]);
     let product = slope.mul_signed(&fraction.zext(fraction_bits + 1));
     let rise = product.bits(value_bits + fraction_bits - 1, fraction_bits);
     let [rise] = pipe.cut([("rise", &rise)]);
