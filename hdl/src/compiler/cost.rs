@@ -8,7 +8,7 @@ use super::types::Type;
 
 /// Levels that may follow each other between two registers: three gates, or an adder and a gate.
 pub(super) const CYCLE_LEVELS: u32 = 6;
-/// Levels allowed in front of an operator, whose first stage comes in the same cycle: one gate or a choice of two.
+/// Levels allowed in front of an operator, whose first stage comes in the same cycle: one gate.
 pub(super) const OPERATOR_INPUT_LEVELS: u32 = 2;
 /// A gate or a choice of two.
 const GATE_LEVELS: u32 = 2;

@@ -37,7 +37,7 @@ pub(super) struct Class {
     pub operator: Operator,
     pub operations: u32,
     pub instances: u32,
-    /// Whether the operands are chosen in a cycle of their own, because too many operations share an instance.
+    /// Whether the operands are chosen in a cycle of their own, because operations share an instance.
     pub operand_registers: bool,
     /// Operations that share one instance at most.
     ways: u32,
@@ -94,7 +94,7 @@ impl Plan {
         for class in &mut plan.classes {
             class.instances = class.operations.div_ceil(initiation_interval);
             class.ways = class.operations.div_ceil(class.instances);
-            class.operand_registers = choice_levels(class.ways) > OPERATOR_INPUT_LEVELS;
+            class.operand_registers = class.ways > 1;
         }
         plan
     }
