@@ -75,6 +75,15 @@ impl Options {
     pub fn with_interval(&self, initiation_interval: u32) -> Self {
         Self { initiation_interval, ..self.clone() }
     }
+
+    /// The same with `stages` in all operators of a class, as [`OperatorStages::with`], unless it is told of that class already.
+    #[must_use]
+    pub fn with_stages(mut self, class: &str, stages: u32) -> Self {
+        if self.stages.of(class).is_none() {
+            self.stages = self.stages.with(class, stages);
+        }
+        self
+    }
 }
 
 /// A compiled program.

@@ -2,6 +2,7 @@
 //! `pointcore_golden::core_a::setup`.
 
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
+use crate::float::mul;
 use crate::units::datapath::{Inputs, uniform};
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use pointcore_spec::core_a::{Config, records};
@@ -152,5 +153,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         ("bottom", y.last),
     ];
     splat.output(&program, &records::setup(config), &computed);
-    compile(&program, &options.with_interval(config.setup_interval))
+    // Among so many multipliers some are placed far from their operands.
+    let spare = mul::stages(format) + 1;
+    compile(&program, &options.with_interval(config.setup_interval).with_stages(&format!("mul.{format}"), spare))
 }

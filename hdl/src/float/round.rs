@@ -66,8 +66,8 @@ pub(super) struct Raw {
     pub significand: Expr,
 }
 
-/// Rounds and ends the description. Takes a cut right away, one more to shift a result into subnormal position, and the
-/// output's.
+/// Rounds and ends the description. Takes a cut right away, one more to shift a result into subnormal position, one before
+/// the choice among number and special cases, and the output's.
 pub(super) fn round(mut pipe: Pipe, format: Format, underflow: Underflow, raw: Raw) -> Operator {
     let Raw { special, exponent, significand } = raw;
     let (exponent, significand) = if underflow.shifts(format) {
@@ -88,12 +88,12 @@ pub(super) fn round(mut pipe: Pipe, format: Format, underflow: Underflow, raw: R
 
 /// Delays of [`round`]'s segments, the first following `preceding`.
 pub(super) fn round_delays(format: Format, underflow: Underflow, preceding: u32) -> Vec<u32> {
-    let pack = delay::adder(format.width()) + 2 * delay::LEVEL;
+    let pack = [delay::adder(format.width()) + delay::LEVEL, delay::LEVEL];
     if underflow.shifts(format) {
         let distance = delay::adder(format.exponent) + delay::LEVEL;
-        vec![preceding + distance, delay::shifter(format.mantissa + 3), pack]
+        [preceding + distance, delay::shifter(format.mantissa + 3)].into_iter().chain(pack).collect()
     } else {
-        vec![preceding, pack]
+        [preceding].into_iter().chain(pack).collect()
     }
 }
 
@@ -123,7 +123,10 @@ fn pack(pipe: &mut Pipe, format: Format, special: CarriedSpecial, exponent: &Exp
         }
     };
     let infinity = lit(width(format) - 1, u128::from(format.infinity()));
-    let magnitude = zero.mux(&lit(width(format) - 1, 0), &(infinite | overflow).mux(&infinity, &rounded));
+    let infinite = infinite | overflow;
+    let [sign, nan, infinite, zero, rounded] =
+        pipe.cut([("sign", &sign), ("nan", &nan), ("infinite", &infinite), ("zero", &zero), ("rounded", &rounded)]);
+    let magnitude = zero.mux(&lit(width(format) - 1, 0), &infinite.mux(&infinity, &rounded));
     let quiet_nan = lit(width(format), u128::from(format.quiet_nan()));
     nan.mux(&quiet_nan, &cat(&[&sign, &magnitude]))
 }
