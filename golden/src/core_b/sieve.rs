@@ -35,9 +35,16 @@ pub struct Out {
 
 /// A beat with its thread's radius as of the cycle in which it was taken.
 #[derive(Clone, Copy, Debug)]
-struct Judged {
+struct Fetched {
     candidates: Candidates,
     radius2: u32,
+}
+
+/// A beat and whether a lane is nearer than its thread's radius.
+#[derive(Clone, Copy, Debug)]
+struct Judged {
+    candidates: Candidates,
+    survives: bool,
 }
 
 /// The sieve.
@@ -47,6 +54,8 @@ pub struct Sieve {
     radii2: Vec<u32>,
     candidates: Skid<Candidates>,
     /// The stage s1.
+    fetched: Option<Fetched>,
+    /// The stage s2.
     judged: Option<Judged>,
     /// The last beat kept, until it is known whether it closes its leaf.
     held: Option<Candidates>,
@@ -62,6 +71,7 @@ impl Sieve {
             shape: Shape::new(config),
             radii2: vec![0; config.threads as usize],
             candidates: Skid::default(),
+            fetched: None,
             judged: None,
             held: None,
             kept: Fifo::new(config.sieve_depth as usize),
@@ -69,20 +79,21 @@ impl Sieve {
         }
     }
 
-    fn survives(&self, judged: &Judged) -> bool {
-        judged.candidates.distances[..self.shape.lanes].iter().any(|distance| *distance < judged.radius2)
+    fn judge(&self, Fetched { candidates, radius2 }: Fetched) -> Judged {
+        let survives = candidates.distances[..self.shape.lanes].iter().any(|distance| *distance < radius2);
+        Judged { candidates, survives }
     }
 
     /// Nothing can change what is held any more: it closes its leaf, or another beat of its leaf follows.
     fn is_settled(&self) -> bool {
-        let is_followed = self.judged.is_some_and(|judged| self.survives(&judged));
+        let is_followed = self.judged.is_some_and(|judged| judged.survives);
         self.held.is_some_and(|held| held.place.last || is_followed)
     }
 
     /// Moves a judged beat on, after what was held has left if it had to.
     fn sort(&mut self, judged: Judged) {
         let place = judged.candidates.place;
-        if self.survives(&judged) {
+        if judged.survives {
             self.held = Some(judged.candidates);
         } else if place.last {
             match &mut self.held {
@@ -114,12 +125,16 @@ impl Model for Sieve {
         let left = if is_settled && has_room { self.held.take() } else { None };
         self.kept.step(left, inputs.kept_ready);
 
-        let advances = self.judged.is_none() || proceeds;
-        if advances {
+        let decides = self.judged.is_none() || proceeds;
+        let advances = self.fetched.is_none() || decides;
+        if decides {
             if let Some(judged) = self.judged.take() {
                 self.sort(judged);
             }
-            self.judged = self.candidates.out().map(|candidates| Judged {
+            self.judged = self.fetched.take().map(|fetched| self.judge(fetched));
+        }
+        if advances {
+            self.fetched = self.candidates.out().map(|candidates| Fetched {
                 candidates: *candidates,
                 radius2: self.radii2[candidates.place.thread.index()],
             });

@@ -5,6 +5,7 @@ use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
 use super::coordinates::{AXES, coordinates};
+use super::sliced::Sliced;
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::rtl::Module;
 use crate::units::datapath::{Inputs, dot};
@@ -41,9 +42,9 @@ fn request_points(m: &mut Module, config: &Config) {
     let leaf = queue_in(m, "leaf", &records::leaf(config));
     let fetch = queue_out(m, "fetch", &records::fetch(config));
     let entry = records::bucket(config);
-    let table = m.memory("leaves", 1 << config.tree_depth, width(&entry));
+    let table = Sliced::new(m, "leaves", config.tree_depth as usize, width(&entry));
     let writes = &tree.valid & tree.record.get("is_leaf");
-    m.write(&table, &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
+    table.write(m, &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
     // f0: the table shows the entry; f1: it is in a register, for a block RAM is slow to show it.
     let [f0_valid, f1_valid] = ["f0_valid", "f1_valid"].map(|name| m.reg_reset(name, 1, 0));
     let [f0_thread, f1_thread] = ["f0_thread", "f1_thread"].map(|name| m.reg(name, config.thread_bits() as usize));
@@ -53,7 +54,7 @@ fn request_points(m: &mut Module, config: &Config) {
     m.next_if(&f1_valid, &advance, &f0_valid);
     m.next_if(&f0_thread, &advance, &leaf.field("thread"));
     m.next_if(&f1_thread, &advance, &f0_thread);
-    let found = m.read_if(&table, "f0_found", &advance, &leaf.field("leaf"));
+    let found = table.read_if(m, "f0_found", &advance, &leaf.field("leaf"));
     let found = Record::unpack(&entry, &found).register(m, "f1_", &advance);
     let request = &f1_valid & &fetch.room;
     fetch.push(m, &request, |name| match name {

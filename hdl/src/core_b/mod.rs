@@ -19,6 +19,7 @@ mod queue_readout;
 mod queue_row;
 mod radii;
 mod sets;
+mod sliced;
 
 #[cfg(test)]
 mod tests {

@@ -2,7 +2,8 @@
 
 use pointcore_spec::core_b::{Config, records};
 
-use crate::rtl::{Expr, Memory, Module, Reg, Stream, bit, cat};
+use super::sliced::Sliced;
+use crate::rtl::{Expr, Module, Reg, Stream, bit};
 use crate::units::records::{QueueOut, Record, pulse_in, queue_in, queue_out, width};
 
 /// A thread at a node, or nothing.
@@ -41,20 +42,10 @@ impl Token {
 
 /// What stands between the stages `f` and `v`.
 pub(super) enum Nodes {
-    /// Memories of the even and the odd nodes, which are read together; each cut into slices of a few bits.
-    Memories([Vec<Memory>; 2]),
+    /// Memories of the even and the odd nodes, which are read together.
+    Memories([Sliced; 2]),
     /// Nodes are sent out and their records come back.
     Cache { node: QueueOut, record: Stream },
-}
-
-/// Bits that a block RAM holds. One holds a slice of all nodes, so that none is chosen among behind their slow outputs.
-const BLOCK_BITS: usize = 1 << 14;
-
-/// The nodes' slices, the lowest first: their highest and lowest bit.
-fn slices(config: &Config) -> Vec<(usize, usize)> {
-    let bits = width(&records::node(config));
-    let slice = (BLOCK_BITS >> pair_bits(config)).clamp(1, bits);
-    (0..bits).step_by(slice).map(|low| (bits.min(low + slice) - 1, low)).collect()
 }
 
 /// Bits of a pair of siblings' address; a memory has two words at least.
@@ -83,12 +74,9 @@ impl Nodes {
         let word = tree.record.only(&fields).pack();
         Self::Memories([("even", !&is_odd), ("odd", is_odd)].map(|(name, is_here)| {
             let writes = m.wire(&format!("writes_{name}"), &(&writes & is_here));
-            let slice = |&(high, low): &(usize, usize)| {
-                let memory = m.memory(&format!("{name}_nodes_{low}"), 1 << pair_bits(config), high + 1 - low);
-                m.write(&memory, &writes, &written, &word.bits(high, low));
-                memory
-            };
-            slices(config).iter().map(slice).collect()
+            let memory = Sliced::new(m, &format!("{name}_nodes"), pair_bits(config), width(&fields));
+            memory.write(m, &writes, &written, &word);
+            memory
         }))
     }
 
@@ -107,12 +95,8 @@ impl Nodes {
         match self {
             Self::Memories(memories) => {
                 let address = pair(config, next);
-                let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, slices)| {
-                    let read = |(number, memory): (usize, &Memory)| {
-                        m.read_if(memory, &format!("{name}_node_{number}"), advance, &address)
-                    };
-                    let word: Vec<_> = slices.iter().enumerate().map(read).collect();
-                    Record::unpack(&fields, &cat(&word.iter().rev().collect::<Vec<_>>()))
+                let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
+                    Record::unpack(&fields, &memory.read_if(m, &format!("{name}_node"), advance, &address))
                 });
                 let record = odd.mux(&wanted.node.bit(0), &even);
                 (wanted, record.register(m, "v_", advance))

@@ -31,13 +31,20 @@ pub fn module(config: &Config) -> Module {
     let kept = m.instance("kept_queue", fifo(config.sieve_depth as usize, &layout(&fields)));
     let room = m.out(&kept, "in_ready");
 
-    let advance = m.forward("advance", 1);
+    // s1: the radius is there; s2: it is known whether a lane is nearer.
+    let decides = m.forward("decides", 1);
     let s1_valid = m.reg_reset("s1_valid", 1, 0);
+    let advance = m.wire("advance", &(!&s1_valid | &decides));
     m.next_if(&s1_valid, &advance, &head.valid);
     let s1 = Record::from(&head).register(&mut m, "s1_", &advance);
     let radius2 = radii(&mut m, config, [&start, &radius], &advance, &head.field("thread"));
     m.ready(&head, &advance);
-    let near = m.wire("near", &(&s1_valid & survives(config, &s1, &radius2)));
+    let s2_valid = m.reg_reset("s2_valid", 1, 0);
+    m.next_if(&s2_valid, &decides, &s1_valid);
+    let s2_survives = m.reg("s2_survives", 1);
+    m.next_if(&s2_survives, &decides, &survives(config, &s1, &radius2));
+    let s2 = s1.register(&mut m, "s2_", &decides);
+    let near = m.wire("near", &(&s2_valid & &s2_survives));
 
     // What is held goes when its leaf is closed or when the next beat of the leaf is kept.
     let held_valid = m.reg_reset("held_valid", 1, 0);
@@ -46,21 +53,21 @@ pub fn module(config: &Config) -> Module {
     let displaced = m.wire("displaced", &(&closed | (&held_valid & &near)));
     let leaves = m.wire("leaves", &(&displaced & &room));
     let proceeds = m.wire("proceeds", &(!&displaced | &room));
-    m.drive(&advance, &(!&s1_valid | &proceeds));
+    m.drive(&decides, &(!&s2_valid | &proceeds));
 
     let keep = m.wire("keep", &(&near & &proceeds));
-    let last = s1.get("last");
-    let ends = m.wire("ends", &((&s1_valid & &last) & (!&near & &proceeds)));
+    let last = s2.get("last");
+    let ends = m.wire("ends", &((&s2_valid & &last) & (!&near & &proceeds)));
     let closes = m.wire("closes", &(&ends & (&held_valid & !&held_last)));
     m.next(&held_valid, &(&keep | (&held_valid & !&leaves)));
     m.next_if(&held_last, &(&keep | &closes), &last);
     let others: Vec<_> = fields.iter().filter(|(name, _)| name != "last").cloned().collect();
-    let held = s1.only(&others).register(&mut m, "held_", &keep);
+    let held = s2.only(&others).register(&mut m, "held_", &keep);
     let held = Record::new(&fields, |name| if name == "last" { held_last.expr() } else { held.get(name) });
     m.connect(&kept, "in_valid", &leaves);
     held.connect(&mut m, &kept, "in_");
     let out = m.stream_from(&kept, "out");
     m.stream_export("kept", &out);
-    registered_pulse_out(&mut m, "skipped", &(&ends & !&closes), &s1.only(&records::thread_only(config)));
+    registered_pulse_out(&mut m, "skipped", &(&ends & !&closes), &s2.only(&records::thread_only(config)));
     m
 }
