@@ -63,7 +63,7 @@ fn a_fault_in_one_unit_is_reported_with_cycle_and_port() {
     let [config, ..] = configs();
     let core = Core::generate(&config).unwrap_or_else(|error| panic!("{error}"));
     let mut source = Source::from(&core.design);
-    source.verilog = inject(&source.verilog, "depth_sum_3 <= stored", "+", "-").unwrap();
+    source.verilog = inject(&source.verilog, "depth_sum_4 <= stored", "+", "-").unwrap();
     let broken = support::build(&source);
     let seed = seed().unwrap();
     let outcome = run(&config, &frames(&config, RECORDS), (&core, &broken), Stall::Random(0.2), seed);

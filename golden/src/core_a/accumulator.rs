@@ -39,7 +39,7 @@ pub struct Out {
     pub retire: Option<Slot>,
     /// Every sample of the frame is accumulated.
     pub frame_end: bool,
-    /// The pixel of the last [`In::drain`].
+    /// The pixel of the last [`In::drain`] but one.
     pub drained: Pixel,
     /// What happened in the cycle before.
     pub events: Events,
@@ -80,6 +80,8 @@ pub struct Accumulator {
     stages: VecDeque<Option<Stage>>,
     retire: Option<Slot>,
     frame_end: bool,
+    /// The pixel that was read last for the tile cache, and the one before.
+    read: Pixel,
     drained: Pixel,
     events: Events,
 }
@@ -97,6 +99,7 @@ impl Accumulator {
             stages: vec![None; config.accumulate_stages as usize + 1].into(),
             retire: None,
             frame_end: false,
+            read: Pixel::default(),
             drained: Pixel::default(),
             events: Events::default(),
         }
@@ -186,7 +189,7 @@ impl Model for Accumulator {
             }
         }
         if let Some(SlotPixel { slot, pixel }) = inputs.drain {
-            self.drained = self.pixels[index(slot, pixel)];
+            self.drained = std::mem::replace(&mut self.read, self.pixels[index(slot, pixel)]);
         }
 
         let finished = self.stages.pop_back().flatten();
@@ -270,20 +273,20 @@ mod tests {
     }
 
     fn config() -> Config {
-        Config { continuous: 1, cardinal: 1, accumulate_stages: 4, ..Config::default() }
+        Config { continuous: 1, cardinal: 1, accumulate_stages: 5, ..Config::default() }
     }
 
     #[test]
     fn other_pixels_follow_at_once_and_the_same_pixel_waits() {
         let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(2, 5, 1000)], 0);
         // Two cycles to the queue's output, one to the head, issue, E + 1 stages, then the register.
-        assert_eq!(retired, [9, 10]);
+        assert_eq!(retired, [10, 11]);
         assert!(!seen.hazard && !seen.slot_wait);
         let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(1, 5, 1000)], 0);
-        assert_eq!(retired, [9, 15], "issued in the cycle after stage E + 1 wrote");
+        assert_eq!(retired, [10, 17], "issued in the cycle after stage E + 1 wrote");
         assert!(seen.hazard && !seen.slot_wait);
         let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000)], 50);
-        assert_eq!(retired, [56]);
+        assert_eq!(retired, [57]);
         assert!(seen.slot_wait);
     }
 
@@ -325,6 +328,6 @@ mod tests {
             let input = [Some(sample(1, 5, 1000)), Some(end)].get(cycle).copied().flatten();
             unit.clock(&In { input, slot_ready: 2, fill: None, drain: None });
         }
-        assert_eq!((retired, ended), (Some(9), Some(10)), "all stages are empty when the last sample retires");
+        assert_eq!((retired, ended), (Some(10), Some(11)), "all stages are empty when the last sample retires");
     }
 }

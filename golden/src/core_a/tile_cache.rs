@@ -29,13 +29,12 @@ struct Entry {
     in_flight: u8,
 }
 
-/// Progress of reading a slot: each pixel shows a cycle after its request and stays until the next, and is held in a
-/// register until it is taken.
+/// Progress of reading a slot: with each request the pixel asked for before comes to the port, where it stays until it is taken.
 #[derive(Clone, Copy, Debug, Default)]
 struct Drain {
     next: u8,
     showing: Option<u8>,
-    held: Option<(u8, Pixel)>,
+    held: Option<u8>,
 }
 
 impl Drain {
@@ -45,23 +44,24 @@ impl Drain {
     }
 
     fn request(&self, room: bool) -> Option<u8> {
-        (self.steps(room) && self.next < PIXELS).then_some(self.next)
+        self.steps(room).then_some(self.next % PIXELS)
     }
 
     const fn is_done(&self) -> bool {
         self.next == PIXELS && self.showing.is_none() && self.held.is_none()
     }
 
-    /// One clock edge, while the slot shows `drained`; returns the pixel that is taken and its value.
+    /// One clock edge, while the port shows `drained`; returns the pixel that is taken and its value.
     fn clock(&mut self, room: bool, drained: Pixel) -> Option<(u8, Pixel)> {
         let taken = self.held.filter(|_| room);
         if self.steps(room) {
-            let requested = self.request(room);
-            self.held = self.showing.map(|pixel| (pixel, drained));
-            self.showing = requested;
-            self.next += u8::from(self.showing.is_some());
+            self.held = self.showing.take();
+            if self.next < PIXELS {
+                self.showing = Some(self.next);
+                self.next += 1;
+            }
         }
-        taken
+        taken.map(|pixel| (pixel, drained))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Accumulates samples in the pixels of the tile slots (thesis 5.5.3, eq. 5.8 to 5.12), one a cycle unless an earlier
 //! sample of the same pixel is on its way; golden twin: `pointcore_golden::core_a::accumulator`.
 //!
-//! A sample reads its pixel in every slot's memory when it issues, chooses its slot's in stage 1, and writes it from stage
-//! `accumulate_stages + 1`.
+//! A sample reads its pixel in its slot's memory when it issues and chooses among the slots' registers in stage 2: in one cycle a
+//! block RAM only gets as far as a register. It writes the pixel from stage `accumulate_stages + 1`.
 
 use pointcore_spec::core_a::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
 use pointcore_spec::core_a::ports::EVENTS;
@@ -149,7 +149,7 @@ struct Accesses<'a> {
 }
 
 /// A memory for each slot, read and written by samples when it is ready and by the tile cache when it is not; returns
-/// the pixel that each has read last.
+/// the register behind each: what was read a cycle ago, or before the tile cache's last read.
 fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses<'_>) -> Vec<Expr> {
     let pixel_bits = width(&records::pixel(config));
     let mut slot = |number: u32| {
@@ -164,7 +164,10 @@ fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses
         let read = accesses.read & is(accesses.read_slot);
         let drain = &ports.drain_enable & is(&ports.drain_slot);
         let address = ready.mux(accesses.read_pixel, &ports.drain_pixel);
-        m.read_if(&memory, &format!("slot_{number}_read"), &ready.mux(&read, &drain), &address)
+        let read = m.read_if(&memory, &format!("slot_{number}_read"), &ready.mux(&read, &drain), &address);
+        let register = m.reg(&format!("slot_{number}_pixel"), pixel_bits);
+        m.next_if(&register, &(&ready | &drain), &read);
+        register.expr()
     };
     (0..config.tile_slots).map(&mut slot).collect()
 }
@@ -225,7 +228,7 @@ pub fn module(config: &Config) -> Module {
     let read = slots(&mut m, config, &ports, &accesses);
     let read: Vec<_> = read.iter().collect();
     let stored = m.reg("stored", width(&pixel_fields));
-    m.next(&stored, &select(&stages[0].slot, &read));
+    m.next(&stored, &select(&stages[1].slot, &read));
     let drained_slot = m.reg("drained_slot", slot_bits);
     m.next_if(&drained_slot, &ports.drain_enable, &ports.drain_slot);
     let drained = m.wire("drained", &select(&drained_slot, &read));
@@ -234,6 +237,7 @@ pub fn module(config: &Config) -> Module {
     let carried: Vec<_> = sample_fields.into_iter().filter(|(name, _)| !PLACE.contains(&name.as_str())).collect();
     let sample = head.record.only(&carried).register(&mut m, "sample_1_", &bit(true));
     let sample = sample.register(&mut m, "sample_2_", &bit(true));
+    let sample = sample.register(&mut m, "sample_3_", &bit(true));
     let blend = blend(&mut m, config, &sample, &Record::unpack(&pixel_fields, &stored));
     m.drive(&writes, &(&last_stage.inside & blend.writes));
     m.drive(&result, &blend.pixel.pack());

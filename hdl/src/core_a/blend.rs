@@ -8,13 +8,13 @@ use crate::float::add;
 use crate::rtl::{Expr, Module, bit};
 use crate::units::records::Record;
 
-/// Cycles in which a sample's slot is chosen.
-const CHOICE: u32 = 1;
+/// Cycles in which pixels are read and a sample's slot is chosen.
+const CHOICE: u32 = 2;
 
-/// A value from stage 2 as it is in stage `2 + count`.
+/// A value from stage 3 as it is in stage `3 + count`.
 fn delay(m: &mut Module, name: &str, value: &Expr, count: u32) -> Expr {
     (0..count).fold(value.clone(), |value, index| {
-        let register = m.reg(&format!("{name}_{}", index + 3), value.width());
+        let register = m.reg(&format!("{name}_{}", index + 4), value.width());
         m.next(&register, &value);
         register.expr()
     })
@@ -28,7 +28,7 @@ pub(super) struct Blend {
     pub pixel: Record,
 }
 
-/// Compares and adds: `sample` and `stored` are those of stage 2.
+/// Compares and adds: `sample` and `stored` are those of stage 3.
 pub(super) fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &Record) -> Blend {
     let cycles = config.accumulate_stages - CHOICE;
     let test = m.instance("depth_test", depth_test::module(config));

@@ -55,10 +55,10 @@ pub(super) struct State {
     pub load: Reg,
     /// Pixels read from the slot, or from the reconstruction buffer when the frame is sent.
     pub drained: Reg,
-    /// A pixel is shown at the drain port, and which.
+    /// A pixel was read, and which.
     pub showing: Reg,
     pub shown_pixel: Reg,
-    /// A pixel that was shown is held, and which.
+    /// A pixel that was shown is held at the drain port, and which.
     pub holding: Reg,
     pub held_pixel: Reg,
     pub filled: Reg,
@@ -234,10 +234,10 @@ pub fn module(config: &Config) -> Module {
 
     let arriving = Record::from(&data);
     fill_ports(&mut m, &state, &moves.fill, &fill_valid, &arriving, &pixel_fields);
-    m.output("drain_enable", &moves.drain_enable);
+    m.output("drain_enable", &moves.step);
     m.output("drain_slot", &state.slot);
     m.output("drain_pixel", &state.drained.trunc(PIXEL_BITS as usize));
-    let held = Record::input(&mut m, "drain_", &pixel_fields).register(&mut m, "held_", &moves.step);
+    let held = Record::input(&mut m, "drain_", &pixel_fields);
     push_pixels(&mut m, &state, &moves, &close, &held, &arriving, [write, pixel]);
 
     let changes = Changes {

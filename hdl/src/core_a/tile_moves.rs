@@ -9,12 +9,10 @@ use crate::units::records::{QueueOut, Record};
 
 /// Moves of pixels between slot, reconstruction buffer and output.
 pub(super) struct Moves {
-    /// The pixels that are shown and held move on.
+    /// The pixels that are shown and held move on, and one is read.
     pub step: Expr,
     /// The one that is held is pushed to the queue it is for.
     pub leaves: Expr,
-    /// A pixel is read at the drain port.
-    pub drain_enable: Expr,
     /// A beat of the data stream is taken.
     pub beat: Expr,
     /// A pixel is filled.
@@ -36,9 +34,9 @@ pub(super) fn exchange(
     let draining = m.wire("draining", &(&from_slot | (&state.moving & &state.evict)));
     let room = from_slot.mux(&pixel.room, &write.room);
     let step = m.wire("drain_step", &(&draining & (!&state.holding | &room)));
-    let drain_enable = m.wire("drain_next", &(&step & !state.all_drained()));
-    m.next_if(&state.showing, &step, &drain_enable);
-    m.next_if(&state.shown_pixel, &drain_enable, &state.drained.trunc(PIXEL_BITS as usize));
+    let drain_next = m.wire("drain_next", &(&step & !state.all_drained()));
+    m.next_if(&state.showing, &step, &drain_next);
+    m.next_if(&state.shown_pixel, &drain_next, &state.drained.trunc(PIXEL_BITS as usize));
     m.next_if(&state.holding, &step, &state.showing);
     m.next_if(&state.held_pixel, &step, &state.shown_pixel);
     let leaves = m.wire("held_leaves", &(&state.holding & &step));
@@ -55,10 +53,10 @@ pub(super) fn exchange(
     let done = m.wire("done", &(&state.moving & (&state.filled.msb() & (!fill_valid & evicted))));
     let begin = &state.looked | state.is(Mode::Check);
     let zero = lit(COUNT_BITS, 0);
-    let drains = &drain_enable | (&from_memory & &beat);
+    let drains = &drain_next | (&from_memory & &beat);
     m.next_if(&state.drained, &(&begin | drains), &begin.mux(&zero, &state.drained.add_lit(1)));
     m.next_if(&state.filled, &(&begin | &fill), &begin.mux(&zero, &state.filled.add_lit(1)));
-    Moves { step, leaves, drain_enable, beat, fill, done }
+    Moves { step, leaves, beat, fill, done }
 }
 
 /// The ports that write the slot, a cycle after a pixel came.

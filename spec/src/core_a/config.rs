@@ -106,7 +106,7 @@ impl Default for Config {
             kernel_gamma: 2.0,
             transform_interval: 2,
             setup_interval: 4,
-            accumulate_stages: 6,
+            accumulate_stages: 7,
             bus: bus::Config::default(),
         }
     }
@@ -159,7 +159,7 @@ impl Config {
             ("tile_slots", self.tile_slots, 2, 64),
             ("transform_interval", self.transform_interval, 1, 16),
             ("setup_interval", self.setup_interval, 1, 16),
-            ("accumulate_stages", self.accumulate_stages, 4, 12),
+            ("accumulate_stages", self.accumulate_stages, 5, 12),
         ];
         for (key, value, low, high) in ranges {
             if !(low..=high).contains(&value) {

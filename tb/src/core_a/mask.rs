@@ -53,8 +53,8 @@ pub fn tile_cache(ports: &[Port]) -> impl FnMut(&mut [u64], &mut [u64]) + Send +
     }
 }
 
-/// The mask of the accumulator: a drained pixel shows from the cycle after its drain until its slot is ready again, when samples
-/// read the slot. Inputs decide, so it watches what the model sees.
+/// The mask of the accumulator: a drained pixel shows from the cycle after its slot's next drain until the slot is ready again,
+/// when samples read it. Inputs decide, so it watches what the model sees.
 pub struct DrainedPixel {
     enable: usize,
     slot: usize,
@@ -79,15 +79,18 @@ impl DrainedPixel {
 
     /// The model, watched.
     pub fn watch<M: FnMut(&[u64], &mut [u64])>(&self, mut model: M) -> impl FnMut(&[u64], &mut [u64]) + use<M> {
-        let (enable, slot, ready, shows) = (self.enable, self.slot, self.ready, Arc::clone(&self.shows));
-        let mut drained_slot = None;
+        let (enable, slot_port, ready, shows) = (self.enable, self.slot, self.ready, Arc::clone(&self.shows));
+        // The slots of the last drain and of the one before.
+        let (mut read, mut drained) = (None, None);
         move |inputs, outputs| {
-            shows.store(drained_slot.is_some(), Ordering::Relaxed);
+            shows.store(drained.is_some(), Ordering::Relaxed);
             model(inputs, outputs);
+            let mut unready = |slot: &u64| inputs[ready] >> slot & 1 == 0;
             if inputs[enable] == 1 {
-                drained_slot = Some(inputs[slot]);
+                drained = read.filter(|slot| *slot == inputs[slot_port]);
+                read = Some(inputs[slot_port]);
             }
-            drained_slot = drained_slot.filter(|slot| inputs[ready] >> slot & 1 == 0);
+            (read, drained) = (read.filter(&mut unready), drained.filter(&mut unready));
         }
     }
 

@@ -49,7 +49,7 @@ pub fn configs() -> [Config; 3] {
         screen_filter: Feature::Off,
         transform_interval: 1,
         setup_interval: 4,
-        accumulate_stages: 4,
+        accumulate_stages: 5,
         ..Config::default()
     };
     let full = Config {
@@ -63,7 +63,7 @@ pub fn configs() -> [Config; 3] {
         tile_slots: 5,
         transform_interval: 2,
         setup_interval: 1,
-        accumulate_stages: 6,
+        accumulate_stages: 7,
         ..Config::default()
     };
     let mixed = Config {
@@ -78,7 +78,7 @@ pub fn configs() -> [Config; 3] {
         screen_filter: Feature::Off,
         transform_interval: 4,
         setup_interval: 2,
-        accumulate_stages: 5,
+        accumulate_stages: 6,
         kernel_gamma: 0.9,
         ..Config::default()
     };
