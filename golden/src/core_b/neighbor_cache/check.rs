@@ -29,9 +29,26 @@ struct Issued {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Judged {
+struct Compared {
     item: Item,
     covered: bool,
+}
+
+/// A comparison whose consequences are drawn.
+#[derive(Clone, Copy, Debug)]
+struct Judged {
+    entry: usize,
+    last: bool,
+    /// The entry covers the query and is still what it was when it was read.
+    matches: bool,
+}
+
+impl Compared {
+    fn judge(self, entries: &Entries) -> Judged {
+        let Self { item: Item { entry, last, present, version }, covered } = self;
+        let now = entries.get(entry);
+        Judged { entry, last, matches: covered && present && now.present && now.version == version }
+    }
 }
 
 /// What comes of an item.
@@ -55,7 +72,8 @@ pub(super) struct Check {
     /// What is asked by the items under way.
     asked: VecDeque<CachedQuery>,
     issued: Option<Issued>,
-    datapath: Datapath<Judged>,
+    datapath: Datapath<Compared>,
+    judged: Option<Judged>,
     /// An item of the oldest query was a hit.
     answered: bool,
 }
@@ -69,6 +87,7 @@ impl Check {
             asked: VecDeque::with_capacity(CHECKS),
             issued: None,
             datapath: Datapath::new(latency, 1),
+            judged: None,
             answered: false,
         }
     }
@@ -77,14 +96,13 @@ impl Check {
         self.queries.in_ready()
     }
 
-    /// What comes of the item at the datapath's output, if there is one.
-    pub(super) fn verdict(&self, entries: &Entries) -> Option<Verdict> {
-        let Judged { item: Item { entry, last, present, version }, covered } = *self.datapath.out()?;
+    /// What comes of the item that is judged, if there is one, while `copying` is copied to.
+    pub(super) fn verdict(&self, copying: Option<usize>) -> Option<Verdict> {
+        let Judged { entry, last, matches } = self.judged?;
         let query = *self.asked.front().expect("a query stays until its last item leaves");
-        let now = entries.get(entry);
         Some(if self.answered {
             Verdict::Pass
-        } else if covered && present && now.present && now.version == version {
+        } else if matches && copying != Some(entry) {
             Verdict::Hit { entry, query }
         } else if last {
             Verdict::Miss { query }
@@ -98,12 +116,13 @@ impl Check {
         self.asked.len()
     }
 
-    /// One clock edge; `leaves` is the verdict on the item that leaves in this cycle, `admits` whether one more query may be
-    /// compared.
+    /// One clock edge; `leaves` is the verdict on the item that leaves in this cycle, `copying` the entry that is copied to,
+    /// `admits` whether one more query may be compared.
     pub(super) fn clock(
         &mut self,
         input: Option<CachedQuery>,
         leaves: Option<Verdict>,
+        copying: Option<usize>,
         admits: bool,
         entries: &Entries,
         setup: &CacheSetup,
@@ -111,17 +130,23 @@ impl Check {
         let has_room = self.next != 0 || (self.asked.len() < CHECKS && admits);
         let enters = self.datapath.in_ready();
         let advances = self.issued.is_none() || enters;
-        let judged = self.issued.filter(|_| enters).map(|Issued { item, query, reference }| Judged {
+        let compared = self.issued.filter(|_| enters).map(|Issued { item, query, reference }| Compared {
             item,
             covered: reference.covers(self.geometry, &query, setup),
         });
-        let left = self.datapath.step(judged, leaves.is_some());
-        if let Some(Judged { item, .. }) = left {
+        let takes_judged = self.judged.is_none() || leaves.is_some();
+        let left = self.datapath.step(compared, takes_judged);
+        if leaves.is_some() {
             self.answered |= matches!(leaves, Some(Verdict::Hit { .. }));
-            if item.last {
+            if self.judged.is_some_and(|judged| judged.last) {
                 self.asked.pop_front();
                 self.answered = false;
             }
+        }
+        if takes_judged {
+            self.judged = left.map(|compared| compared.judge(entries));
+        } else if let Some(judged) = &mut self.judged {
+            judged.matches &= copying != Some(judged.entry);
         }
 
         let mut takes_query = false;

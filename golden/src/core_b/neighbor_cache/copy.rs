@@ -77,6 +77,11 @@ impl Copy {
         self.found.in_ready()
     }
 
+    /// The entry that is copied to.
+    pub(super) fn target(&self) -> Option<usize> {
+        self.copying.map(|copying| copying.entry)
+    }
+
     /// What happens in a cycle in which no hit leaves, or one does; an answer needs room.
     pub(super) fn step(&self, entries: &Entries, hit_leaves: bool, deliver_has_room: bool) -> Step {
         match (self.found.out().copied(), self.copying) {

@@ -73,7 +73,7 @@ impl NeighborCache {
 
     /// The verdict on the item that leaves the check in this cycle.
     fn leaving(&self) -> Option<Verdict> {
-        self.check.verdict(&self.entries).filter(|verdict| match verdict {
+        self.check.verdict(self.copy.target()).filter(|verdict| match verdict {
             Verdict::Hit { .. } => self.deliver.in_ready(),
             Verdict::Miss { .. } => self.search.in_ready() && self.tickets.free().is_some(),
             Verdict::Pass => true,
@@ -140,7 +140,7 @@ impl Model for NeighborCache {
         let answer = answer(verdict, &step);
 
         let admits = self.tickets.admit(self.check.compared());
-        self.check.clock(inputs.query, verdict, admits, &self.entries, &self.setup);
+        self.check.clock(inputs.query, verdict, self.copy.target(), admits, &self.entries, &self.setup);
         let released = self.deliver.clock(answer, &self.entries, &self.neighborhoods, inputs.result_ready);
         let started = match step {
             Step::Start { ticket, .. } => Some(self.tickets.query(ticket)),

@@ -207,6 +207,30 @@ fn queries_are_not_compared_long_before_they_are_searched_for() {
     assert_eq!(accepted(3), 2 + 5 + 2, "no more are compared than will find a ticket");
 }
 
+/// What covers a query may be replaced while the query waits for those before it to be delivered.
+#[test]
+fn an_entry_that_is_given_away_answers_no_more() {
+    const A: f32 = 14.0;
+    const B: f32 = 24.0;
+    const C: f32 = 34.0;
+    for_each_seed("neighbor_cache", |random| {
+        let mut given_away = 0;
+        for _ in 0..100 {
+            let mut bench = Bench::new(&config(2), LATENCIES, balls());
+            let ask = |number: usize, x| query(number as u32, x, 2.0, 1.0);
+            [B, A].iter().for_each(|x| assert!(!bench.ask(ask(0, *x)).cached));
+            (bench.latency, bench.pauses) = (60, 6);
+            let queries: Vec<_> = [C, A, A, A, B].into_iter().enumerate().map(|(i, x)| ask(i, x)).collect();
+            for Answer { number, indices, cached } in bench.run(&queries, random) {
+                let own = neighborhood(&queries[number as usize].query).into_iter().map(|result| result.index);
+                assert_eq!(indices, own.collect::<Vec<_>>(), "query {number}");
+                given_away += u32::from(number == 4 && !cached);
+            }
+        }
+        assert!((1..100).contains(&given_away), "{given_away} times B was replaced in time");
+    });
+}
+
 /// Entries are replaced while others, and their own former neighborhoods, are checked and delivered.
 #[test]
 fn an_answer_is_never_overwritten_while_it_is_delivered() {

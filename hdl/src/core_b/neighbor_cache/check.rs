@@ -21,6 +21,11 @@ fn item_fields(config: &Config) -> Vec<Field> {
     fields.map(|(name, width)| (name.to_owned(), width)).to_vec()
 }
 
+/// What of an item is judged.
+fn judged_fields(config: &Config) -> Vec<Field> {
+    item_fields(config).into_iter().filter(|(name, _)| ["entry", "last"].contains(&name.as_str())).collect()
+}
+
 /// What of a query the comparison needs.
 fn ball_fields(config: &Config) -> Vec<Field> {
     ["x", "y", "z", "reach"].map(|name| (name.to_owned(), config.geometry.width())).to_vec()
@@ -76,6 +81,8 @@ pub(super) struct Resources<'a> {
     pub covers: &'a Covers,
     pub tickets: &'a Tickets,
     pub settings: &'a Record,
+    /// The entry that a neighborhood is copied to.
+    pub copied: &'a Chosen,
     /// An answer can be pushed in this cycle.
     pub room: &'a Expr,
 }
@@ -148,24 +155,38 @@ impl Check {
     pub fn new(m: &mut Module, config: &Config, options: &Options, from: &Resources<'_>) -> Result<Self, CompileError> {
         let pops = m.forward("asked_pops", 1);
         let Comparisons { out, asked, manifest } = Comparisons::new(m, config, options, from, &pops.expr())?;
-        let entry = out.field("entry");
-        let last = out.field("last");
+        let compared = out.field("entry");
+        let unchanged = out.field("version").eq(&from.entries.version(&compared));
+        let reusable = (out.field("present") & from.entries.is_present(&compared)) & unchanged;
+        let matched = m.wire("matched", &(out.field("covered") & reusable));
+
+        // j: what the entry was when its item was taken is known; what it is now, the copying tells.
+        let advance = m.forward("j_advance", 1);
+        let valid = m.reg_reset("j_valid", 1, 0);
+        let matches = m.reg("j_matches", 1);
+        m.next_if(&valid, &advance, &out.valid);
+        m.ready(&out, &advance);
+        let judged = Record::from(&out).only(&judged_fields(config)).register(m, "j_", &advance);
+        let (entry, last) = (judged.get("entry"), judged.get("last"));
+        let given_away = m.wire("j_given_away", &(&from.copied.valid & entry.eq(&from.copied.entry)));
+        let reads = m.wire("j_reads", &(&matches & !&given_away));
+        m.next(&matches, &advance.mux(&matched, &reads));
+
         let answered = m.reg_reset("answered", 1, 0);
-        let open = m.wire("open", &(&out.valid & !&answered));
-        let unchanged = out.field("version").eq(&from.entries.version(&entry));
-        let reusable = (out.field("present") & from.entries.is_present(&entry)) & unchanged;
-        let hit = m.wire("hit", &(&open & (out.field("covered") & reusable)));
+        let open = m.wire("open", &(&valid & !&answered));
+        let hit = m.wire("hit", &(&open & &reads));
         let miss = m.wire("miss", &(&open & (&last & !&hit)));
 
         let search = queue_out(m, "search", &records::query(config));
         let hits = m.wire("hits", &(&hit & from.room));
         let misses = m.wire("misses", &((&miss & &search.room) & &from.tickets.any_free));
         let stays = (&hit & !&hits) | (&miss & !&misses);
-        let leaves = m.wire("leaves", &(&out.valid & !stays));
-        m.ready(&out, &leaves);
+        let leaves = m.wire("leaves", &(&valid & !stays));
+        m.drive(&advance, &(!&valid | &leaves));
         m.drive(&pops, &(&leaves & &last));
         m.next(&answered, &((&answered | &hits) & !&pops));
-        m.assert("a_comparison_has_its_query", &(!&out.valid | &asked.held));
+        m.assert("a_comparison_has_its_query", &(!&valid | &asked.held));
+        m.assert("a_hit_is_present", &(!&hits | from.entries.is_present(&entry)));
 
         search.push(m, &misses, |name| match name {
             "number" => from.tickets.free.zext(config.index_bits as usize),

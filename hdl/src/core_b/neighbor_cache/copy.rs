@@ -15,6 +15,8 @@ use crate::units::records::{Record, queue_in};
 pub(super) struct Copy {
     /// An entry is given to the neighborhood at the head.
     pub start: Chosen,
+    /// The entry that is copied to.
+    pub target: Chosen,
     /// A query is answered, and its entry complete but for the comparison value.
     pub end: Answer,
     /// What that follows from.
@@ -74,5 +76,6 @@ pub(super) fn copy(
         field => query.get(field),
     });
     let start = Chosen { valid: starts, entry: entries.victim.entry.clone() };
-    Copy { start, end: Answer { by: end, number: query.get("number") }, reach, ticket: found.field("number") }
+    let target = Chosen { valid: copying.expr(), entry: target.expr() };
+    Copy { start, target, end: Answer { by: end, number: query.get("number") }, reach, ticket: found.field("number") }
 }

@@ -19,7 +19,7 @@ use check::{Check, Resources};
 use copy::copy;
 use cover::Covers;
 use deliver::Deliveries;
-use lru::{Entries, Uses};
+use lru::{Chosen, Entries, Uses};
 use neighborhoods::Neighborhoods;
 use tickets::Tickets;
 
@@ -51,11 +51,22 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     let deliveries = Deliveries::new(&mut m, config);
     let room = deliveries.room.clone();
 
-    let resources =
-        Resources { entries: &entries, covers: &covers, tickets: &tickets, settings: &settings, room: &room };
+    let copying = m.forward("copied", 1);
+    let target = m.forward("copied_entry", config.entry_bits() as usize);
+    let copied = Chosen { valid: copying.expr(), entry: target.expr() };
+    let resources = Resources {
+        entries: &entries,
+        covers: &covers,
+        tickets: &tickets,
+        settings: &settings,
+        copied: &copied,
+        room: &room,
+    };
     let check = Check::new(&mut m, config, options, &resources)?;
     let (hit, is_ball) = (&check.hit, settings.get("ball"));
     let copy = copy(&mut m, config, (&entries, &tickets, &neighborhoods), (&is_ball, &hit.by.valid, &room));
+    m.drive(&copying, &copy.target.valid);
+    m.drive(&target, &copy.target.entry);
     let (judged, cover) = covers.judge(&mut m, config, options, &settings, (&copy.end.by.valid, &copy.reach))?;
     let release = deliveries.send(&mut m, config, [hit, &copy.end], &neighborhoods);
 
