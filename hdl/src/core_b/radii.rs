@@ -14,15 +14,19 @@ pub(super) fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enabl
     let [(by_query, query_set), (by_leaf, leaf_set)] =
         [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
             let writes = writer.record.get("thread");
-            let memory =
-                m.memory(&format!("{name}_radii"), 1 << config.thread_bits(), config.geometry.width() as usize);
+            let memory = m.memory_distributed(
+                &format!("{name}_radii"),
+                1 << config.thread_bits(),
+                config.geometry.width() as usize,
+            );
             m.write(&memory, &writer.valid, &writes, &writer.record.get("radius2"));
-            let radius = m.read_if(&memory, &format!("{name}_radius2"), enable, thread);
+            let radius = m.read_now(&memory, &format!("{name}_radius2"), thread);
             (radius, m.wire(&format!("{name}_set"), &decode(&writer.valid, &writes, threads)))
         });
     let from_leaf = m.reg_reset("from_leaf", threads, 0);
     m.next(&from_leaf, &((&from_leaf & !query_set) | leaf_set));
-    let is_from_leaf = m.reg("is_from_leaf", 1);
-    m.next_if(&is_from_leaf, enable, &contains(&from_leaf, thread));
-    is_from_leaf.mux(&by_leaf, &by_query)
+    // Chosen in front of the register: behind it the radius is compared at once.
+    let radius2 = m.reg("radius2", config.geometry.width() as usize);
+    m.next_if(&radius2, enable, &contains(&from_leaf, thread).mux(&by_leaf, &by_query));
+    radius2.expr()
 }
