@@ -1,7 +1,7 @@
 //! Comparisons; the result is one bit, 0 if an operand is NaN.
 
 use super::delay;
-use super::operand::{flushed, is_nan, order, width};
+use super::operand::{flushed, is_nan, order, order_delay, width};
 use super::pipe::{self, Operator, Pipe};
 use pointcore_spec::Format;
 
@@ -12,7 +12,7 @@ pub fn stages(format: Format) -> u32 {
 }
 
 fn delays(format: Format) -> Vec<u32> {
-    vec![delay::adder(format.width()) + 2 * delay::LEVEL, delay::LEVEL]
+    vec![order_delay(format) + delay::adder(format.width()) + delay::LEVEL, delay::LEVEL]
 }
 
 /// Module `float_lt`: `a < b`.

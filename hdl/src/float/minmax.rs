@@ -1,7 +1,7 @@
 //! Minimum and maximum.
 
 use super::delay;
-use super::operand::{flushed, is_nan, order, width};
+use super::operand::{flushed, is_nan, order, order_delay, width};
 use super::pipe::{self, Operator, Pipe};
 use crate::rtl::lit;
 use pointcore_spec::Format;
@@ -13,7 +13,7 @@ pub fn stages(format: Format) -> u32 {
 }
 
 fn delays(format: Format) -> Vec<u32> {
-    vec![delay::adder(format.width()) + delay::LEVEL, 2 * delay::LEVEL]
+    vec![order_delay(format) + delay::adder(format.width()), 2 * delay::LEVEL]
 }
 
 /// Module `float_min`.

@@ -136,6 +136,14 @@ pub(super) fn order(encoded: &Expr) -> Expr {
     cat(&[&!&sign, &(encoded.trunc(magnitude_bits) ^ sign.repeat(magnitude_bits))])
 }
 
+/// Delay of [`flushed`] and [`order`].
+pub(super) const fn order_delay(format: Format) -> u32 {
+    match format.subnormals {
+        Subnormals::Keep => delay::LEVEL,
+        Subnormals::Flush => delay::LEVEL + delay::reduction(format.exponent),
+    }
+}
+
 /// A constant in two's complement.
 pub(super) fn signed(bits: usize, value: i32) -> Expr {
     lit(bits, (i128::from(value) & ((1 << bits) - 1)) as u128)
