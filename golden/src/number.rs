@@ -74,6 +74,26 @@ impl Number {
         Self { bits: self.bits & !self.format.sign_mask(), ..self }
     }
 
+    /// The exponent as it is encoded, biased.
+    #[must_use]
+    pub const fn exponent_field(self) -> u64 {
+        self.bits >> self.format.mantissa & self.format.exponent_max()
+    }
+
+    /// Whether it is no number.
+    #[must_use]
+    pub const fn is_nan(self) -> bool {
+        self.abs().bits > self.format.infinity()
+    }
+
+    /// Itself, or the largest number of its sign where it is infinite or NaN.
+    #[must_use]
+    pub const fn saturated(self) -> Self {
+        let is_finite = self.exponent_field() < self.format.exponent_max();
+        let largest = self.bits & self.format.sign_mask() | (self.format.infinity() - 1);
+        Self { bits: if is_finite { self.bits } else { largest }, ..self }
+    }
+
     /// The sign bit.
     #[must_use]
     pub const fn is_negative(self) -> bool {

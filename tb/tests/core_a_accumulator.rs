@@ -23,6 +23,7 @@ fn it_agrees_with_the_model() {
             let run = run.unwrap_or_else(|error| panic!("{error}"));
             let counts = run.stimulus.exchange.counts;
             assert!(counts.accumulated > 1500 && counts.hazards > 100 && counts.slot_waits > 100, "{counts:?}");
+            assert!(counts.saturated > 5, "seed {seed}: {counts:?}");
             assert!(counts.heavy > 20 && run.report.transfers("retire") > 1000, "seed {seed}: {counts:?}");
         }
     }

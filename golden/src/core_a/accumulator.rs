@@ -1,8 +1,8 @@
 //! Accumulator: depth test and sums of every sample on its pixel, in the slots of the tile cache (eqs. 5.8, 5.11, 5.12).
 //!
 //! Weights and depths are summed as exact integers, attributes in the attribute format, stored operand first. A blend whose weight
-//! sum would overflow changes nothing. A sample waits while an earlier one of the same pixel is under way, so that the sums
-//! depend on the order of samples alone.
+//! sum would overflow changes nothing; a sum of attributes that would stops at the largest number. A sample waits while an earlier
+//! one of the same pixel is under way, so that the sums depend on the order of samples alone.
 
 use super::depth_test;
 use super::records::{Pixel, Shape, WeightedSample};
@@ -144,7 +144,7 @@ impl Accumulator {
         let number = |bits: &u32| Number::new(self.attribute, *bits);
         let sums = stored.attributes.iter().zip(&sample.attributes).map(|(old, new)| number(old) + number(new));
         for (attribute, sum) in attributes[..self.shape.continuous].iter_mut().zip(sums) {
-            *attribute = sum.bits();
+            *attribute = sum.saturated().bits();
         }
         Some(Pixel { weight: weight_sum, depth: stored.depth + sample.weighted_depth, peak, attributes })
     }
@@ -312,6 +312,23 @@ mod tests {
             Pixel { weight: WEIGHT_SUM_MAX - 5, depth: u64::from(WEIGHT_SUM_MAX - 5) * 1000, ..Pixel::default() };
         assert_eq!(unit.accumulate(&stored, &sample(0, 5, 1000)).map(|pixel| pixel.weight), Some(WEIGHT_SUM_MAX));
         assert_eq!(unit.accumulate(&stored, &sample(0, 6, 1000)), None);
+    }
+
+    #[test]
+    fn a_full_attribute_sum_stays_the_largest_number() {
+        let unit = Accumulator::new(&config());
+        for (sign, largest) in [(0, 0x7bff), (0x8000, 0xfbff)] {
+            let mut sample = sample(0, 5, 1000);
+            sample.attributes[0] = sign | 0x7800; // 32,768 in f16
+            let twice = [sample; 2]
+                .iter()
+                .fold(Pixel::default(), |pixel, sample| unit.accumulate(&pixel, sample).expect("it blends"));
+            assert_eq!(twice.attributes[0], largest);
+            assert_eq!(unit.accumulate(&twice, &sample).map(|pixel| pixel.attributes[0]), Some(largest));
+            sample.attributes[0] ^= 0x8000;
+            let less = unit.accumulate(&twice, &sample).map(|pixel| pixel.attributes[0]);
+            assert_eq!(less, Some(sign | 0x77fe), "and can be lowered");
+        }
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Transform unit: model-view transformation and culling (thesis 5.4.1, table 5.1).
 //!
 //! A datapath of interval `transform_interval`, in the geometry format. Splats that face away, splats at or behind the near
-//! plane and splats with a NaN in what decides it are dropped.
+//! plane and splats with a NaN in what decides it are dropped. Attributes become finite.
 
-use super::records::{Shape, Splat};
+use super::records::{Attributes, Shape, Splat};
 use super::uniforms::TransformUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
@@ -30,6 +30,7 @@ pub type Out = ThroughOut<Splat>;
 pub struct Transform {
     shape: Shape,
     geometry: Format,
+    attribute: Format,
     culling: Feature,
     datapath: Datapath<Splat>,
 }
@@ -41,6 +42,7 @@ impl Transform {
         Self {
             shape: Shape::new(config),
             geometry: config.geometry,
+            attribute: config.attribute,
             culling: config.culling,
             datapath: Datapath::new(latency, config.transform_interval),
         }
@@ -64,8 +66,18 @@ impl Transform {
         visible.then(|| Splat {
             center: center.map(Number::bits),
             tangents: [a1, a2].map(|tangent| tangent.map(Number::bits)),
-            ..*splat
+            attributes: self.finite(splat.attributes),
+            end: false,
         })
+    }
+
+    /// Attributes as numbers, of which every later sum is one.
+    fn finite(&self, mut attributes: Attributes) -> Attributes {
+        for bits in &mut attributes[..self.shape.continuous] {
+            let attribute = Number::new(self.attribute, *bits);
+            *bits = if attribute.is_nan() { 0 } else { attribute.saturated().bits() };
+        }
+        attributes
     }
 }
 
@@ -130,5 +142,14 @@ mod tests {
         assert_eq!(unit.transform(&splat(5.0, back), &uniforms), None, "faces away");
         assert_eq!(unit.transform(&splat(-2.0, front), &uniforms), None, "at the near plane");
         assert_eq!(unit.transform(&splat(f32::NAN, front), &uniforms), None, "is nowhere");
+    }
+
+    #[test]
+    fn attributes_become_finite() {
+        let unit = Transform::new(&Config { continuous: 6, cardinal: 1, ..Config::default() }, 1);
+        let attributes = |values: [u32; 7]| std::array::from_fn(|i| values.get(i).copied().unwrap_or(0));
+        let given = attributes([0x7c00, 0xfc00, 0x7e00, 0xfc01, 0xfbff, 0x8001, 0x7c00]);
+        let passed = attributes([0x7bff, 0xfbff, 0, 0, 0xfbff, 0x8001, 0x7c00]);
+        assert_eq!(unit.finite(given), passed, "a cardinal one is no number");
     }
 }

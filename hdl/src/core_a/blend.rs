@@ -1,11 +1,12 @@
 //! What the accumulator makes of a pixel and a sample: depth test, sums, and the choice among them (eq. 5.8 to 5.12).
 
+use pointcore_spec::Format;
 use pointcore_spec::core_a::config::WEIGHT_SUM_BITS;
 use pointcore_spec::core_a::{Config, records};
 
 use super::depth_test;
 use crate::float::add;
-use crate::rtl::{Expr, Module, bit};
+use crate::rtl::{Expr, Module, bit, cat, lit};
 use crate::units::records::Record;
 
 /// Cycles in which pixels are read and a sample's slot is chosen.
@@ -18,6 +19,16 @@ fn delay(m: &mut Module, name: &str, value: &Expr, count: u32) -> Expr {
         m.next(&register, &value);
         register.expr()
     })
+}
+
+/// A sum as it is, or the largest number of its sign where it overflowed. What chooses is the exponent alone, and the choice merges
+/// with the one that follows it into a look-up table a bit.
+fn saturated(m: &mut Module, name: &str, format: Format, sum: &Expr) -> Expr {
+    let (top, mantissa) = (format.width() as usize - 1, format.mantissa as usize);
+    let exponent = sum.bits(top - 1, mantissa);
+    let overflows = m.wire(&format!("overflow_of_{name}"), &exponent.all());
+    let largest = lit(top, u128::from(format.infinity() - 1));
+    cat(&[&sum.bit(top), &overflows.mux(&largest, &sum.trunc(top))])
 }
 
 /// The pixel that a sample leaves behind, in the last stage.
@@ -78,6 +89,7 @@ pub(super) fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &R
             m.connect(&add, "a", &stored.get(attribute));
             m.connect(&add, "b", &sample.get(attribute));
             let sum = m.out(&add, "y");
+            let sum = saturated(m, attribute, config.attribute, &sum);
             let sum = delay(m, &format!("sum_of_{attribute}"), &sum, cycles - adder.latency);
             pass.mux(&late, &sum)
         }

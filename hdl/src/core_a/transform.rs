@@ -1,10 +1,11 @@
 //! Transform and back-face culling (thesis table 5.1, top); golden twin: `pointcore_golden::core_a::transform`.
 
-use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::units::datapath::{Inputs, dot, uniform};
+use pointcore_spec::Format;
 use pointcore_spec::core_a::{Config, ports::UNIFORMS, records};
 
-/// World space to camera space; drops splats that face away or whose centre is not beyond the near plane.
+/// World space to camera space; drops splats that face away or whose centre is not beyond the near plane, and makes attributes finite.
 ///
 /// # Errors
 /// What the compiler rejects.
@@ -40,7 +41,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let [center_x, center_y, center_z] = center;
     let [tangent1_x, tangent1_y, tangent1_z] = tangent1;
     let [tangent2_x, tangent2_y, tangent2_z] = tangent2;
-    let computed = [
+    let mut computed = vec![
         ("center_x", center_x),
         ("center_y", center_y),
         ("center_z", center_z),
@@ -51,6 +52,22 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         ("tangent2_y", tangent2_y),
         ("tangent2_z", tangent2_z),
     ];
+    let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
+    computed.extend(names.iter().map(|name| (name.as_str(), finite(&program, config.attribute, &splat.bits(name)))));
     splat.output(&program, &record, &computed);
     compile(&program, &options.with_interval(config.transform_interval))
+}
+
+/// A number as it is, the largest of its sign instead of an infinity, zero instead of a NaN.
+fn finite(program: &Program, format: Format, number: &Value) -> Value {
+    let [sign, exponent, fraction] = [
+        number.bits(format.width() - 1, format.width() - 1),
+        number.bits(format.width() - 2, format.mantissa),
+        number.bits(format.mantissa - 1, 0),
+    ];
+    let special = exponent.equal(&program.unsigned(format.exponent, format.exponent_max()));
+    let infinite = fraction.equal(&program.unsigned(format.mantissa, 0));
+    let largest = sign.concat(&program.unsigned(format.width() - 1, format.infinity() - 1));
+    let replacement = infinite.select(&largest, &program.unsigned(format.width(), 0));
+    special.select(&replacement, number)
 }

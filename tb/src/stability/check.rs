@@ -96,7 +96,7 @@ impl Property {
     /// Whether docs/stability.md proves it, so that one violation is a fault of the proof or of the arithmetic.
     #[must_use]
     pub fn is_proved(self) -> bool {
-        matches!(self, Self::Distance | Self::Depth | Self::Weight | Self::Bounds)
+        matches!(self, Self::Distance | Self::Depth | Self::Weight | Self::Bounds | Self::Finite)
     }
 }
 

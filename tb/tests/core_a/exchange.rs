@@ -18,6 +18,8 @@ const SAMPLES_WAITING: usize = 2000;
 /// Normalized depths of three surfaces, and the distance within which samples blend.
 const SURFACES: [u32; 3] = [0x40_0000, 0x80_0000, 0xc0_0000];
 const EPSILON: u32 = 0x1_0000;
+/// More than half of `f16`'s largest number, for attributes.
+const HALF_OF_LARGEST: f32 = 40_000.0;
 
 /// What happened.
 #[derive(Clone, Copy, Debug, Default)]
@@ -28,6 +30,8 @@ pub struct Counts {
     pub pixels: u32,
     /// Pixels that came back from memory almost full.
     pub heavy: u32,
+    /// Pixels with an attribute whose sum has overflowed.
+    pub saturated: u32,
     /// The accumulator's events.
     pub accumulated: u32,
     pub hazards: u32,
@@ -137,9 +141,13 @@ impl Exchange {
             sample.weighted_depth = u64::from(weight) * u64::from(depth);
             (sample.depth_low, sample.depth_high) = (depth - EPSILON, depth + EPSILON);
             for attribute in &mut sample.attributes[..self.config.continuous as usize] {
-                if random.u8(0..32) > 0 {
-                    *attribute = scene::encode(self.config.attribute, 4.0 * random.f32() - 2.0) as u32;
-                }
+                // Half of them so large that sums overflow, to one side on a pixel; now and then any bits.
+                let number = match random.u8(0..32) {
+                    0 => continue,
+                    1..=16 => HALF_OF_LARGEST * if pixel % 2 == 0 { 1.0 } else { -1.0 },
+                    _ => 4.0 * random.f32() - 2.0,
+                };
+                *attribute = scene::encode(self.config.attribute, number) as u32;
             }
             self.samples.push_back(sample);
         }
@@ -147,6 +155,8 @@ impl Exchange {
 
     /// A pixel as memory keeps it: now and then so full that a blend would overflow it.
     fn kept(&mut self, mut pixel: Pixel) -> Pixel {
+        let is_largest = |bits: &u32| bits & 0x7fff == 0x7bff;
+        self.counts.saturated += u32::from(pixel.attributes[..self.config.continuous as usize].iter().any(is_largest));
         if pixel.weight > 0 && self.random.u8(0..6) == 0 {
             let depth = pixel.depth / u64::from(pixel.weight);
             pixel.weight = (1 << WEIGHT_SUM_BITS) - self.random.u32(1..100_000);

@@ -70,12 +70,15 @@ fn splat(config: &Config, random: &mut Rng) -> Vec<u64> {
     record
 }
 
-/// Replaces a number of one splat in `one_in` by an odd one.
+/// Replaces a number of one splat in `one_in` by an odd one, and a continuous attribute of as many.
 pub fn spoil(config: &Config, splats: &mut [Vec<u64>], one_in: u32, random: &mut Rng) {
+    let attributes = GEOMETRY.end..GEOMETRY.end + config.continuous as usize;
     for splat in splats {
-        if random.u32(0..one_in) == 0 {
-            let odd = ODD[random.usize(0..ODD.len())];
-            splat[random.usize(GEOMETRY)] = encode(config.geometry, odd);
+        for (places, format) in [(GEOMETRY, config.geometry), (attributes.clone(), config.attribute)] {
+            if random.u32(0..one_in) == 0 {
+                let odd = ODD[random.usize(0..ODD.len())];
+                splat[random.usize(places)] = encode(format, odd);
+            }
         }
     }
 }
