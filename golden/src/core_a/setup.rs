@@ -13,8 +13,12 @@ use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use std::ops::Range;
 
-/// `e` below `2^−12` counts as crossing the eye plane.
-const CROSSING_FRACTION_BITS: u32 = 12;
+/// `e` up to this power of ½ counts as crossing the eye plane, in a format as precise as `f32`.
+const CLEARANCE_FRACTION_BITS: u32 = 12;
+/// The same in less precise ones, where bounds so near the eye plane would be rounding.
+const COARSE_CLEARANCE_FRACTION_BITS: u32 = 5;
+/// Fraction bits of `f32`.
+const FINE_MANTISSA_BITS: u32 = 23;
 /// Bounds as fixed-point numbers: 13 integer bits hold every image edge.
 const BOUND_BITS: u32 = 21;
 /// Fraction bits of the bounds.
@@ -124,7 +128,9 @@ impl Setup {
     fn slant(&self, alpha: Number, beta: Number) -> Slant {
         let squared = alpha * alpha + beta * beta;
         let e = self.constant(1, 0) - squared;
-        let whole = self.constant(1, CROSSING_FRACTION_BITS).is_below(e).then(|| e.recip());
+        let is_fine = self.geometry.mantissa >= FINE_MANTISSA_BITS;
+        let clearance = if is_fine { CLEARANCE_FRACTION_BITS } else { COARSE_CLEARANCE_FRACTION_BITS };
+        let whole = self.constant(1, clearance).is_below(e).then(|| e.recip());
         Slant { alpha, beta, squared, whole }
     }
 

@@ -6,10 +6,8 @@ use crate::float::mul;
 use crate::units::datapath::{Inputs, uniform};
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use pointcore_spec::core_a::{Config, records};
-use pointcore_spec::{Fixed, Signedness};
+use pointcore_spec::{Fixed, Format, Signedness};
 
-/// Smallest `e` for which a splat counts as wholly in front of the eye; below, its bounds would overflow.
-const WHOLE_MIN: f64 = 1.0 / 4096.0;
 /// Where bounds saturate, in px: beyond every image.
 const BOUND_MAX: f64 = 8191.0;
 /// Bounds are rounded to pixels from so many fraction bits.
@@ -20,6 +18,11 @@ const FIRST_OFFSET: u64 = 126;
 const PAST_OFFSET: u64 = 130;
 /// Depths as the record holds them.
 const DEPTH: Fixed = Fixed { width: DEPTH_BITS, fraction: DEPTH_BITS, signed: Signedness::Unsigned };
+
+/// Smallest `e` for which a splat counts as wholly in front of the eye; below, its bounds would be rounding.
+const fn clearance(format: Format) -> f64 {
+    if format.mantissa < Format::F32.mantissa { 1.0 / 32.0 } else { 1.0 / 4096.0 }
+}
 
 /// One image axis: projected centre, the tangents' components, and the pixels within the bounds.
 struct Axis {
@@ -110,7 +113,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let q = &alpha * &alpha + &beta * &beta;
     let e = &one - &q;
     let f = e.recip();
-    let whole = program.float(format, WHOLE_MIN).lt(&e).named("whole");
+    let whole = program.float(format, clearance(format)).lt(&e).named("whole");
     let filter_radius = config.screen_filter.is_on().then(|| uniform(&program, format, "filter_radius"));
     let frame = Frame { config, program: &program, splat: &splat, r, alpha, beta, f, whole, filter_radius };
     let x = frame.axis("x", config.width, config.column_bits());

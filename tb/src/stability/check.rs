@@ -1,7 +1,7 @@
 //! What must hold of every case, and whether it does.
 
 use super::case::{Case, IMAGE_EDGE_PX};
-use super::hardware::{Analysis, CROSSING_CLEARANCE, Fate, Units};
+use super::hardware::{Analysis, Fate, Units, crossing_clearance};
 use super::rounding::Bounded;
 use super::search::{Area, Search, area, whole_image};
 use super::truth::{Side, Truth};
@@ -163,8 +163,9 @@ pub fn check(units: &Units, case: &Case, seed: u64) -> Findings {
         Fate::Culled => culled(case, &truth, &analysis, &mut random, &mut findings),
         Fate::Empty => empty(case, &truth, &analysis, &mut random, &mut findings),
         Fate::Drawn(drawn) => {
-            depth(&truth, &analysis, drawn, &mut findings);
-            contained(&truth, &analysis, drawn, &mut random, &mut findings);
+            let clearance = crossing_clearance(case.format);
+            depth(&truth, &analysis, clearance, drawn, &mut findings);
+            contained(&truth, &analysis, clearance, drawn, &mut random, &mut findings);
             samples(units, case, &truth, &analysis, drawn, &mut random, &mut findings);
         }
     }
@@ -238,11 +239,11 @@ fn dropped(
     }
 }
 
-fn depth(truth: &Truth, analysis: &Analysis, drawn: &SetupSplat, findings: &mut Findings) {
+fn depth(truth: &Truth, analysis: &Analysis, clearance: f64, drawn: &SetupSplat, findings: &mut Findings) {
     let unit = 0.5_f64.powi(DEPTH_BITS as i32);
     let depth = f64::from(drawn.footprint.band.depth) * unit;
     let depths = truth.depths();
-    let is_whole = analysis.clearance.is_above(CROSSING_CLEARANCE);
+    let is_whole = analysis.clearance.is_above(clearance);
     let is_beyond_near = analysis.near_depth.is_above(0.0);
     let excess = |exact: f64, bounded: &Bounded| {
         let error = (depth - exact.clamp(0.0, 1.0 - unit)).abs();
@@ -262,7 +263,14 @@ fn depth(truth: &Truth, analysis: &Analysis, drawn: &SetupSplat, findings: &mut 
 }
 
 /// Whether the bounds hold every sample of the splat.
-fn contained(truth: &Truth, analysis: &Analysis, drawn: &SetupSplat, random: &mut Rng, findings: &mut Findings) {
+fn contained(
+    truth: &Truth,
+    analysis: &Analysis,
+    clearance: f64,
+    drawn: &SetupSplat,
+    random: &mut Rng,
+    findings: &mut Findings,
+) {
     let Area { first, last } = area(drawn);
     let is_open = |axis: usize| {
         (first[axis] > 0 && truth.reaches(axis, first[axis] - 1, Side::Below))
@@ -275,7 +283,7 @@ fn contained(truth: &Truth, analysis: &Analysis, drawn: &SetupSplat, random: &mu
     let Some((pixel, squared)) = search.samples(random).min_by(|a, b| a.1.total_cmp(&b.1)) else { return };
     let error = analysis.bounds.iter().flatten().map(|bound| bound.error).fold(0.0, f64::max);
     let found = format!("ρ² = {squared:.6} outside the bounds {first:?} to {last:?}, known to {error:e} px");
-    let property = if error * SLACK <= MARGIN_PX && analysis.clearance.is_above(CROSSING_CLEARANCE) == Some(true) {
+    let property = if error * SLACK <= MARGIN_PX && analysis.clearance.is_above(clearance) == Some(true) {
         Property::Bounds
     } else if squared > 1.0 - RIM {
         Property::Rim

@@ -9,7 +9,10 @@ use pointcore_spec::Format;
 use pointcore_spec::core_a::{Config, Feature};
 
 /// `e` at or below which setup takes a splat for one that crosses the eye plane.
-pub const CROSSING_CLEARANCE: f64 = 1.0 / 4096.0;
+#[must_use]
+pub fn crossing_clearance(format: Format) -> f64 {
+    if format.mantissa + 1 >= 24 { 1.0 / 4096.0 } else { 1.0 / 32.0 }
+}
 
 /// What became of a splat.
 #[derive(Clone, Copy, Debug, PartialEq)]
