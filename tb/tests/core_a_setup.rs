@@ -15,7 +15,9 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         let hardware = setup::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&hardware.module, ports::setup(&config));
         let mut splats = scene::camera(&config, SPLATS);
-        scene::spoil(&config, &mut splats, 16, &mut scene::random());
+        let mut random = scene::random();
+        scene::spoil(&config, &mut splats, 16, &mut random);
+        scene::flatten(&mut splats, 16, &mut random);
         let model = Setup::new(&config, hardware.manifest.latency);
         let passed = device.run(&model, &splats, &scene::uniforms(&config)).len();
         assert!((SPLATS / 10..splats.len()).contains(&passed), "{passed} of {} splats are in view", splats.len());

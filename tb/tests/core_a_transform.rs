@@ -18,7 +18,6 @@ fn it_agrees_with_the_model_on_splats_of_all_kinds() {
         scene::spoil(&config, &mut splats, 16, &mut scene::random());
         let model = Transform::new(&config, hardware.manifest.latency);
         let passed = device.run(&model, &splats, &scene::uniforms(&config)).len();
-        let (least, most) = if config.culling.is_on() { (SPLATS / 5, SPLATS * 3 / 5) } else { (SPLATS / 2, SPLATS) };
-        assert!((least..most).contains(&passed), "{passed} of {SPLATS} splats are visible");
+        assert!((SPLATS / 2..SPLATS).contains(&passed), "{passed} of {SPLATS} splats lie beyond the near plane");
     }
 }

@@ -171,15 +171,10 @@ fn is_violated(case: &Case, property: Property) -> bool {
 /// What docs/stability.md admits. When hardware changes one of these, the page changes too.
 #[test]
 fn the_known_weaknesses_are_these() {
-    let [wide, narrow] = FORMATS;
+    let [wide, _] = FORMATS;
     let weaknesses = [
         (Property::Near, splat(wide, [0.0, 0.0, 1.0], [[0.0, -1.0, 0.0], [-1.0, 0.0, 1.0]], 1.0)),
         (Property::Far, splat(wide, [0.0, 1.0, 4096.0], [[0.0, 0.0, -4096.0], [1.0, 0.0, 0.0]], 1.0)),
-        // The cross product of tangents overflows, and with it the test whether the splat faces away.
-        (Property::Facing, splat(wide, [0.0, 0.0, 1.5], [[0.0, 8e18, 0.0], [6e17, 0.0, 1.5e20]], 1.0)),
-        // Exactly edge-on and across the eye plane.
-        (Property::Stray, splat(wide, [0.0, 0.0, 16.0], [[0.0, 0.0, 24.0], [1.0, 0.0, 0.0]], 1.0)),
-        (Property::Stray, splat(narrow, [0.0, 0.0, 16.0], [[0.0, 0.0, 24.0], [1.0, 0.0, 0.0]], 1.0)),
         // `D²` overflows.
         (Property::Lost, splat(wide, [1.0, 0.0, 2.0], [[0.0, 0.0, -1.0], [0.0, -4.5e15, 0.0]], 1.0)),
     ];
@@ -193,6 +188,11 @@ fn the_known_weaknesses_are_these() {
 fn these_are_weaknesses_no_more() {
     let [wide, narrow] = FORMATS;
     let mended = [
+        // A product of three vectors overflowed, and with it the test whether the splat faces away.
+        (Property::Facing, splat(wide, [0.0, 0.0, 1.5], [[0.0, 8e18, 0.0], [6e17, 0.0, 1.5e20]], 1.0)),
+        // Exactly edge-on and across the eye plane.
+        (Property::Stray, splat(wide, [0.0, 0.0, 16.0], [[0.0, 0.0, 24.0], [1.0, 0.0, 0.0]], 1.0)),
+        (Property::Stray, splat(narrow, [0.0, 0.0, 16.0], [[0.0, 0.0, 24.0], [1.0, 0.0, 0.0]], 1.0)),
         // Nearly touching the eye plane, with bounds of few digits.
         (Property::Rim, splat(narrow, [0.0, 1.25, 2.2436], [[0.0, 1.0, 2.2041], [-1.0, 0.25, 0.4141]], 1.0)),
     ];

@@ -1,7 +1,8 @@
 //! Setup unit: projection, bounds and depth band of a splat (thesis tables 5.1 and 5.2, recentred as docs/core_a.md derives).
 //!
 //! A datapath of interval `setup_interval`, in the geometry format. Bounds are rounded outwards to pixels; a splat that crosses
-//! the eye plane has the viewport for bounds. Dropped are splats behind the far plane and splats without a pixel.
+//! the eye plane has the viewport for bounds. Dropped are splats behind the far plane, splats without a pixel and, with culling,
+//! splats that face away. A splat seen edge-on has no `Δ` to speak of, and draws its screen filter's disc at most.
 
 use super::records::{Band, Footprint, Rectangle, SetupSplat, Shape, Splat};
 use super::uniforms::SetupUniforms;
@@ -9,8 +10,8 @@ use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
 use pointcore_spec::Format;
-use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::DEPTH_BITS;
+use pointcore_spec::core_a::{Config, Feature};
 use std::ops::Range;
 
 /// `e` up to this power of ½ counts as crossing the eye plane, in a format as precise as `f32`.
@@ -19,6 +20,8 @@ const CLEARANCE_FRACTION_BITS: u32 = 12;
 const COARSE_CLEARANCE_FRACTION_BITS: u32 = 5;
 /// Fraction bits of `f32`.
 const FINE_MANTISSA_BITS: u32 = 23;
+/// Bits of a difference's precision that its terms' own rounding takes: a `Δ` that has cancelled to that is none.
+const ROUNDING_BITS: u32 = 4;
 /// Bounds as fixed-point numbers: 13 integer bits hold every image edge.
 const BOUND_BITS: u32 = 21;
 /// Fraction bits of the bounds.
@@ -49,6 +52,7 @@ pub type Out = ThroughOut<SetupSplat>;
 pub struct Setup {
     shape: Shape,
     geometry: Format,
+    culling: Feature,
     edges: [u64; 2],
     datapath: Datapath<SetupSplat>,
 }
@@ -70,6 +74,7 @@ impl Setup {
         Self {
             shape: Shape::new(config),
             geometry: config.geometry,
+            culling: config.culling,
             edges: [config.width, config.height].map(u64::from),
             datapath: Datapath::new(latency, config.setup_interval),
         }
@@ -83,7 +88,7 @@ impl Setup {
         Number::from_fixed(self.geometry, value, BOUND_BITS, fraction)
     }
 
-    /// The splat with footprint and bounds; `None` if it lies behind the far plane or covers no pixel.
+    /// The splat with footprint and bounds; `None` if it lies behind the far plane, covers no pixel, or faces away and is culled.
     #[must_use]
     pub fn setup(&self, splat: &Splat, uniforms: &SetupUniforms) -> Option<SetupSplat> {
         if splat.end {
@@ -108,11 +113,17 @@ impl Setup {
         if columns.is_empty() || rows.is_empty() {
             return None;
         }
+        let delta = ax * by - bx * ay;
+        let is_edge_on = self.is_cancelled(delta, ax * by);
+        if self.culling.is_on() && !is_edge_on && !is_front(delta, scale_x, scale_y) {
+            return None;
+        }
+        let delta = if is_edge_on { self.geometry.quiet_nan() as u32 } else { delta.bits() };
         let footprint = Footprint {
             center: [cx, cy].map(Number::bits),
             a: [ax, ay].map(Number::bits),
             b: [bx, by].map(Number::bits),
-            delta: (ax * by - bx * ay).bits(),
+            delta,
             m: [beta * ay - alpha * by, alpha * bx - beta * ax].map(Number::bits),
             band,
         };
@@ -123,6 +134,13 @@ impl Setup {
             bottom: (rows.end - 1) as u16,
         };
         Some(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds })
+    }
+
+    /// Whether a difference is rounding alone, by the exponents of it and of its first term.
+    fn is_cancelled(&self, difference: Number, term: Number) -> bool {
+        let resolution = u64::from(self.geometry.mantissa + 1 - ROUNDING_BITS);
+        let exponent = difference.exponent_field();
+        exponent == 0 || exponent + resolution < term.exponent_field()
     }
 
     fn slant(&self, alpha: Number, beta: Number) -> Slant {
@@ -179,6 +197,11 @@ impl Setup {
     }
 }
 
+/// Whether the eye sees the front: `Δ` has the sign of `⟨u, a1 × a2⟩`, unless the image is mirrored.
+fn is_front(delta: Number, scale_x: Number, scale_y: Number) -> bool {
+    delta.is_negative() ^ scale_x.is_negative() ^ scale_y.is_negative()
+}
+
 impl Model for Setup {
     type Shape = Shape;
     type In = In;
@@ -226,10 +249,30 @@ mod tests {
 
     /// A splat at depth 2 on the axis, with the given tangents.
     fn setup(tangents: [[f32; 3]; 2]) -> Option<SetupSplat> {
-        let unit = Setup::new(&Config { height: 128, ..Config::default() }, 1);
-        let center = [0.0, 0.0, 2.0].map(f32::to_bits);
-        let tangents = tangents.map(|tangent| tangent.map(f32::to_bits));
-        unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms())
+        setup_in(Format::F32, Feature::Off, tangents, &uniforms())
+    }
+
+    fn setup_in(
+        geometry: Format,
+        culling: Feature,
+        tangents: [[f32; 3]; 2],
+        uniforms: &SetupUniforms,
+    ) -> Option<SetupSplat> {
+        let unit = Setup::new(&Config { height: 128, geometry, culling, ..Config::default() }, 1);
+        let encode = |value: f32| Number::new(Format::F32, value.to_bits()).convert(geometry).bits();
+        let center = [0.0, 0.0, 2.0].map(encode);
+        let tangents = tangents.map(|tangent| tangent.map(encode));
+        let encode = |bits| encode(f32::from_bits(bits));
+        let uniforms = SetupUniforms {
+            scale: uniforms.scale.map(encode),
+            origin: uniforms.origin.map(encode),
+            depth_a: encode(uniforms.depth_a),
+            depth_b: encode(uniforms.depth_b),
+            epsilon_scale: encode(uniforms.epsilon_scale),
+            epsilon_bias: encode(uniforms.epsilon_bias),
+            filter_radius: encode(uniforms.filter_radius),
+        };
+        unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms)
     }
 
     fn bounds(splat: &SetupSplat) -> [u16; 4] {
@@ -264,6 +307,51 @@ mod tests {
         let splat = setup([[0.2, 0.0, 1.5], [0.0, 0.2, 0.0]]).expect("it is in view");
         assert_ne!(bounds(&splat), [0, 255, 0, 127]);
         assert_eq!(splat.footprint.band, Band { depth: 1 << 23, low: 0, high: (1 << 24) - 1 });
+    }
+
+    #[test]
+    fn back_faces_are_culled_in_any_size_and_image() {
+        let [upright, upside_down] = [1.0, -1.0].map(|sign| {
+            let scale = [100.0_f32, sign * 100.0].map(f32::to_bits);
+            SetupUniforms { scale, ..uniforms() }
+        });
+        let is_drawn = |tangents, culling, uniforms| setup_in(Format::F32, culling, tangents, uniforms).is_some();
+        for size in [0.2_f32, 1e-12, 1e12] {
+            // The cross product of the front's tangents points towards the eye, along −z.
+            let front = [[0.0, size, 0.0], [size, 0.0, 0.0]];
+            let back = [front[1], front[0]];
+            for uniforms in [&upright, &upside_down] {
+                assert!(is_drawn(front, Feature::On, uniforms) && !is_drawn(back, Feature::On, uniforms), "{size}");
+                assert!(is_drawn(front, Feature::Off, uniforms) && is_drawn(back, Feature::Off, uniforms));
+            }
+            let edge_on = [front[0], front[0]];
+            assert!(is_drawn(edge_on, Feature::On, &upright), "its disc is drawn");
+        }
+    }
+
+    #[test]
+    fn a_splat_seen_edge_on_has_no_delta() {
+        // Tangents a little apart from parallel: more and less than rounding takes.
+        for (format, apart) in [(Format::F32, 1e-5_f32), (Format::F24, 1e-3)] {
+            let delta = |tilt: f32| {
+                let splat = setup_in(format, Feature::On, [[0.3, 0.3, 0.0], [0.3 + tilt, 0.3, 0.0]], &uniforms());
+                Number::new(format, splat.expect("it is in view").footprint.delta)
+            };
+            assert!(delta(0.0).is_nan() && delta(apart / 128.0).is_nan());
+            assert!(delta(apart).is_negative());
+        }
+    }
+
+    #[test]
+    fn coarse_formats_keep_away_from_the_eye_plane() {
+        let has_viewport = |format, reach: f32| {
+            let splat = setup_in(format, Feature::Off, [[0.2, 0.0, 2.0 * reach], [0.0, 0.2, 0.0]], &uniforms());
+            bounds(&splat.expect("it is in view")) == [0, 255, 0, 127]
+        };
+        // `e = 1 − reach²`: 0.06, 0.02, 2^−13.
+        for (reach, fine, coarse) in [(0.97, false, false), (0.99, false, true), (0.999_94, true, true)] {
+            assert_eq!((has_viewport(Format::F32, reach), has_viewport(Format::F24, reach)), (fine, coarse), "{reach}");
+        }
     }
 
     #[test]

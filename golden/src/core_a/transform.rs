@@ -1,7 +1,7 @@
-//! Transform unit: model-view transformation and culling (thesis 5.4.1, table 5.1).
+//! Transform unit: model-view transformation (thesis 5.4.1, table 5.1).
 //!
-//! A datapath of interval `transform_interval`, in the geometry format. Splats that face away, splats at or behind the near
-//! plane and splats with a NaN in what decides it are dropped. Attributes become finite.
+//! A datapath of interval `transform_interval`, in the geometry format. Splats whose centre is not beyond the near plane are
+//! dropped. Attributes become finite.
 
 use super::records::{Attributes, Shape, Splat};
 use super::uniforms::TransformUniforms;
@@ -9,7 +9,7 @@ use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
 use pointcore_spec::Format;
-use pointcore_spec::core_a::{Config, Feature};
+use pointcore_spec::core_a::Config;
 
 /// What the unit sees.
 #[derive(Clone, Copy, Debug, Default)]
@@ -31,7 +31,6 @@ pub struct Transform {
     shape: Shape,
     geometry: Format,
     attribute: Format,
-    culling: Feature,
     datapath: Datapath<Splat>,
 }
 
@@ -43,12 +42,11 @@ impl Transform {
             shape: Shape::new(config),
             geometry: config.geometry,
             attribute: config.attribute,
-            culling: config.culling,
             datapath: Datapath::new(latency, config.transform_interval),
         }
     }
 
-    /// The splat in camera space; `None` if it is culled.
+    /// The splat in camera space; `None` if its centre is not beyond the near plane.
     #[must_use]
     pub fn transform(&self, splat: &Splat, uniforms: &TransformUniforms) -> Option<Splat> {
         if splat.end {
@@ -61,9 +59,7 @@ impl Transform {
         let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
         let [a1, a2] = splat.tangents.map(|tangent| rotate(tangent.map(number)));
 
-        let visible = number(uniforms.near_plane).is_below(center[2])
-            && (!self.culling.is_on() || facing(center, a1, a2).is_at_most(number(0)));
-        visible.then(|| Splat {
+        number(uniforms.near_plane).is_below(center[2]).then(|| Splat {
             center: center.map(Number::bits),
             tangents: [a1, a2].map(|tangent| tangent.map(Number::bits)),
             attributes: self.finite(splat.attributes),
@@ -79,14 +75,6 @@ impl Transform {
         }
         attributes
     }
-}
-
-/// `⟨u, a1 × a2⟩`: positive where the eye is behind the splat's plane.
-fn facing([ux, uy, uz]: [Number; 3], [a1x, a1y, a1z]: [Number; 3], [a2x, a2y, a2z]: [Number; 3]) -> Number {
-    let nx = a1y * a2z - a1z * a2y;
-    let ny = a1z * a2x - a1x * a2z;
-    let nz = a1x * a2y - a1y * a2x;
-    ux * nx + uy * ny + uz * nz
 }
 
 impl Model for Transform {
@@ -122,26 +110,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn moves_centers_rotates_tangents_and_culls() {
+    fn moves_centers_and_rotates_tangents() {
         let bits = f32::to_bits;
         let unit = Transform::new(&Config::default(), 1);
         // A quarter turn about z and 3 along it.
         let model_view = [[0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 3.0]].map(|row| row.map(bits));
         let uniforms = TransformUniforms { model_view, near_plane: bits(1.0) };
-        let splat = |z: f32, tangents: [[f32; 3]; 2]| Splat {
-            center: [bits(1.0), bits(2.0), bits(z)],
-            tangents: tangents.map(|tangent| tangent.map(bits)),
-            ..Splat::default()
-        };
-        // Their cross product points towards the eye, along −z.
-        let front = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
-        let moved = unit.transform(&splat(5.0, front), &uniforms).expect("it faces the eye");
+        let tangents = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].map(|tangent| tangent.map(bits));
+        let splat = |z: f32| Splat { center: [bits(1.0), bits(2.0), bits(z)], tangents, ..Splat::default() };
+        let moved = unit.transform(&splat(5.0), &uniforms).expect("it lies beyond the near plane");
         assert_eq!(moved.center.map(f32::from_bits), [-2.0, 1.0, 8.0]);
         assert_eq!(moved.tangents.map(|tangent| tangent.map(f32::from_bits)), [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
-        let back = [front[1], front[0]];
-        assert_eq!(unit.transform(&splat(5.0, back), &uniforms), None, "faces away");
-        assert_eq!(unit.transform(&splat(-2.0, front), &uniforms), None, "at the near plane");
-        assert_eq!(unit.transform(&splat(f32::NAN, front), &uniforms), None, "is nowhere");
+        assert_eq!(unit.transform(&splat(-2.0), &uniforms), None, "at the near plane");
+        assert_eq!(unit.transform(&splat(f32::NAN), &uniforms), None, "is nowhere");
     }
 
     #[test]

@@ -1,7 +1,7 @@
-//! Rasterization setup (thesis 5.4.1, table 5.2), recentred at the splat's projected centre; golden twin:
+//! Rasterization setup and back-face culling (thesis 5.4.1, table 5.2), recentred at the splat's projected centre; golden twin:
 //! `pointcore_golden::core_a::setup`.
 
-use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
+use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
 use crate::float::mul;
 use crate::units::datapath::{Inputs, uniform};
 use pointcore_spec::core_a::config::DEPTH_BITS;
@@ -26,6 +26,8 @@ const fn clearance(format: Format) -> f64 {
 
 /// One image axis: projected centre, the tangents' components, and the pixels within the bounds.
 struct Axis {
+    /// Sign of the image's scale.
+    mirrored: Value,
     center: Value,
     a: Value,
     b: Value,
@@ -77,7 +79,8 @@ impl Frame<'_> {
             high = high.max(&(&center + radius));
         }
         let (first, last, occupied) = self.pixels(&low, &high, edge, bits);
-        Axis { center, a, b, first, last, occupied }
+        let top = self.config.geometry.width() - 1;
+        Axis { mirrored: scale.bits(top, top), center, a, b, first, last, occupied }
     }
 
     /// First and last pixel between two bounds, and whether there is one; a NaN widens the bounds.
@@ -97,7 +100,19 @@ impl Frame<'_> {
     }
 }
 
-/// Camera space to footprint, depth band and bounding rectangle; drops splats outside the image or beyond the far plane.
+/// Whether so little is left of a difference that it is the rounding of its terms, by exponents: where much cancels, both
+/// terms have the same one.
+fn cancelled(program: &Program, format: Format, difference: &Value, term: &Value) -> Value {
+    let bits = format.exponent + 1;
+    let exponent = |value: &Value| value.bits(format.width() - 2, format.mantissa).resize(bits);
+    let left = exponent(difference);
+    // A term is known to four bits less than a number is.
+    let raised = &left + program.unsigned(bits, u64::from(format.mantissa - 3));
+    left.equal(&program.unsigned(bits, 0)) | raised.lt(&exponent(term))
+}
+
+/// Camera space to footprint, depth band and bounding rectangle; drops splats outside the image, beyond the far plane, and such
+/// as face away.
 ///
 /// # Errors
 /// What the compiler rejects.
@@ -120,7 +135,9 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let y = frame.axis("y", config.height, config.row_bits());
     let Frame { r, alpha, beta, f, whole, .. } = &frame;
 
-    let delta = &x.a * &y.b - &x.b * &y.a;
+    let diagonal = &x.a * &y.b;
+    let delta = &diagonal - &x.b * &y.a;
+    let edge_on = cancelled(&program, format, &delta, &diagonal).named("edge_on");
     let mx = beta * &y.a - alpha * &y.b;
     let my = alpha * &x.b - beta * &x.a;
 
@@ -135,7 +152,12 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");
     let fixed = |depth: &Value| depth.max(&zero).to_fixed(DEPTH);
 
-    let visible = center_depth.le(&one) & &x.occupied & &y.occupied;
+    let mut visible = center_depth.le(&one) & &x.occupied & &y.occupied;
+    if config.culling.is_on() {
+        let negative = delta.bits(format.width() - 1, format.width() - 1);
+        visible = visible & (&edge_on | (negative ^ (&x.mirrored ^ &y.mirrored)));
+    }
+    let no_delta = program.constant(Type::Float(format), format.quiet_nan());
     program.keep_if(&(splat.bits("end") | visible));
     let computed = [
         ("center_x", x.center),
@@ -144,7 +166,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         ("bx", x.b),
         ("ay", y.a),
         ("by", y.b),
-        ("delta", delta),
+        ("delta", edge_on.select(&no_delta, &delta)),
         ("mx", mx),
         ("my", my),
         ("depth", fixed(&depth)),

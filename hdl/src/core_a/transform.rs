@@ -1,17 +1,17 @@
-//! Transform and back-face culling (thesis table 5.1, top); golden twin: `pointcore_golden::core_a::transform`.
+//! Transform (thesis table 5.1, top); golden twin: `pointcore_golden::core_a::transform`.
 
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::units::datapath::{Inputs, dot, uniform};
 use pointcore_spec::Format;
 use pointcore_spec::core_a::{Config, ports::UNIFORMS, records};
 
-/// World space to camera space; drops splats that face away or whose centre is not beyond the near plane, and makes attributes finite.
+/// World space to camera space; drops splats whose centre is not beyond the near plane, and makes attributes finite.
 ///
 /// # Errors
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let format = config.geometry;
-    let program = Program::new("core_a_transform", "World space to camera space, with back-face culling.");
+    let program = Program::new("core_a_transform", "World space to camera space.");
     let record = records::splat(config);
     let splat = Inputs::new(&program, &record);
     let matrix: [_; 12] = std::array::from_fn(|i| uniform(&program, format, UNIFORMS[i]));
@@ -27,16 +27,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let center: [_; 3] = std::array::from_fn(|i| &turned[i] + &matrix[4 * i + 3]);
     let (tangent1, tangent2) = (rotate("tangent1"), rotate("tangent2"));
 
-    let mut visible = near.lt(&center[2]);
-    if config.culling.is_on() {
-        let normal: [_; 3] = std::array::from_fn(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            &tangent1[j] * &tangent2[k] - &tangent1[k] * &tangent2[j]
-        });
-        let facing = dot(&center, &normal).named("facing");
-        visible = visible & facing.le(&program.float(format, 0.0));
-    }
-    program.keep_if(&(splat.bits("end") | visible));
+    program.keep_if(&(splat.bits("end") | near.lt(&center[2])));
 
     let [center_x, center_y, center_z] = center;
     let [tangent1_x, tangent1_y, tangent1_z] = tangent1;

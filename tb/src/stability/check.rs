@@ -200,7 +200,7 @@ fn malformed(units: &Units, case: &Case, drawn: &SetupSplat, random: &mut Rng, f
     }
 }
 
-/// A splat that transform dropped.
+/// A splat that was dropped for its side or its centre.
 fn culled(case: &Case, truth: &Truth, analysis: &Analysis, random: &mut Rng, findings: &mut Findings) {
     if truth.faces_away() {
         return;
@@ -210,7 +210,7 @@ fn culled(case: &Case, truth: &Truth, analysis: &Analysis, random: &mut Rng, fin
     dropped(property, case, truth, analysis, random, findings);
 }
 
-/// A splat that setup dropped.
+/// A splat that was dropped since nothing of it is in view.
 fn empty(case: &Case, truth: &Truth, analysis: &Analysis, random: &mut Rng, findings: &mut Findings) {
     let is_far = analysis.center_depth.is_above(1.0) != Some(false);
     dropped(if is_far { Property::Far } else { Property::Lost }, case, truth, analysis, random, findings);

@@ -17,18 +17,18 @@ pub fn crossing_clearance(format: Format) -> f64 {
 /// What became of a splat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
-    /// The transform unit dropped it.
+    /// Its centre is not beyond the near plane, or it was taken for one that faces away.
     Culled,
-    /// The setup unit did: behind the far plane, or without a pixel.
+    /// It lies behind the far plane, or has no pixel.
     Empty,
     /// It is drawn.
     Drawn(SetupSplat),
 }
 
-/// The units, with and without a screen filter.
+/// The units, with and without a screen filter, setup also with and without culling.
 pub struct Units {
     transform: Transform,
-    setup: [Setup; 2],
+    setup: [[Setup; 2]; 2],
     rasterizer: [Rasterizer; 2],
     weighting: Weighting,
     accumulator: Accumulator,
@@ -38,19 +38,21 @@ impl Units {
     /// The units of a number format.
     #[must_use]
     pub fn new(format: Format) -> Self {
-        let config = |screen_filter| Config {
+        let config = |screen_filter, culling| Config {
             width: IMAGE_EDGE_PX,
             height: IMAGE_EDGE_PX,
             geometry: format,
             screen_filter,
+            culling,
             transform_interval: 1,
             setup_interval: 1,
             ..Config::default()
         };
-        let [off, on] = [Feature::Off, Feature::On].map(config);
+        let features = [Feature::Off, Feature::On];
+        let [off, on] = features.map(|filter| config(filter, Feature::On));
         Self {
             transform: Transform::new(&on, 1),
-            setup: [Setup::new(&off, 1), Setup::new(&on, 1)],
+            setup: features.map(|filter| features.map(|culling| Setup::new(&config(filter, culling), 1))),
             rasterizer: [Rasterizer::new(&off, 1), Rasterizer::new(&on, 1)],
             weighting: Weighting::new(&on, 1),
             accumulator: Accumulator::new(&on),
@@ -63,8 +65,13 @@ impl Units {
         let Some(splat) = self.transform.transform(&case.splat, &case.transform_uniforms()) else {
             return Fate::Culled;
         };
-        let drawn = self.setup[usize::from(case.filter.is_on())].setup(&splat, &case.setup_uniforms());
-        drawn.map_or(Fate::Empty, Fate::Drawn)
+        let [keeping, culling] = &self.setup[usize::from(case.filter.is_on())];
+        let uniforms = case.setup_uniforms();
+        match culling.setup(&splat, &uniforms) {
+            Some(drawn) => Fate::Drawn(drawn),
+            None if keeping.setup(&splat, &uniforms).is_some() => Fate::Culled,
+            None => Fate::Empty,
+        }
     }
 
     /// The rasterizer's `ρ²` at a pixel.
@@ -100,6 +107,8 @@ pub struct Analysis {
     a: [Bounded; 2],
     b: [Bounded; 2],
     delta: Bounded,
+    /// `Δ`'s first term.
+    diagonal: Bounded,
     m: [Bounded; 2],
     filter: Feature,
     /// Low and high bounds in pixels, both axes; of splats that setup takes for whole.
@@ -155,6 +164,7 @@ impl Analysis {
             a,
             b,
             delta: a[0] * b[1] - b[0] * a[1],
+            diagonal: a[0] * b[1],
             m: [beta * a[1] - alpha * b[1], alpha * b[0] - beta * a[0]],
             filter: case.filter,
             bounds,
@@ -171,6 +181,15 @@ impl Analysis {
         self.center.map(|center| center.value)
     }
 
+    /// Whether rounding may make setup take the splat for one seen edge-on.
+    fn may_be_edge_on(&self) -> bool {
+        // Exponents that differ by more than `p − 4` mean a ratio below that power of ½.
+        let resolution = 0.5_f64.powi(self.format.mantissa as i32 - 3);
+        let known = self.delta.value.abs() - self.delta.error;
+        let mistaken = known <= resolution * (self.diagonal.value.abs() + self.diagonal.error);
+        mistaken || known.is_nan()
+    }
+
     /// `ρ²` at a pixel; the error is infinite where rounding may have any effect.
     #[must_use]
     pub fn squared_distance(&self, pixel: [u32; 2]) -> Bounded {
@@ -180,6 +199,7 @@ impl Analysis {
         let s = [self.a, self.b].map(|[along_x, along_y]| x * along_y - y * along_x);
         let distance = (s[0] * s[0] + s[1] * s[1]) / (determinant * determinant);
         let on_splat = match (determinant.sign(), self.delta.sign()) {
+            _ if self.may_be_edge_on() => Bounded { error: f64::INFINITY, ..distance },
             (Some(sample), Some(center)) if sample == center => distance,
             (Some(_), Some(_)) => Bounded { value: f64::INFINITY, error: 0.0, ..distance },
             _ => Bounded { error: f64::INFINITY, ..distance },

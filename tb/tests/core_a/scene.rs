@@ -83,6 +83,18 @@ pub fn spoil(config: &Config, splats: &mut [Vec<u64>], one_in: u32, random: &mut
     }
 }
 
+/// Gives one splat in `one_in` a second tangent that is the first one, to a few bits: it is seen edge-on from anywhere.
+pub fn flatten(splats: &mut [Vec<u64>], one_in: u32, random: &mut Rng) {
+    for splat in splats {
+        if random.u32(0..one_in) == 0 {
+            let noise = (1 << random.u32(0..12)) - 1;
+            for component in GEOMETRY.end - 6..GEOMETRY.end - 3 {
+                splat[component + 3] = splat[component] ^ (random.u64(..) & noise);
+            }
+        }
+    }
+}
+
 /// Splats in world space, cut into frames; the last record is an end.
 pub fn world(config: &Config, count: usize) -> Vec<Vec<u64>> {
     let mut random = random();
