@@ -1,6 +1,5 @@
 //! Core A on AXI (`docs/interfaces.md`): splats and fragments as packets, the reconstruction buffer in memory, registers.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use pointcore_spec::bus::{Layout, ports, registers as maps};
@@ -8,30 +7,15 @@ use pointcore_spec::core_a::config::TILE_PIXELS;
 use pointcore_spec::core_a::ports::EVENTS;
 use pointcore_spec::core_a::{Config, records};
 
-use super::wiring::{export, feed, pipe, request};
-use super::{ADDRESS_BITS, packet_in, packet_out, reader, registers, writer};
-use crate::compiler::{CompileError, Manifest, Options};
+use super::wiring::{export, feed, join, place, report, request};
+use super::{ADDRESS_BITS, Top, packet_in, packet_out, reader, registers, writer};
+use crate::compiler::{CompileError, Options};
 use crate::core_a::top;
-use crate::rtl::{Expr, Module, bit, cat, lit};
+use crate::rtl::{Module, bit, cat, lit};
 use crate::units::records::Record;
 
 /// Errors from elsewhere: none of being busy, misplaced `rlast`, packets, answers to reads and writes.
 const ERROR_SOURCES: ports::ErrorSources = [0, 1, 1, 2];
-
-/// A core with its bus.
-pub struct Top {
-    /// The module `core_a_axi` or `core_b_axi`.
-    pub module: Module,
-    /// The core inside it.
-    pub core: Rc<Module>,
-    /// What the compiler decided about the core's datapaths, by unit.
-    pub manifests: BTreeMap<String, Manifest>,
-}
-
-/// An index times a stride, from a base.
-pub(super) fn place(base: &Expr, index: &Expr, stride_bits: usize) -> Expr {
-    base + cat(&[index, &lit(stride_bits, 0)]).resize(ADDRESS_BITS)
-}
 
 /// Builds the core on its bus; ports as in `spec::bus::ports::core_a`.
 ///
@@ -60,11 +44,8 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let [start, core_reset] = ["start", "core_reset"].map(|name| m.out(&control, name));
     m.reset_by(&core, &core_reset);
     m.connect(&splats, "opens", &start);
-    pipe(&mut m, (&splats, "out"), (&core, "splat"));
-    for name in ["uniform_valid", "uniform_address", "uniform_data"] {
-        let value = m.out(&control, name);
-        m.connect(&core, name, &value);
-    }
+    m.pipe((&splats, "out"), (&core, "splat"));
+    join(&mut m, &core, &["uniform_valid", "uniform_address", "uniform_data"].map(|name| (&control, name, name)));
 
     // A read sees every write before it: it waits until all are answered, and no other is taken meanwhile.
     let base = m.out(&control, "buffer_base");
@@ -75,7 +56,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let address = m.wire("tile_address", &place(&base, &read.field("tile"), tile_bits));
     let count = lit(TILE_PIXELS.ilog2() as usize + 1, TILE_PIXELS.into());
     feed(&mut m, &read, (&reads, "request"), &writer_idle, &request(address, count));
-    pipe(&mut m, (&reads, "record"), (&core, "data"));
+    m.pipe((&reads, "record"), (&core, "data"));
     let write = m.stream_from(&core, "write");
     let index = cat(&[&write.field("tile"), &write.field("pixel")]);
     let address = m.wire("pixel_address", &place(&base, &index, stride_bits));
@@ -96,21 +77,9 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     m.connect(&control, "finished", &finished);
     m.connect(&control, "occupied", &bit(false));
 
-    let [misplaced, read_error, write_error] =
-        [(&reads, "misplaced"), (&reads, "error"), (&writes, "error")].map(|(unit, name)| m.out(unit, name));
-    let refused = m.out(&splats, "refused");
-    m.connect(&control, "burst_error", &misplaced);
-    m.connect(&control, "packet_error", &refused);
+    let [read_error, write_error] = [&reads, &writes].map(|unit| m.out(unit, "error"));
     m.connect(&control, "memory_error", &cat(&[&write_error, &read_error]));
-    for (unit, from, to) in [(&splats, "taken", "packet_taken"), (&fragments, "sent", "packet_sent")] {
-        let pulse = m.out(unit, from);
-        m.connect(&control, to, &pulse);
-    }
-    for name in EVENTS {
-        let event = m.out(&core, name);
-        m.connect(&control, name, &event);
-    }
-    let irq = m.out(&control, "irq");
-    m.output("irq", &irq);
+    join(&mut m, &control, &[(&reads, "misplaced", "burst_error")]);
+    report(&mut m, &control, &core, [&splats, &fragments], EVENTS);
     Ok(Top { module: m, core: core_module, manifests })
 }

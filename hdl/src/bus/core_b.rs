@@ -6,11 +6,11 @@ use std::rc::Rc;
 use pointcore_spec::bus::config::TREE_WORD_BITS;
 use pointcore_spec::bus::{Layout, packets, ports, registers as maps};
 use pointcore_spec::core_a::{Field, Port};
+use pointcore_spec::core_b::ports::events;
 use pointcore_spec::core_b::{Config, records};
 
-use super::core_a::{Top, place};
-use super::wiring::{export, feed, pipe, request};
-use super::{packet_in, packet_out, reader, registers, window};
+use super::wiring::{export, feed, place, report, request};
+use super::{Top, packet_in, packet_out, reader, registers, window};
 use crate::compiler::{CompileError, Options};
 use crate::core_b::top;
 use crate::rtl::{Expr, Instance, Module, Stream, bit, cat, lit};
@@ -21,7 +21,8 @@ use crate::units::records::{Record, layout};
 const REQUESTS_MAX: usize = 16;
 
 /// Where errors come from: the window or the reader of the tree beside the reader of points.
-const fn error_sources(config: &Config) -> ports::ErrorSources {
+#[must_use]
+pub const fn error_sources(config: &Config) -> ports::ErrorSources {
     if config.tree_cache == 0 { [1, 2, 1, 1] } else { [0, 2, 1, 2] }
 }
 
@@ -67,7 +68,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let [start, core_reset] = ["start", "core_reset"].map(|name| m.out(&control, name));
     m.reset_by(&core, &core_reset);
     m.connect(&queries, "opens", &start);
-    pipe(&mut m, (&queries, "out"), (&core, "query"));
+    m.pipe((&queries, "out"), (&core, "query"));
     if config.neighbor_cache > 0 {
         setup(&mut m, config, &core, &control, &start);
     }
@@ -87,18 +88,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
         _ => cat(&[&answers, &m.out(&tree, "error")]),
     };
     m.connect(&control, "memory_error", &answers);
-    let pulses =
-        [(&queries, "refused", "packet_error"), (&queries, "taken", "packet_taken"), (&results, "sent", "packet_sent")];
-    for (unit, from, to) in pulses {
-        let pulse = m.out(unit, from);
-        m.connect(&control, to, &pulse);
-    }
-    for name in pointcore_spec::core_b::ports::events(config) {
-        let event = m.out(&core, name);
-        m.connect(&control, name, &event);
-    }
-    let irq = m.out(&control, "irq");
-    m.output("irq", &irq);
+    report(&mut m, &control, &core, [&queries, &results], events(config));
     Ok(Top { module: m, core: core_module, manifests })
 }
 

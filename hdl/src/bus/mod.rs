@@ -14,14 +14,27 @@ mod counters;
 mod spread;
 mod wiring;
 
+use crate::compiler::Manifest;
 use crate::rtl::{Expr, Module, Wire, lit};
 use crate::units::records::Record;
 use pointcore_spec::bus::config;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A core with its bus.
+pub struct Top {
+    /// The module `core_a_axi` or `core_b_axi`.
+    pub module: Module,
+    /// The core inside it.
+    pub core: Rc<Module>,
+    /// What the compiler decided about the core's datapaths, by unit.
+    pub manifests: BTreeMap<String, Manifest>,
+}
 
 /// Bits of a byte address in memory.
 const ADDRESS_BITS: usize = config::ADDRESS_BITS as usize;
 /// Bits of a burst's length, which is one less than its beats.
-const LENGTH_BITS: usize = 8;
+const LENGTH_BITS: usize = config::BURST_BEATS_MAX.ilog2() as usize;
 /// Bits of a response.
 const RESPONSE_BITS: usize = 2;
 /// Bits of a register.

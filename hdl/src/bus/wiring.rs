@@ -2,7 +2,8 @@
 
 use pointcore_spec::core_a::{Direction, Field, Port};
 
-use crate::rtl::{Expr, Instance, Module, Stream};
+use super::ADDRESS_BITS;
+use crate::rtl::{Expr, Instance, Module, Stream, cat, lit};
 use crate::units::records::Record;
 
 /// Leads the ports `<from>_…` of a unit out as `<to>_…`.
@@ -23,18 +24,43 @@ pub(super) fn export(m: &mut Module, unit: &Instance, ports: &[Port], from: &str
     }
 }
 
-/// Leads a stream from one unit to the next.
-pub(super) fn pipe(m: &mut Module, (from, out): (&Instance, &str), (to, input): (&Instance, &str)) {
-    let stream = m.stream_from(from, out);
-    m.stream_into(to, input, &stream);
-}
-
 /// Leads a stream into a unit, other than field by field; it moves only while `gate` is set.
 pub(super) fn feed(m: &mut Module, stream: &Stream, (to, input): (&Instance, &str), gate: &Expr, fields: &Record) {
     m.connect(to, &format!("{input}_valid"), &(&stream.valid & gate));
     fields.connect(m, to, &format!("{input}_"));
     let ready = m.out(to, &format!("{input}_ready"));
     m.ready(stream, &(ready & gate));
+}
+
+/// Leads outputs of a unit to inputs of another that have other names.
+pub(super) fn join(m: &mut Module, to: &Instance, signals: &[(&Instance, &str, &str)]) {
+    for (from, output, input) in signals {
+        let value = m.out(from, output);
+        m.connect(to, input, &value);
+    }
+}
+
+/// Tells the registers what packets did and what happened in the core, and leads out their interrupt.
+pub(super) fn report(
+    m: &mut Module,
+    control: &Instance,
+    core: &Instance,
+    [receiver, sender]: [&Instance; 2],
+    events: impl IntoIterator<Item = &'static str>,
+) {
+    let packets =
+        [(receiver, "refused", "packet_error"), (receiver, "taken", "packet_taken"), (sender, "sent", "packet_sent")];
+    join(m, control, &packets);
+    for event in events {
+        join(m, control, &[(core, event, event)]);
+    }
+    let irq = m.out(control, "irq");
+    m.output("irq", &irq);
+}
+
+/// An index times a stride, from a base.
+pub(super) fn place(base: &Expr, index: &Expr, stride_bits: usize) -> Expr {
+    base + cat(&[index, &lit(stride_bits, 0)]).resize(ADDRESS_BITS)
 }
 
 /// The fields of a request to a reader.

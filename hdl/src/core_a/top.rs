@@ -74,16 +74,6 @@ fn uniforms(m: &mut Module, config: &Config, units: &[(&Instance, Vec<Port>)]) {
     }
 }
 
-/// Leads a stream from one unit to the next.
-fn pipe(m: &mut Module, from: &Instance, to: &Instance) {
-    pipe_ports(m, from, "out", to, "in");
-}
-
-fn pipe_ports(m: &mut Module, from: &Instance, out: &str, to: &Instance, input: &str) {
-    let stream = m.stream_from(from, out);
-    m.stream_into(to, input, &stream);
-}
-
 /// Connects outputs of one unit to inputs of the same name of another.
 fn wire(m: &mut Module, from: &Instance, to: &Instance, names: impl IntoIterator<Item = String>) {
     for name in names {
@@ -120,13 +110,11 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
 
     let splat = stream_in(&mut m, "splat", &records::splat(config));
     m.stream_into(&units.transform, "in", &splat);
-    pipe(&mut m, &units.transform, &units.setup);
-    pipe(&mut m, &units.setup, &units.splitter);
-    pipe(&mut m, &units.splitter, &units.reorder);
-    pipe(&mut m, &units.reorder, &units.tile_cache);
-    pipe(&mut m, &units.tile_cache, &units.rasterizer);
-    pipe(&mut m, &units.rasterizer, &units.weighting);
-    pipe(&mut m, &units.weighting, &units.accumulator);
+    let Units { transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator, .. } = &units;
+    let chain = [transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator];
+    for pair in chain.windows(2) {
+        m.pipe((pair[0], "out"), (pair[1], "in"));
+    }
     slots(&mut m, config, &units);
 
     let read = m.stream_from(&units.tile_cache, "read");
@@ -135,7 +123,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     m.stream_into(&units.tile_cache, "data", &data);
     let write = m.stream_from(&units.tile_cache, "write");
     m.stream_export("write", &write);
-    pipe_ports(&mut m, &units.tile_cache, "pixel", &units.normalizer, "in");
+    m.pipe((&units.tile_cache, "pixel"), (&units.normalizer, "in"));
     let fragment = m.stream_from(&units.normalizer, "out");
     m.stream_export("fragment", &fragment);
 

@@ -21,12 +21,6 @@ pub struct Core {
     pub manifests: BTreeMap<String, Manifest>,
 }
 
-/// Leads a stream from one unit to the next.
-fn pipe(m: &mut Module, (from, out): (&Instance, &str), (to, input): (&Instance, &str)) {
-    let stream = m.stream_from(from, out);
-    m.stream_into(to, input, &stream);
-}
-
 /// A pulse that a unit puts out.
 fn pulse_from(m: &mut Module, from: &Instance, name: &str, fields: &[Field]) -> Pulse {
     let valid = m.out(from, &format!("{name}_valid"));
@@ -68,12 +62,12 @@ impl Units {
         for unit in [traversal, recursion, leaf, sieve, queue] {
             pulse_into(m, unit, "start", &start);
         }
-        pipe(m, (threads, "descend"), (traversal, "descend"));
-        pipe(m, (threads, "pop"), (recursion, "in"));
-        pipe(m, (threads, "finish"), (queue, "finish"));
-        pipe(m, (recursion, "resume"), (traversal, "resume"));
-        pipe(m, (leaf, "candidates"), (sieve, "candidates"));
-        pipe(m, (sieve, "kept"), (queue, "candidates"));
+        m.pipe((threads, "descend"), (traversal, "descend"));
+        m.pipe((threads, "pop"), (recursion, "in"));
+        m.pipe((threads, "finish"), (queue, "finish"));
+        m.pipe((recursion, "resume"), (traversal, "resume"));
+        m.pipe((leaf, "candidates"), (sieve, "candidates"));
+        m.pipe((sieve, "kept"), (queue, "candidates"));
 
         let thread_only = records::thread_only(config);
         let path = records::path(config);
@@ -108,7 +102,7 @@ impl Units {
             for unit in [traversal, leaf] {
                 pulse_into(m, unit, "tree", &tree);
             }
-            pipe(m, (traversal, "leaf"), (leaf, "leaf"));
+            m.pipe((traversal, "leaf"), (leaf, "leaf"));
             return (m.stream_from(leaf, "fetch"), None);
         }
         let cache = m.instance("tree_cache", tree_cache::module(config));
@@ -116,9 +110,9 @@ impl Units {
         m.stream_export("lookup", &lookup);
         let record = stream_in(m, "record", &records::tree_record(config));
         m.stream_into(&cache, "fill", &record);
-        pipe(m, (traversal, "node"), (&cache, "node"));
-        pipe(m, (traversal, "leaf"), (&cache, "leaf"));
-        pipe(m, (&cache, "record"), (traversal, "record"));
+        m.pipe((traversal, "node"), (&cache, "node"));
+        m.pipe((traversal, "leaf"), (&cache, "leaf"));
+        m.pipe((&cache, "record"), (traversal, "record"));
         (m.stream_from(&cache, "fetch"), Some(cache))
     }
 
@@ -133,7 +127,7 @@ impl Units {
         pulse_into(m, cache, "setup", &setup);
         let query = stream_in(m, "query", &records::cached_query(config));
         m.stream_into(cache, "query", &query);
-        pipe(m, (cache, "search"), (&self.threads, "query"));
+        m.pipe((cache, "search"), (&self.threads, "query"));
     }
 
     /// Leads requests for points to the memory and beats back, through the point cache where there is one; returns it.
@@ -151,14 +145,14 @@ impl Units {
         m.stream_export("fetch", &miss);
         let beat = stream_in(m, "beat", &beat_fields);
         m.stream_into(&cache, "fill", &beat);
-        pipe(m, (&cache, "beat"), (&self.leaf, "beat"));
+        m.pipe((&cache, "beat"), (&self.leaf, "beat"));
         Some(cache)
     }
 
     /// Leads results out, through the neighbor cache where there is one.
     fn results(&self, m: &mut Module, cache: Option<&Instance>) {
         if let Some(cache) = cache {
-            pipe(m, (&self.queue, "result"), (cache, "found"));
+            m.pipe((&self.queue, "result"), (cache, "found"));
         }
         let result = m.stream_from(cache.unwrap_or(&self.queue), "result");
         m.stream_export("result", &result);

@@ -94,4 +94,10 @@ impl Module {
         let ready = self.out(instance, &format!("{port}_ready"));
         self.ready(stream, &ready);
     }
+
+    /// Leads a stream from a port of one child to a port of another.
+    pub fn pipe(&mut self, (from, out): (&Instance, &str), (to, input): (&Instance, &str)) {
+        let stream = self.stream_from(from, out);
+        self.stream_into(to, input, &stream);
+    }
 }

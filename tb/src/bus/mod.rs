@@ -89,7 +89,7 @@ impl Bus {
         Self::of(&bus::core_b::core(config, &Options::default())?)
     }
 
-    fn of(top: &bus::core_a::Top) -> Result<Self, GenerateError> {
+    fn of(top: &bus::Top) -> Result<Self, GenerateError> {
         Ok(Self { design: elaborate_beside(&top.module, &top.core)?, core: elaborate(&top.core)? })
     }
 

@@ -215,7 +215,7 @@ fn core_b_units() -> Vec<Unit> {
 
 /// Every unit between a core and AXI, the packets and points of core B, the pixels of core A.
 fn bus_units() -> Vec<Unit> {
-    use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
+    use pointcore_hdl::bus::{core_b, packet_in, packet_out, reader, registers, window, writer};
     use pointcore_spec::bus::{packets, ports, registers as maps};
     type Config = core_b_spec::Config;
     let unit =
@@ -234,7 +234,7 @@ fn bus_units() -> Vec<Unit> {
         }),
         unit("writer", |config| writer::module(&core_a_spec::records::pixel(&ecp5()), config.bus.memory_bits)),
         unit("window", |config| window::module(ports::window_index_bits(config))),
-        unit("registers", |config| registers::module(&maps::core_b(config), [1, 2, 1, 1])),
+        unit("registers", |config| registers::module(&maps::core_b(config), core_b::error_sources(config))),
     ]
 }
 
