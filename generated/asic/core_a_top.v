@@ -1509,7 +1509,7 @@ endmodule
 
 // Blends samples into the pixels of the tile slots.
 // slots = 2
-// stages = 6
+// stages = 7
 module core_a_accumulator (
     input  wire clk,
     input  wire rst,
@@ -1588,6 +1588,11 @@ module core_a_accumulator (
     reg last_7;
     reg slot_7;
     reg [5:0] pixel_7;
+    reg valid_8;
+    reg inside_8;
+    reg last_8;
+    reg slot_8;
+    reg [5:0] pixel_8;
     reg head_valid;
     reg head_end;
     reg head_last;
@@ -1601,9 +1606,11 @@ module core_a_accumulator (
     reg [15:0] head_attribute_0;
     reg [15:0] head_attribute_1;
     reg [15:0] head_attribute_2;
-    reg [6:0] collisions;
+    reg [7:0] collisions;
     reg [127:0] slot_0_read;
+    reg [127:0] slot_0_pixel;
     reg [127:0] slot_1_read;
+    reg [127:0] slot_1_pixel;
     reg [127:0] stored;
     reg drained_slot;
     reg [15:0] sample_1_weight;
@@ -1620,45 +1627,52 @@ module core_a_accumulator (
     reg [15:0] sample_2_attribute_0;
     reg [15:0] sample_2_attribute_1;
     reg [15:0] sample_2_attribute_2;
-    reg late_fail_3;
+    reg [15:0] sample_3_weight;
+    reg [39:0] sample_3_weighted_depth;
+    reg [23:0] sample_3_depth_low;
+    reg [23:0] sample_3_depth_high;
+    reg [15:0] sample_3_attribute_0;
+    reg [15:0] sample_3_attribute_1;
+    reg [15:0] sample_3_attribute_2;
     reg late_fail_4;
-    reg late_pass_3;
+    reg late_fail_5;
     reg late_pass_4;
-    reg [28:0] weight_sum_3;
+    reg late_pass_5;
     reg [28:0] weight_sum_4;
     reg [28:0] weight_sum_5;
     reg [28:0] weight_sum_6;
     reg [28:0] weight_sum_7;
-    reg [15:0] weight_3;
+    reg [28:0] weight_sum_8;
     reg [15:0] weight_4;
     reg [15:0] weight_5;
     reg [15:0] weight_6;
     reg [15:0] weight_7;
-    reg [51:0] depth_sum_3;
+    reg [15:0] weight_8;
     reg [51:0] depth_sum_4;
     reg [51:0] depth_sum_5;
     reg [51:0] depth_sum_6;
     reg [51:0] depth_sum_7;
-    reg [39:0] depth_3;
+    reg [51:0] depth_sum_8;
     reg [39:0] depth_4;
     reg [39:0] depth_5;
     reg [39:0] depth_6;
     reg [39:0] depth_7;
-    reg [15:0] attribute_0_3;
+    reg [39:0] depth_8;
     reg [15:0] attribute_0_4;
     reg [15:0] attribute_0_5;
     reg [15:0] attribute_0_6;
     reg [15:0] attribute_0_7;
-    reg [15:0] attribute_1_3;
+    reg [15:0] attribute_0_8;
     reg [15:0] attribute_1_4;
     reg [15:0] attribute_1_5;
     reg [15:0] attribute_1_6;
     reg [15:0] attribute_1_7;
-    reg [15:0] attribute_2_3;
+    reg [15:0] attribute_1_8;
     reg [15:0] attribute_2_4;
     reg [15:0] attribute_2_5;
     reg [15:0] attribute_2_6;
     reg [15:0] attribute_2_7;
+    reg [15:0] attribute_2_8;
 
     wire places_in_ready;
     wire places_out_valid;
@@ -1683,7 +1697,7 @@ module core_a_accumulator (
     wire [15:0] add_attribute_2_y;
 
     assign in_ready = places_in_ready;
-    wire [127:0] drained = drained_slot ? slot_1_read : slot_0_read;
+    wire [127:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
     wire [1:0] shifted_2 = slot_ready >> head_slot;
@@ -1693,29 +1707,50 @@ module core_a_accumulator (
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = term_1 & ~(slot_wait | hazard);
     wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_3 | valid_7);
+    wire issue_end = head_valid & head_end & ~(term_3 | valid_7 | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire queue_ready = head_takes;
     wire places_out_ready = queue_ready;
     wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [6:0] joined_11 = {term_4, term_5, term_6, term_7, term_8, term_9, head_valid & (head_inside & ~head_end) & term_10};
+    wire term_4 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
+    wire term_5 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_6 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_7 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_8 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_9 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_10 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_11 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [7:0] joined_12 = {
+        term_4,
+        term_5,
+        term_6,
+        term_7,
+        term_8,
+        term_9,
+        term_10,
+        head_valid & (head_inside & ~head_end) & term_11
+    };
+    wire term_13 = drain_enable & ~drain_slot;
+    wire term_14 = drain_enable & drain_slot;
     wire filling_0 = fill_valid & ~fill_slot;
-    wire writes = inside_7 & (~late_fail_4 & (late_pass_4 | ~weight_sum_7[28]));
-    wire [127:0] joined_12 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
+    wire [127:0] joined_15 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
+    wire [14:0] choice_16 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_17 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_16};
+    wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
+    wire [14:0] choice_18 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_19 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_18};
+    wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
+    wire [14:0] choice_20 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_21 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_20};
     wire [127:0] result = {
-        late_pass_4 ? {12'd0, weight_7} : weight_sum_7[27:0],
-        late_pass_4 ? {12'd0, depth_7} : depth_sum_7,
-        late_pass_4 ? attribute_0_7 : add_attribute_0_y,
-        late_pass_4 ? attribute_1_7 : add_attribute_1_y,
-        late_pass_4 ? attribute_2_7 : add_attribute_2_y
+        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
+        late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
+        choice_17,
+        choice_19,
+        choice_21
     };
     wire filling_1 = fill_valid & fill_slot;
 
@@ -1772,8 +1807,8 @@ module core_a_accumulator (
         .rst(rst),
         .weight(stored[127:100]),
         .depth(stored[99:48]),
-        .depth_low(sample_2_depth_low),
-        .depth_high(sample_2_depth_high),
+        .depth_low(sample_3_depth_low),
+        .depth_high(sample_3_depth_high),
         .fail(depth_test_fail),
         .pass(depth_test_pass)
     );
@@ -1783,7 +1818,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[47:32]),
-        .b(sample_2_attribute_0),
+        .b(sample_3_attribute_0),
         .y(add_attribute_0_y)
     );
 
@@ -1792,7 +1827,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[31:16]),
-        .b(sample_2_attribute_1),
+        .b(sample_3_attribute_1),
         .y(add_attribute_1_y)
     );
 
@@ -1801,7 +1836,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[15:0]),
-        .b(sample_2_attribute_2),
+        .b(sample_3_attribute_2),
         .y(add_attribute_2_y)
     );
 
@@ -1823,12 +1858,14 @@ module core_a_accumulator (
             inside_6 <= 1'd0;
             valid_7 <= 1'd0;
             inside_7 <= 1'd0;
+            valid_8 <= 1'd0;
+            inside_8 <= 1'd0;
             head_valid <= 1'd0;
             event_accumulate <= 1'd0;
             event_hazard <= 1'd0;
             event_slot_wait <= 1'd0;
         end else begin
-            retire_valid <= valid_7 & last_7;
+            retire_valid <= valid_8 & last_8;
             frame_end <= issue_end;
             valid_1 <= issue;
             inside_1 <= issue_inside;
@@ -1844,6 +1881,8 @@ module core_a_accumulator (
             inside_6 <= inside_5;
             valid_7 <= valid_6;
             inside_7 <= inside_6;
+            valid_8 <= valid_7;
+            inside_8 <= inside_7;
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
@@ -1853,7 +1892,7 @@ module core_a_accumulator (
         end
     end
     always @(posedge clk) begin
-        retire_slot <= slot_7;
+        retire_slot <= slot_8;
         last_1 <= head_last;
         slot_1 <= head_slot;
         pixel_1 <= head_pixel;
@@ -1875,8 +1914,11 @@ module core_a_accumulator (
         last_7 <= last_6;
         slot_7 <= slot_6;
         pixel_7 <= pixel_6;
-        collisions <= head_takes ? joined_11 : (collisions << 1);
-        stored <= slot_1 ? slot_1_read : slot_0_read;
+        last_8 <= last_7;
+        slot_8 <= slot_7;
+        pixel_8 <= pixel_7;
+        collisions <= head_takes ? joined_12 : (collisions << 1);
+        stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -1891,45 +1933,52 @@ module core_a_accumulator (
         sample_2_attribute_0 <= sample_1_attribute_0;
         sample_2_attribute_1 <= sample_1_attribute_1;
         sample_2_attribute_2 <= sample_1_attribute_2;
-        late_fail_3 <= depth_test_fail;
-        late_fail_4 <= late_fail_3;
-        late_pass_3 <= depth_test_pass;
-        late_pass_4 <= late_pass_3;
-        weight_sum_3 <= {1'd0, stored[127:100]} + {13'd0, sample_2_weight};
-        weight_sum_4 <= weight_sum_3;
+        sample_3_weight <= sample_2_weight;
+        sample_3_weighted_depth <= sample_2_weighted_depth;
+        sample_3_depth_low <= sample_2_depth_low;
+        sample_3_depth_high <= sample_2_depth_high;
+        sample_3_attribute_0 <= sample_2_attribute_0;
+        sample_3_attribute_1 <= sample_2_attribute_1;
+        sample_3_attribute_2 <= sample_2_attribute_2;
+        late_fail_4 <= depth_test_fail;
+        late_fail_5 <= late_fail_4;
+        late_pass_4 <= depth_test_pass;
+        late_pass_5 <= late_pass_4;
+        weight_sum_4 <= {1'd0, stored[127:100]} + {13'd0, sample_3_weight};
         weight_sum_5 <= weight_sum_4;
         weight_sum_6 <= weight_sum_5;
         weight_sum_7 <= weight_sum_6;
-        weight_3 <= sample_2_weight;
-        weight_4 <= weight_3;
+        weight_sum_8 <= weight_sum_7;
+        weight_4 <= sample_3_weight;
         weight_5 <= weight_4;
         weight_6 <= weight_5;
         weight_7 <= weight_6;
-        depth_sum_3 <= stored[99:48] + {12'd0, sample_2_weighted_depth};
-        depth_sum_4 <= depth_sum_3;
+        weight_8 <= weight_7;
+        depth_sum_4 <= stored[99:48] + {12'd0, sample_3_weighted_depth};
         depth_sum_5 <= depth_sum_4;
         depth_sum_6 <= depth_sum_5;
         depth_sum_7 <= depth_sum_6;
-        depth_3 <= sample_2_weighted_depth;
-        depth_4 <= depth_3;
+        depth_sum_8 <= depth_sum_7;
+        depth_4 <= sample_3_weighted_depth;
         depth_5 <= depth_4;
         depth_6 <= depth_5;
         depth_7 <= depth_6;
-        attribute_0_3 <= sample_2_attribute_0;
-        attribute_0_4 <= attribute_0_3;
+        depth_8 <= depth_7;
+        attribute_0_4 <= sample_3_attribute_0;
         attribute_0_5 <= attribute_0_4;
         attribute_0_6 <= attribute_0_5;
         attribute_0_7 <= attribute_0_6;
-        attribute_1_3 <= sample_2_attribute_1;
-        attribute_1_4 <= attribute_1_3;
+        attribute_0_8 <= attribute_0_7;
+        attribute_1_4 <= sample_3_attribute_1;
         attribute_1_5 <= attribute_1_4;
         attribute_1_6 <= attribute_1_5;
         attribute_1_7 <= attribute_1_6;
-        attribute_2_3 <= sample_2_attribute_2;
-        attribute_2_4 <= attribute_2_3;
+        attribute_1_8 <= attribute_1_7;
+        attribute_2_4 <= sample_3_attribute_2;
         attribute_2_5 <= attribute_2_4;
         attribute_2_6 <= attribute_2_5;
         attribute_2_7 <= attribute_2_6;
+        attribute_2_8 <= attribute_2_7;
         if (head_takes) begin
             head_end <= places_out_end;
             head_last <= places_out_last;
@@ -1944,23 +1993,29 @@ module core_a_accumulator (
             head_attribute_1 <= samples_out_attribute_1;
             head_attribute_2 <= samples_out_attribute_2;
         end
+        if (slot_ready[0] | term_13) begin
+            slot_0_pixel <= slot_0_read;
+        end
+        if (slot_ready[1] | term_14) begin
+            slot_1_pixel <= slot_1_read;
+        end
         if (drain_enable) begin
             drained_slot <= drain_slot;
         end
     end
     always @(posedge clk) begin
-        if (filling_0 | (writes & ~slot_7)) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_7] <= filling_0 ? joined_12 : result;
+        if (filling_0 | (writes & ~slot_8)) begin
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_15 : result;
         end
-        if (slot_ready[0] ? (issue_inside & ~head_slot) : (drain_enable & ~drain_slot)) begin
+        if (slot_ready[0] ? (issue_inside & ~head_slot) : term_13) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_1 | (writes & slot_7)) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_7] <= filling_1 ? joined_12 : result;
+        if (filling_1 | (writes & slot_8)) begin
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_15 : result;
         end
-        if (slot_ready[1] ? (issue_inside & head_slot) : (drain_enable & drain_slot)) begin
+        if (slot_ready[1] ? (issue_inside & head_slot) : term_14) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
     end
@@ -3223,7 +3278,7 @@ module stream_fifo_d64_w120 (
 endmodule
 
 // Distance of a sample from its splat's centre, and its kernel weight.
-// latency = 56
+// latency = 58
 // initiation_interval = 1
 module core_a_evaluation (
     input  wire clk,
@@ -3269,11 +3324,11 @@ module core_a_evaluation (
     (* ram_style = "distributed" *)
     reg [23:0] delay_26_from_0 [0:24];
     (* ram_style = "distributed" *)
-    reg delay_50_from_0 [0:48];
+    reg delay_52_from_0 [0:50];
     (* ram_style = "distributed" *)
-    reg delay_51_from_0 [0:49];
+    reg delay_53_from_0 [0:51];
     (* ram_style = "distributed" *)
-    reg [6:0] delay_56_from_0 [0:54];
+    reg [6:0] delay_58_from_0 [0:56];
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
@@ -3288,13 +3343,13 @@ module core_a_evaluation (
     reg delay_24_from_0_out;
     reg [4:0] delay_26_from_0_pointer;
     reg [23:0] delay_26_from_0_out;
-    reg [5:0] delay_50_from_0_pointer;
-    reg delay_50_from_0_out;
-    reg [5:0] delay_51_from_0_pointer;
-    reg delay_51_from_0_out;
-    reg [5:0] delay_56_from_0_pointer;
-    reg [6:0] delay_56_from_0_out;
-    reg end_d51;
+    reg [5:0] delay_52_from_0_pointer;
+    reg delay_52_from_0_out;
+    reg [5:0] delay_53_from_0_pointer;
+    reg delay_53_from_0_out;
+    reg [5:0] delay_58_from_0_pointer;
+    reg [6:0] delay_58_from_0_out;
+    reg end_d53;
     reg [23:0] neg_18_d1;
     reg [23:0] neg_18_d2;
     reg [23:0] neg_18_d3;
@@ -3358,6 +3413,8 @@ module core_a_evaluation (
     reg valid_d54;
     reg valid_d55;
     reg valid_d56;
+    reg valid_d57;
+    reg valid_d58;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -3398,10 +3455,10 @@ module core_a_evaluation (
     assign in_ready = queue_in_ready;
     wire queue_out_ready = out_ready;
     wire [23:0] select_53 = delay_24_from_0_out ? 24'h7f8000 : div_f24_ftz_unit_y;
-    wire not_62 = ~delay_50_from_0_out;
+    wire not_62 = ~delay_52_from_0_out;
     wire and_63 = lt_f24_ftz_unit_y & not_62_d1;
-    wire or_64 = delay_51_from_0_out | and_63;
-    wire or_65 = end_d51 | or_64;
+    wire or_64 = delay_53_from_0_out | and_63;
+    wire or_65 = end_d53 | or_64;
     wire xor_51 = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
 
     assign out_valid = queue_out_valid;
@@ -3415,13 +3472,13 @@ module core_a_evaluation (
     stream_skid_w26 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d56 & delay_5_from_0_out[3]),
+        .in_valid(valid_d58 & delay_5_from_0_out[3]),
         .in_ready(queue_in_ready),
         .in_end(delay_5_from_0_out[0]),
         .in_last(delay_5_from_0_out[1]),
         .in_inside(delay_5_from_0_out[2]),
-        .in_slot(delay_56_from_0_out[0]),
-        .in_pixel(delay_56_from_0_out[6:1]),
+        .in_slot(delay_58_from_0_out[0]),
+        .in_pixel(delay_58_from_0_out[6:1]),
         .in_weight(interpolate_8_8_16_unit_y),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
@@ -3681,9 +3738,9 @@ module core_a_evaluation (
             delay_13_from_0_pointer <= 4'd0;
             delay_24_from_0_pointer <= 5'd0;
             delay_26_from_0_pointer <= 5'd0;
-            delay_50_from_0_pointer <= 6'd0;
-            delay_51_from_0_pointer <= 6'd0;
-            delay_56_from_0_pointer <= 6'd0;
+            delay_52_from_0_pointer <= 6'd0;
+            delay_53_from_0_pointer <= 6'd0;
+            delay_58_from_0_pointer <= 6'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -3740,6 +3797,8 @@ module core_a_evaluation (
             valid_d54 <= 1'd0;
             valid_d55 <= 1'd0;
             valid_d56 <= 1'd0;
+            valid_d57 <= 1'd0;
+            valid_d58 <= 1'd0;
         end else if (queue_in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
@@ -3748,9 +3807,9 @@ module core_a_evaluation (
             delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
             delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
             delay_26_from_0_pointer <= (delay_26_from_0_pointer == 5'd24) ? (delay_26_from_0_pointer - 5'd24) : (delay_26_from_0_pointer + 5'd1);
-            delay_50_from_0_pointer <= (delay_50_from_0_pointer == 6'd48) ? (delay_50_from_0_pointer - 6'd48) : (delay_50_from_0_pointer + 6'd1);
-            delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
-            delay_56_from_0_pointer <= (delay_56_from_0_pointer == 6'd54) ? (delay_56_from_0_pointer - 6'd54) : (delay_56_from_0_pointer + 6'd1);
+            delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
+            delay_53_from_0_pointer <= (delay_53_from_0_pointer == 6'd51) ? (delay_53_from_0_pointer - 6'd51) : (delay_53_from_0_pointer + 6'd1);
+            delay_58_from_0_pointer <= (delay_58_from_0_pointer == 6'd56) ? (delay_58_from_0_pointer - 6'd56) : (delay_58_from_0_pointer + 6'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
             valid_d3 <= valid_d2;
@@ -3807,11 +3866,13 @@ module core_a_evaluation (
             valid_d54 <= valid_d53;
             valid_d55 <= valid_d54;
             valid_d56 <= valid_d55;
+            valid_d57 <= valid_d56;
+            valid_d58 <= valid_d57;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            end_d51 <= delay_50_from_0_out;
+            end_d53 <= delay_52_from_0_out;
             neg_18_d1 <= {~in_center_x[23], in_center_x[22:0]};
             neg_18_d2 <= neg_18_d1;
             neg_18_d3 <= neg_18_d2;
@@ -3823,7 +3884,7 @@ module core_a_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_51_from_0_out, end_d51};
+            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_53_from_0_out, end_d53};
         end
         if (queue_in_ready) begin
             delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
@@ -3879,32 +3940,32 @@ module core_a_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_50_from_0[delay_50_from_0_pointer] <= in_end;
+            delay_52_from_0[delay_52_from_0_pointer] <= in_end;
         end
         if (queue_in_ready) begin
-            delay_50_from_0_out <= delay_50_from_0[delay_50_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_51_from_0[delay_51_from_0_pointer] <= in_last;
-        end
-        if (queue_in_ready) begin
-            delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
+            delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_56_from_0[delay_56_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+            delay_53_from_0[delay_53_from_0_pointer] <= in_last;
         end
         if (queue_in_ready) begin
-            delay_56_from_0_out <= delay_56_from_0[delay_56_from_0_pointer];
+            delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_58_from_0[delay_58_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        end
+        if (queue_in_ready) begin
+            delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
         end
     end
 endmodule
 
 // Sampled function, interpolated linearly.
-// stages = 3
+// stages = 4
 // index_bits = 8
 // fraction_bits = 8
 module float_table (
@@ -3914,11 +3975,13 @@ module float_table (
     input  wire [15:0] a,
     output reg  [15:0] y
 );
-    reg [16:0] slope_s1;
+    reg [32:0] entry_s1;
     reg [7:0] fraction_s1;
-    reg [15:0] rise_s2;
-    reg [15:0] start_s1;
+    reg [16:0] slope_s2;
+    reg [7:0] fraction_s2;
+    reg [15:0] rise_s3;
     reg [15:0] start_s2;
+    reg [15:0] start_s3;
 
     reg [32:0] samples;
     always @(*) begin
@@ -4181,17 +4244,19 @@ module float_table (
             default: samples = 33'h45d7ffba;
         endcase
     end
-    wire [8:0] joined_1 = {1'd0, fraction_s1};
-    wire [25:0] product_2 = $signed({{9{slope_s1[16]}}, slope_s1}) * $signed({{17{joined_1[8]}}, joined_1});
+    wire [8:0] joined_1 = {1'd0, fraction_s2};
+    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
 
     always @(posedge clk) begin
         if (enable) begin
-            slope_s1 <= samples[16:0];
+            entry_s1 <= samples;
             fraction_s1 <= a[7:0];
-            rise_s2 <= product_2[23:8];
-            start_s1 <= samples[32:17];
-            start_s2 <= start_s1;
-            y <= start_s2 + rise_s2;
+            slope_s2 <= entry_s1[16:0];
+            fraction_s2 <= fraction_s1;
+            rise_s3 <= product_2[23:8];
+            start_s2 <= entry_s1[32:17];
+            start_s3 <= start_s2;
+            y <= start_s3 + rise_s3;
         end
     end
 
@@ -4924,11 +4989,6 @@ module core_a_tile_cache (
     reg is_of_code_1;
     reg stored_touched;
     reg touched;
-    reg [27:0] held_weight;
-    reg [51:0] held_depth;
-    reg [15:0] held_attribute_0;
-    reg [15:0] held_attribute_1;
-    reg [15:0] held_attribute_2;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
@@ -5006,7 +5066,6 @@ module core_a_tile_cache (
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
-    wire drain_next = drain_step & ~drained[6];
     wire head_waits = (mode == 3'd1) & head_valid;
     wire term_4 = head_waits & ~head_end;
     wire term_5 = resident_0 & is_of_copy_0;
@@ -5024,7 +5083,7 @@ module core_a_tile_cache (
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
     wire term_8 = term_1 & beat;
-    wire [27:0] choice_9 = term_2 ? held_weight : data_weight;
+    wire [27:0] choice_9 = term_2 ? drain_weight : data_weight;
     wire visible = |choice_9;
     wire pixel_queue_out_ready = pixel_ready;
     wire term_10 = mode == 3'd0;
@@ -5047,6 +5106,7 @@ module core_a_tile_cache (
     wire term_20 = start | term_15;
     wire term_21 = touched & (looked | (term_15 & ~sent_hit));
     wire term_22 = looked | term_15;
+    wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
     wire term_23 = start & ~next;
     wire term_24 = done & ~slot;
@@ -5099,7 +5159,7 @@ module core_a_tile_cache (
     assign pixel_attribute_2 = pixel_queue_out_attribute_2;
     assign slot_ready = {ready_1, ready_0};
     assign fill_slot = slot;
-    assign drain_enable = drain_next;
+    assign drain_enable = drain_step;
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
@@ -5214,11 +5274,11 @@ module core_a_tile_cache (
         .in_ready(write_queue_in_ready),
         .in_tile(evict_tile),
         .in_pixel(held_pixel),
-        .in_weight(held_weight),
-        .in_depth(held_depth),
-        .in_attribute_0(held_attribute_0),
-        .in_attribute_1(held_attribute_1),
-        .in_attribute_2(held_attribute_2),
+        .in_weight(drain_weight),
+        .in_depth(drain_depth),
+        .in_attribute_0(drain_attribute_0),
+        .in_attribute_1(drain_attribute_1),
+        .in_attribute_2(drain_attribute_2),
         .out_valid(write_queue_out_valid),
         .out_ready(write_queue_out_ready),
         .out_tile(write_queue_out_tile),
@@ -5239,10 +5299,10 @@ module core_a_tile_cache (
         .in_tile(code),
         .in_pixel(term_2 ? held_pixel : drained[5:0]),
         .in_weight(choice_9),
-        .in_depth(term_2 ? held_depth : data_depth),
-        .in_attribute_0(term_2 ? held_attribute_0 : data_attribute_0),
-        .in_attribute_1(term_2 ? held_attribute_1 : data_attribute_1),
-        .in_attribute_2(term_2 ? held_attribute_2 : data_attribute_2),
+        .in_depth(term_2 ? drain_depth : data_depth),
+        .in_attribute_0(term_2 ? drain_attribute_0 : data_attribute_0),
+        .in_attribute_1(term_2 ? drain_attribute_1 : data_attribute_1),
+        .in_attribute_2(term_2 ? drain_attribute_2 : data_attribute_2),
         .out_valid(pixel_queue_out_valid),
         .out_ready(pixel_queue_out_ready),
         .out_end(pixel_queue_out_end),
@@ -5367,11 +5427,6 @@ module core_a_tile_cache (
         end
         if (drain_step) begin
             held_pixel <= shown_pixel;
-            held_weight <= drain_weight;
-            held_depth <= drain_depth;
-            held_attribute_0 <= drain_attribute_0;
-            held_attribute_1 <= drain_attribute_1;
-            held_attribute_2 <= drain_attribute_2;
         end
         if (term_22 | fill) begin
             filled <= term_22 ? 7'd0 : (filled + 7'd1);
@@ -7888,7 +7943,7 @@ module stream_skid_w361 (
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
-// latency = 124
+// latency = 132
 // initiation_interval = 8
 module core_a_setup (
     input  wire clk,
@@ -7941,34 +7996,30 @@ module core_a_setup (
     output wire [8:0] out_bottom
 );
     (* ram_style = "distributed" *)
-    reg [48:0] delay_16_from_0 [0:14];
+    reg [48:0] delay_17_from_0 [0:15];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_9_from_2 [0:7];
+    reg delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_10_from_2 [0:8];
+    reg [24:0] delay_8_from_4 [0:6];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_3 [0:3];
+    reg [23:0] delay_5_from_5 [0:3];
     (* ram_style = "distributed" *)
-    reg [47:0] delay_9_from_3 [0:7];
+    reg [48:0] delay_9_from_6 [0:7];
     (* ram_style = "distributed" *)
-    reg delay_5_from_4 [0:3];
-    (* ram_style = "distributed" *)
-    reg delay_6_from_5 [0:4];
+    reg [95:0] delay_10_from_6 [0:8];
     reg [2:0] phase;
-    reg [3:0] delay_16_from_0_pointer;
-    reg [48:0] delay_16_from_0_out;
-    reg [2:0] delay_9_from_2_pointer;
-    reg [23:0] delay_9_from_2_out;
-    reg [3:0] delay_10_from_2_pointer;
-    reg [95:0] delay_10_from_2_out;
-    reg [1:0] delay_5_from_3_pointer;
-    reg [23:0] delay_5_from_3_out;
-    reg [2:0] delay_9_from_3_pointer;
-    reg [47:0] delay_9_from_3_out;
-    reg [1:0] delay_5_from_4_pointer;
-    reg delay_5_from_4_out;
-    reg [2:0] delay_6_from_5_pointer;
-    reg delay_6_from_5_out;
+    reg [3:0] delay_17_from_0_pointer;
+    reg [48:0] delay_17_from_0_out;
+    reg [2:0] delay_6_from_1_pointer;
+    reg delay_6_from_1_out;
+    reg [2:0] delay_8_from_4_pointer;
+    reg [24:0] delay_8_from_4_out;
+    reg [1:0] delay_5_from_5_pointer;
+    reg [23:0] delay_5_from_5_out;
+    reg [2:0] delay_9_from_6_pointer;
+    reg [48:0] delay_9_from_6_out;
+    reg [3:0] delay_10_from_6_pointer;
+    reg [95:0] delay_10_from_6_out;
     reg [23:0] recip_15_d1;
     reg [23:0] reinterpret_16_d1;
     reg [23:0] reinterpret_16_d2;
@@ -7990,6 +8041,7 @@ module core_a_setup (
     reg whole_d8;
     reg whole_d9;
     reg whole_d10;
+    reg whole_d11;
     reg [23:0] reinterpret_30_d1;
     reg [23:0] reinterpret_30_d2;
     reg [23:0] reinterpret_30_d3;
@@ -8017,87 +8069,94 @@ module core_a_setup (
     reg [23:0] add_46_d11;
     reg [23:0] add_49_d1;
     reg [23:0] add_49_d2;
-    reg [23:0] mul_50_d1;
     reg [23:0] add_54_d1;
-    reg [23:0] add_54_d2;
     reg [23:0] mul_55_d1;
     reg [23:0] add_59_d1;
     reg [23:0] add_59_d2;
     reg [23:0] add_59_d3;
     reg [23:0] add_59_d4;
     reg [23:0] add_64_d1;
-    reg [23:0] add_66_d1;
     reg [21:0] shr_82_d1;
     reg [21:0] select_85_d1;
     reg [21:0] min_86_d1;
+    reg [8:0] resize_90_d1;
     reg [8:0] resize_91_d1;
     reg lt_92_d1;
-    reg [23:0] reinterpret_94_d1;
-    reg [23:0] reinterpret_94_d2;
-    reg [23:0] reinterpret_94_d3;
-    reg [23:0] mul_95_d1;
-    reg [23:0] reinterpret_96_d1;
-    reg [23:0] reinterpret_96_d2;
-    reg [23:0] reinterpret_96_d3;
-    reg [23:0] mul_97_d1;
-    reg [23:0] mul_101_d1;
-    reg [23:0] reinterpret_102_d1;
-    reg [23:0] reinterpret_102_d2;
-    reg [23:0] reinterpret_102_d3;
-    reg [23:0] mul_103_d1;
-    reg [23:0] mul_107_d1;
-    reg [23:0] add_110_d1;
-    reg [23:0] add_110_d2;
-    reg [23:0] add_110_d3;
-    reg [23:0] add_110_d4;
-    reg [23:0] add_110_d5;
-    reg [23:0] add_110_d6;
-    reg [23:0] add_110_d7;
-    reg [23:0] add_110_d8;
-    reg [23:0] add_110_d9;
-    reg [23:0] add_110_d10;
-    reg [23:0] add_110_d11;
-    reg [23:0] add_113_d1;
-    reg [23:0] add_113_d2;
-    reg [23:0] mul_114_d1;
-    reg [23:0] add_118_d1;
-    reg [23:0] add_118_d2;
-    reg [23:0] mul_119_d1;
-    reg [23:0] add_120_d1;
-    reg [23:0] sqrt_121_d1;
-    reg [23:0] add_123_d1;
-    reg [23:0] add_123_d2;
-    reg [23:0] add_123_d3;
-    reg [23:0] add_123_d4;
-    reg [23:0] add_129_d1;
-    reg [23:0] max_130_d1;
-    reg [21:0] shr_141_d1;
-    reg [21:0] select_142_d1;
-    reg [21:0] min_143_d1;
-    reg [8:0] resize_147_d1;
-    reg lt_148_d1;
-    reg [23:0] mul_149_d1;
-    reg [23:0] mul_162_d6;
-    reg [23:0] add_164_d1;
-    reg [23:0] add_164_d2;
-    reg [23:0] mul_165_d1;
-    reg [23:0] add_167_d1;
-    reg [23:0] abs_168_d1;
-    reg [23:0] abs_168_d2;
-    reg [23:0] mul_170_d1;
-    reg [23:0] mul_171_d1;
-    reg [23:0] mul_171_d2;
-    reg [23:0] select_176_d1;
-    reg [23:0] select_176_d2;
-    reg [23:0] min_177_d1;
-    reg [23:0] select_178_d1;
-    reg [23:0] add_182_d1;
-    reg [23:0] to_fixed_188_d1;
-    reg [23:0] to_fixed_188_d2;
-    reg [23:0] to_fixed_188_d3;
-    reg [23:0] to_fixed_188_d4;
-    reg [23:0] to_fixed_192_d1;
-    reg [23:0] to_fixed_195_d1;
+    reg [23:0] reinterpret_95_d1;
+    reg [23:0] reinterpret_95_d2;
+    reg [23:0] reinterpret_95_d3;
+    reg [23:0] mul_96_d1;
+    reg [23:0] reinterpret_97_d1;
+    reg [23:0] reinterpret_97_d2;
+    reg [23:0] reinterpret_97_d3;
+    reg [23:0] mul_98_d1;
+    reg [23:0] mul_102_d1;
+    reg [23:0] reinterpret_103_d1;
+    reg [23:0] reinterpret_103_d2;
+    reg [23:0] reinterpret_103_d3;
+    reg [23:0] mul_104_d1;
+    reg [23:0] mul_108_d1;
+    reg [23:0] add_111_d1;
+    reg [23:0] add_111_d2;
+    reg [23:0] add_111_d3;
+    reg [23:0] add_111_d4;
+    reg [23:0] add_111_d5;
+    reg [23:0] add_111_d6;
+    reg [23:0] add_111_d7;
+    reg [23:0] add_111_d8;
+    reg [23:0] add_111_d9;
+    reg [23:0] add_111_d10;
+    reg [23:0] add_111_d11;
+    reg [23:0] add_114_d1;
+    reg [23:0] add_114_d2;
+    reg [23:0] add_119_d1;
+    reg [23:0] mul_120_d1;
+    reg [23:0] add_121_d1;
+    reg [23:0] add_124_d1;
+    reg [23:0] add_124_d2;
+    reg [23:0] add_124_d3;
+    reg [23:0] add_124_d4;
+    reg [23:0] neg_125_d1;
+    reg [23:0] min_129_d1;
+    reg [23:0] max_131_d1;
+    reg [21:0] shr_142_d1;
+    reg [21:0] select_143_d1;
+    reg [21:0] min_144_d1;
+    reg [8:0] resize_148_d1;
+    reg lt_149_d1;
+    reg [23:0] mul_151_d1;
+    reg equal_160_d1;
+    reg lt_163_d1;
+    reg [23:0] mul_169_d1;
+    reg [23:0] neg_171_d1;
+    reg [23:0] mul_174_d6;
+    reg [23:0] add_176_d1;
+    reg [23:0] add_176_d2;
+    reg [23:0] add_176_d3;
+    reg [23:0] add_179_d1;
+    reg [23:0] add_179_d2;
+    reg [23:0] abs_180_d1;
+    reg [23:0] abs_180_d2;
+    reg [23:0] sqrt_181_d1;
+    reg [23:0] mul_183_d1;
+    reg [23:0] mul_183_d2;
+    reg [23:0] mul_183_d3;
+    reg [23:0] select_188_d1;
+    reg [23:0] select_188_d2;
+    reg [23:0] min_189_d1;
+    reg [23:0] select_190_d1;
+    reg le_195_d1;
+    reg le_195_d2;
+    reg le_195_d3;
+    reg le_195_d4;
+    reg and_196_d1;
+    reg [23:0] to_fixed_207_d1;
+    reg [23:0] to_fixed_207_d2;
+    reg [23:0] to_fixed_207_d3;
+    reg [23:0] to_fixed_207_d4;
+    reg [23:0] to_fixed_211_d1;
+    reg [23:0] max_213_d1;
+    reg [23:0] recip_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
     reg [23:0] mul_f24_ftz_unit_copy2_a;
@@ -8128,6 +8187,8 @@ module core_a_setup (
     reg [23:0] max_f24_ftz_unit_copy2_a;
     reg [23:0] max_f24_ftz_unit_copy2_b;
     reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
+    reg [23:0] le_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_b;
     reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
     reg valid_d1;
     reg valid_d2;
@@ -8145,6 +8206,7 @@ module core_a_setup (
     reg valid_d14;
     reg valid_d15;
     reg valid_d16;
+    reg valid_d17;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -8191,99 +8253,113 @@ module core_a_setup (
 
     wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
-    wire and_184 = lt_92_d1 & delay_5_from_4_out;
-    wire and_185 = lt_148_d1 & and_184;
-    wire or_186 = delay_16_from_0_out[0] | and_185;
+    wire and_197 = lt_149_d1 & and_196_d1;
+    wire or_201 = delay_8_from_4_out[0] | delay_9_from_6_out[48];
+    wire and_202 = and_197 & or_201;
+    wire or_204 = delay_17_from_0_out[0] | and_202;
     wire term_1 = phase == 3'd4;
+    wire [23:0] select_205 = delay_8_from_4_out[0] ? 24'h7fc000 : delay_9_from_6_out[23:0];
     wire queue_out_ready = out_ready;
-    wire [23:0] choice_2 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire term_3 = phase == 3'd7;
-    wire load_2 = queue_in_ready & (phase == 3'd2);
-    wire load_3 = queue_in_ready & (phase == 3'd3);
+    wire term_2 = phase == 3'd7;
+    wire load_1 = queue_in_ready & (phase == 3'd1);
     wire load_4 = queue_in_ready & term_1;
     wire load_5 = queue_in_ready & (phase == 3'd5);
-    wire load_1 = queue_in_ready & (phase == 3'd1);
-    wire load_7 = queue_in_ready & term_3;
     wire load_6 = queue_in_ready & (phase == 3'd6);
+    wire load_3 = queue_in_ready & (phase == 3'd3);
+    wire load_2 = queue_in_ready & (phase == 3'd2);
     wire [21:0] add_81 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_73 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] select_85 = whole_d9 ? (add_73 >> 8) : 22'd0;
+    wire [21:0] select_85 = whole_d10 ? (add_73 >> 8) : 22'd0;
+    wire load_7 = queue_in_ready & term_2;
     wire [21:0] min_86 = (22'd512 < shr_82_d1) ? 22'd512 : shr_82_d1;
     wire [21:0] select_87 = whole_d10 ? min_86_d1 : 22'd512;
     wire [21:0] sub_89 = select_87 - 22'd1;
     wire lt_92 = select_85_d1 < select_87;
-    wire [21:0] add_140 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] add_134 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] select_142 = whole_d10 ? (add_134 >> 8) : 22'd0;
-    wire [21:0] min_143 = (shr_141_d1 < 22'd512) ? shr_141_d1 : 22'd512;
-    wire [21:0] select_144 = whole_d10 ? min_143_d1 : 22'd512;
-    wire [21:0] sub_145 = select_144 - 22'd1;
-    wire lt_148 = select_142_d1 < select_144;
-    wire beyond_near = delay_6_from_5_out & le_f24_ftz_unit_y;
-    wire [23:0] select_176 = beyond_near ? add_167_d1 : add_164_d2;
-    wire [23:0] select_178 = beyond_near ? mul_171_d2 : min_177_d1;
-    wire [23:0] choice_4 = phase[0] ? scale_x : recip_f24_ftz_unit_y;
-    wire [23:0] choice_5 = phase[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
-    wire [23:0] choice_6 = phase[1] ? (phase[0] ? mul_43_d1 : mul_50_d1) : phase[0] ? add_f24_ftz_unit_copy2_y : reinterpret_16_d3;
-    wire [23:0] choice_7 = phase[1] ? (phase[0] ? mul_31_d1 : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_y : add_49_d2;
-    wire [23:0] choice_8 = phase[1] ? (phase[0] ? mul_19_d3 : mul_114_d1) : choice_4;
-    wire [23:0] choice_9 = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
-    wire [23:0] choice_10 = phase[1] ? (phase[0] ? mul_101_d1 : mul_19_d3) : choice_9;
-    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_101_d1 : mul_114_d1) : phase[0] ? add_f24_ftz_unit_copy3_y : reinterpret_18_d3;
-    wire [23:0] choice_12 = phase[1] ? (phase[0] ? mul_101_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : add_54_d2;
-    wire [23:0] choice_13 = phase[0] ? recip_15_d1 : recip_f24_ftz_unit_y;
-    wire [23:0] choice_14 = phase[0] ? mul_107_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] choice_15 = phase[1] ? mul_101_d1 : phase[0] ? reinterpret_96_d3 : reinterpret_30_d3;
-    wire [23:0] choice_16 = phase[1] ? choice_14 : phase[0] ? mul_f24_ftz_unit_copy3_y : add_113_d2;
-    wire [23:0] choice_17 = phase[0] ? scale_y : recip_f24_ftz_unit_y;
-    wire [23:0] choice_18 = phase[1] ? (phase[0] ? scale_y : mul_f24_ftz_unit_copy2_y) : choice_9;
-    wire [23:0] choice_19 = phase[1] ? mul_165_d1 : phase[0] ? add_f24_ftz_unit_copy4_y : reinterpret_32_d3;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_95_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : add_118_d2;
-    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_17_d3 : recip_15_d1) : choice_13;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_37_d1 : mul_17_d3) : phase[0] ? mul_f24_ftz_unit_y : add_22_d4;
-    wire [23:0] choice_23 = phase[1] ? (phase[0] ? mul_107_d1 : depth_b) : phase[0] ? reinterpret_102_d3 : reinterpret_38_d3;
-    wire [23:0] choice_24 = phase[0] ? mul_f24_ftz_unit_copy6_y : recip_f24_ftz_unit_y;
-    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_107_d1 : mul_f24_ftz_unit_copy4_y) : choice_24;
-    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_19_d3 : abs_168_d1) : choice_17;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? select_178_d1 : mul_19_d3) : choice_9;
-    wire [23:0] choice_28 = phase[1] ? (phase[0] ? mul_37_d1 : mul_170_d1) : phase[0] ? add_f24_ftz_unit_copy5_y : reinterpret_94_d3;
-    wire [23:0] choice_29 = phase[0] ? mul_f24_ftz_unit_copy6_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] choice_30 = phase[1] ? (phase[0] ? epsilon_scale : mul_f24_ftz_unit_copy6_y) : choice_29;
-    wire [23:0] choice_31 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? 24'h3f8000 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_32 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_copy5_y) : phase[0] ? add_46_d8 : mul_f24_ftz_unit_y;
-    wire [23:0] joined_33 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_34 = phase[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : joined_33;
-    wire [23:0] choice_35 = phase[0] ? mul_55_d1 : {~mul_171_d1[23], mul_171_d1[22:0]};
+    wire [23:0] joined_3 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [21:0] add_141 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] add_135 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] select_143 = whole_d10 ? (add_135 >> 8) : 22'd0;
+    wire [21:0] min_144 = (shr_142_d1 < 22'd512) ? shr_142_d1 : 22'd512;
+    wire [21:0] select_145 = whole_d11 ? min_144_d1 : 22'd512;
+    wire [21:0] sub_146 = select_145 - 22'd1;
+    wire lt_149 = select_143_d1 < select_145;
+    wire [8:0] joined_4 = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire equal_160 = joined_4 == 9'd0;
+    wire [8:0] add_158 = joined_4 + 9'd12;
+    wire lt_163 = add_158 < {1'd0, mul_151_d1[22:15]};
+    wire [23:0] joined_5 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
+    wire [23:0] select_188 = beyond_near ? add_179_d2 : add_176_d3;
+    wire [23:0] select_190 = beyond_near ? mul_183_d3 : min_189_d1;
+    wire and_196 = lt_92_d1 & le_195_d4;
+    wire [23:0] choice_6 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] choice_7 = phase[1] ? (phase[0] ? scale_x : mul_17_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_8 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_17_d3 : scale_x;
+    wire [23:0] choice_9 = phase[1] ? (phase[0] ? mul_31_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_16_d3 : add_49_d2;
+    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_43_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_37_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_12 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_18_d3 : add_54_d1;
+    wire [23:0] choice_14 = phase[1] ? choice_12 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_43_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_16 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_174_d6) : phase[0] ? mul_43_d1 : scale_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_43_d1 : reinterpret_97_d3) : phase[0] ? reinterpret_30_d3 : add_114_d2;
+    wire [23:0] choice_18 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_19 = phase[1] ? choice_18 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_102_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_180_d1) : scale_y;
+    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_102_d1 : reinterpret_103_d3) : phase[0] ? reinterpret_32_d3 : add_119_d1;
+    wire [23:0] choice_23 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_108_d1 : mul_17_d3) : phase[0] ? recip_f24_ftz_unit_y : add_22_d4;
+    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_190_d1) : phase[0] ? mul_17_d3 : scale_y;
+    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_108_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_38_d3 : recip_f24_ftz_unit_y;
+    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_108_d1 : mul_96_d1;
+    wire [23:0] choice_28 = phase[1] ? (phase[0] ? recip_15_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_19_d3) : phase[0] ? mul_19_d3 : mul_37_d1;
+    wire [23:0] choice_30 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_95_d3 : sqrt_181_d1;
+    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_37_d1) : phase[0] ? mul_37_d1 : mul_108_d1;
+    wire [23:0] choice_32 = phase[1] ? (phase[0] ? mul_151_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
+    wire [23:0] choice_33 = phase[1] ? (phase[0] ? add_46_d7 : add_46_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] joined_34 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] choice_35 = phase[1] ? (phase[0] ? joined_34 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
     wire [23:0] joined_36 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_37 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_33_d1) : phase[0] ? add_46_d4 : mul_f24_ftz_unit_y;
-    wire [23:0] choice_38 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_123_d4) : phase[0] ? add_123_d4 : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] joined_39 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] joined_40 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
-    wire [23:0] choice_41 = phase[0] ? {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]} : joined_40;
-    wire [23:0] choice_42 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : joined_39) : choice_41;
-    wire [23:0] joined_43 = {~sqrt_121_d1[23], sqrt_121_d1[22:0]};
-    wire [23:0] choice_44 = phase[1] ? (phase[0] ? mul_119_d1 : joined_43) : phase[0] ? joined_43 : origin_y;
-    wire [23:0] choice_45 = phase[1] ? (phase[0] ? filter_radius : mul_39_d1) : phase[0] ? add_59_d4 : mul_149_d1;
-    wire [23:0] choice_46 = phase[1] ? (phase[0] ? mul_149_d1 : joined_36) : phase[0] ? joined_36 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] joined_47 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_48 = phase[0] ? {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]} : joined_39;
-    wire [23:0] choice_49 = phase[1] ? (phase[0] ? add_46_d7 : joined_47) : choice_48;
-    wire [23:0] choice_50 = phase[1] ? (phase[0] ? joined_39 : add_110_d9) : phase[0] ? add_110_d9 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_51 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy5_y : mul_97_d1) : phase[0] ? sqrt_f24_ftz_unit_y : delay_5_from_3_out;
-    wire [23:0] choice_52 = phase[1] ? (phase[0] ? delay_5_from_3_out : select_176_d2) : phase[0] ? select_176_d2 : filter_radius;
-    wire [23:0] choice_53 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : joined_33) : phase[0] ? add_59_d4 : depth_a;
-    wire [23:0] choice_54 = phase[0] ? {~add_182_d1[23], add_182_d1[22:0]} : add_110_d8;
-    wire [23:0] choice_55 = phase[1] ? (phase[0] ? sqrt_121_d1 : mul_103_d1) : phase[0] ? add_110_d4 : add_164_d1;
-    wire [23:0] choice_56 = phase[1] ? (phase[0] ? add_164_d1 : mul_f24_ftz_unit_copy6_y) : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_57 = phase[1] ? (phase[0] ? add_123_d4 : joined_40) : phase[0] ? joined_39 : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_58 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : epsilon_bias) : epsilon_bias;
-    wire [23:0] choice_59 = phase[1] ? (phase[0] ? add_120_d1 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
-    wire [23:0] choice_60 = phase[1] ? 24'h3f8000 : phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_61 = phase[1] ? abs_168_d2 : phase[0] ? max_130_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_62 = phase[1] ? min_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y;
-    wire [23:0] choice_63 = phase[1] ? (phase[0] ? select_176_d1 : add_f24_ftz_unit_copy4_y) : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_64 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_65 = phase[1] ? (phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y) : max_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_37 = phase[0] ? joined_36 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_38 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_39 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_40 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_124_d4) : choice_39;
+    wire [23:0] choice_41 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_59_d4) : phase[0] ? mul_33_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] joined_42 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_43 = phase[1] ? (phase[0] ? joined_42 : neg_125_d1) : choice_23;
+    wire [23:0] choice_44 = phase[1] ? (phase[0] ? depth_a : joined_3) : phase[0] ? joined_34 : mul_55_d1;
+    wire [23:0] choice_45 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] choice_46 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_36) : choice_45;
+    wire [23:0] choice_47 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_39_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_48 = phase[0] ? {~mul_183_d1[23], mul_183_d1[22:0]} : add_111_d9;
+    wire [23:0] choice_49 = phase[1] ? choice_48 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_124_d4;
+    wire [23:0] joined_50 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] choice_51 = phase[1] ? (phase[0] ? select_188_d2 : mul_169_d1) : phase[0] ? mul_169_d1 : filter_radius;
+    wire [23:0] choice_52 = phase[1] ? filter_radius : phase[0] ? mul_98_d1 : add_176_d1;
+    wire [23:0] joined_53 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_54 = phase[1] ? (phase[0] ? joined_53 : neg_171_d1) : phase[0] ? neg_171_d1 : add_111_d8;
+    wire [23:0] choice_55 = phase[1] ? add_46_d8 : phase[0] ? joined_42 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_56 = phase[1] ? (phase[0] ? select_188_d2 : add_111_d4) : add_111_d4;
+    wire [23:0] choice_57 = phase[1] ? add_111_d4 : phase[0] ? mul_104_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_58 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_34) : joined_34;
+    wire [23:0] choice_59 = phase[1] ? joined_34 : phase[0] ? joined_5 : epsilon_bias;
+    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_22_d1) : add_22_d1;
+    wire [23:0] choice_61 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_62 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] choice_63 = phase[1] ? (phase[0] ? max_131_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] choice_64 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_65 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
+    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_67 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_68 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_70 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_213_d1;
+    wire edge_on = equal_160_d1 | lt_163_d1;
+    wire xor_199 = scale_x[23] ^ scale_y[23];
+    wire xor_200 = add_f24_ftz_unit_y[23] ^ xor_199;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -8310,28 +8386,28 @@ module core_a_setup (
     stream_skid_w373 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d16 & or_186 & term_1),
+        .in_valid(valid_d17 & or_204 & term_1),
         .in_ready(queue_in_ready),
-        .in_end(delay_16_from_0_out[0]),
+        .in_end(delay_17_from_0_out[0]),
         .in_center_x(add_46_d11),
-        .in_center_y(add_110_d11),
-        .in_ax(delay_10_from_2_out[23:0]),
-        .in_bx(delay_10_from_2_out[47:24]),
-        .in_ay(delay_10_from_2_out[71:48]),
-        .in_by(delay_10_from_2_out[95:72]),
-        .in_delta(delay_9_from_2_out),
-        .in_mx(delay_9_from_3_out[23:0]),
-        .in_my(delay_9_from_3_out[47:24]),
-        .in_depth(to_fixed_188_d4),
-        .in_depth_low(to_fixed_192_d1),
-        .in_depth_high(to_fixed_195_d1),
-        .in_attribute_0(delay_16_from_0_out[16:1]),
-        .in_attribute_1(delay_16_from_0_out[32:17]),
-        .in_attribute_2(delay_16_from_0_out[48:33]),
-        .in_left(select_85_d1[8:0]),
+        .in_center_y(add_111_d11),
+        .in_ax(delay_10_from_6_out[23:0]),
+        .in_bx(delay_10_from_6_out[47:24]),
+        .in_ay(delay_10_from_6_out[71:48]),
+        .in_by(delay_10_from_6_out[95:72]),
+        .in_delta(select_205),
+        .in_mx(delay_9_from_6_out[47:24]),
+        .in_my(delay_8_from_4_out[24:1]),
+        .in_depth(to_fixed_207_d4),
+        .in_depth_low(to_fixed_211_d1),
+        .in_depth_high(to_fixed_f24_ftz_u24q24_unit_y),
+        .in_attribute_0(delay_17_from_0_out[16:1]),
+        .in_attribute_1(delay_17_from_0_out[32:17]),
+        .in_attribute_2(delay_17_from_0_out[48:33]),
+        .in_left(resize_90_d1),
         .in_right(resize_91_d1),
-        .in_top(select_142_d1[8:0]),
-        .in_bottom(resize_147_d1),
+        .in_top(select_143_d1[8:0]),
+        .in_bottom(resize_148_d1),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -8360,11 +8436,11 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase[2] ? add_f24_ftz_unit_y : in_center_z),
+        .a(recip_f24_ftz_unit_a),
         .y(recip_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8373,7 +8449,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8382,7 +8458,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8391,7 +8467,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8400,7 +8476,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy5 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8409,7 +8485,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy6 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8467,7 +8543,7 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(24'h398000),
+        .a(24'h3d0000),
         .b(add_f24_ftz_unit_y),
         .y(lt_f24_ftz_unit_y)
     );
@@ -8519,8 +8595,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase[2] ? add_164_d2 : phase[1] ? (phase[0] ? add_164_d2 : 24'd0) : 24'd0),
-        .b(phase[2] ? 24'h3f8000 : choice_2),
+        .a(le_f24_ftz_unit_a),
+        .b(le_f24_ftz_unit_b),
         .y(le_f24_ftz_unit_y)
     );
 
@@ -8535,13 +8611,12 @@ module core_a_setup (
     always @(posedge clk) begin
         if (rst) begin
             phase <= 3'd0;
-            delay_16_from_0_pointer <= 4'd0;
-            delay_9_from_2_pointer <= 3'd0;
-            delay_10_from_2_pointer <= 4'd0;
-            delay_5_from_3_pointer <= 2'd0;
-            delay_9_from_3_pointer <= 3'd0;
-            delay_5_from_4_pointer <= 2'd0;
-            delay_6_from_5_pointer <= 3'd0;
+            delay_17_from_0_pointer <= 4'd0;
+            delay_6_from_1_pointer <= 3'd0;
+            delay_8_from_4_pointer <= 3'd0;
+            delay_5_from_5_pointer <= 2'd0;
+            delay_9_from_6_pointer <= 3'd0;
+            delay_10_from_6_pointer <= 4'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -8558,12 +8633,13 @@ module core_a_setup (
             valid_d14 <= 1'd0;
             valid_d15 <= 1'd0;
             valid_d16 <= 1'd0;
+            valid_d17 <= 1'd0;
         end else begin
             if (queue_in_ready) begin
-                phase <= term_3 ? (phase - 3'd7) : (phase + 3'd1);
+                phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
             end
             if (load_0) begin
-                delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
+                delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
@@ -8580,36 +8656,40 @@ module core_a_setup (
                 valid_d14 <= valid_d13;
                 valid_d15 <= valid_d14;
                 valid_d16 <= valid_d15;
+                valid_d17 <= valid_d16;
             end
-            if (load_2) begin
-                delay_9_from_2_pointer <= (delay_9_from_2_pointer == 3'd7) ? (delay_9_from_2_pointer - 3'd7) : (delay_9_from_2_pointer + 3'd1);
-                delay_10_from_2_pointer <= (delay_10_from_2_pointer == 4'd8) ? (delay_10_from_2_pointer - 4'd8) : (delay_10_from_2_pointer + 4'd1);
-            end
-            if (load_3) begin
-                delay_5_from_3_pointer <= (delay_5_from_3_pointer == 2'd3) ? (delay_5_from_3_pointer - 2'd3) : (delay_5_from_3_pointer + 2'd1);
-                delay_9_from_3_pointer <= (delay_9_from_3_pointer == 3'd7) ? (delay_9_from_3_pointer - 3'd7) : (delay_9_from_3_pointer + 3'd1);
+            if (load_1) begin
+                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
             end
             if (load_4) begin
-                delay_5_from_4_pointer <= (delay_5_from_4_pointer == 2'd3) ? (delay_5_from_4_pointer - 2'd3) : (delay_5_from_4_pointer + 2'd1);
+                delay_8_from_4_pointer <= (delay_8_from_4_pointer == 3'd6) ? (delay_8_from_4_pointer - 3'd6) : (delay_8_from_4_pointer + 3'd1);
             end
             if (load_5) begin
-                delay_6_from_5_pointer <= (delay_6_from_5_pointer == 3'd4) ? (delay_6_from_5_pointer - 3'd4) : (delay_6_from_5_pointer + 3'd1);
+                delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+            end
+            if (load_6) begin
+                delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
+                delay_10_from_6_pointer <= (delay_10_from_6_pointer == 4'd8) ? (delay_10_from_6_pointer - 4'd8) : (delay_10_from_6_pointer + 4'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (load_4) begin
+        if (load_5) begin
             recip_15_d1 <= recip_f24_ftz_unit_y;
-            add_59_d1 <= add_f24_ftz_unit_copy2_y;
-            add_59_d2 <= add_59_d1;
-            add_59_d3 <= add_59_d2;
-            add_59_d4 <= add_59_d3;
-            select_85_d1 <= select_85;
-            add_123_d1 <= add_f24_ftz_unit_copy5_y;
-            add_123_d2 <= add_123_d1;
-            add_123_d3 <= add_123_d2;
-            add_123_d4 <= add_123_d3;
-            min_177_d1 <= min_f24_ftz_unit_y;
+            add_111_d1 <= add_f24_ftz_unit_y;
+            add_111_d2 <= add_111_d1;
+            add_111_d3 <= add_111_d2;
+            add_111_d4 <= add_111_d3;
+            add_111_d5 <= add_111_d4;
+            add_111_d6 <= add_111_d5;
+            add_111_d7 <= add_111_d6;
+            add_111_d8 <= add_111_d7;
+            add_111_d9 <= add_111_d8;
+            add_111_d10 <= add_111_d9;
+            add_111_d11 <= add_111_d10;
+            mul_174_d6 <= delay_5_from_5_out;
+            sqrt_181_d1 <= sqrt_f24_ftz_unit_y;
+            to_fixed_211_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
         end
         if (load_0) begin
             reinterpret_16_d1 <= in_tangent1_z;
@@ -8618,6 +8698,10 @@ module core_a_setup (
             reinterpret_18_d1 <= in_tangent2_z;
             reinterpret_18_d2 <= reinterpret_18_d1;
             reinterpret_18_d3 <= reinterpret_18_d2;
+            add_22_d1 <= add_f24_ftz_unit_y;
+            add_22_d2 <= add_22_d1;
+            add_22_d3 <= add_22_d2;
+            add_22_d4 <= add_22_d3;
             reinterpret_30_d1 <= in_center_x;
             reinterpret_30_d2 <= reinterpret_30_d1;
             reinterpret_30_d3 <= reinterpret_30_d2;
@@ -8627,23 +8711,26 @@ module core_a_setup (
             reinterpret_38_d1 <= in_tangent2_x;
             reinterpret_38_d2 <= reinterpret_38_d1;
             reinterpret_38_d3 <= reinterpret_38_d2;
-            add_64_d1 <= add_f24_ftz_unit_y;
             resize_91_d1 <= sub_89[8:0];
             lt_92_d1 <= lt_92;
-            reinterpret_94_d1 <= in_center_y;
-            reinterpret_94_d2 <= reinterpret_94_d1;
-            reinterpret_94_d3 <= reinterpret_94_d2;
-            reinterpret_96_d1 <= in_tangent1_y;
-            reinterpret_96_d2 <= reinterpret_96_d1;
-            reinterpret_96_d3 <= reinterpret_96_d2;
-            reinterpret_102_d1 <= in_tangent2_y;
-            reinterpret_102_d2 <= reinterpret_102_d1;
-            reinterpret_102_d3 <= reinterpret_102_d2;
-            max_130_d1 <= max_f24_ftz_unit_copy2_y;
-            select_142_d1 <= select_142;
-            mul_149_d1 <= mul_f24_ftz_unit_copy5_y;
+            reinterpret_95_d1 <= in_center_y;
+            reinterpret_95_d2 <= reinterpret_95_d1;
+            reinterpret_95_d3 <= reinterpret_95_d2;
+            reinterpret_97_d1 <= in_tangent1_y;
+            reinterpret_97_d2 <= reinterpret_97_d1;
+            reinterpret_97_d3 <= reinterpret_97_d2;
+            reinterpret_103_d1 <= in_tangent2_y;
+            reinterpret_103_d2 <= reinterpret_103_d1;
+            reinterpret_103_d3 <= reinterpret_103_d2;
+            min_129_d1 <= min_f24_ftz_unit_y;
+            select_143_d1 <= select_143;
+            abs_180_d1 <= {1'd0, mul_174_d6[22:0]};
+            abs_180_d2 <= abs_180_d1;
+            mul_183_d1 <= mul_f24_ftz_unit_copy4_y;
+            mul_183_d2 <= mul_183_d1;
+            mul_183_d3 <= mul_183_d2;
         end
-        if (load_1) begin
+        if (load_3) begin
             mul_17_d1 <= mul_f24_ftz_unit_y;
             mul_17_d2 <= mul_17_d1;
             mul_17_d3 <= mul_17_d2;
@@ -8653,48 +8740,53 @@ module core_a_setup (
             mul_31_d1 <= mul_f24_ftz_unit_copy3_y;
             mul_33_d1 <= mul_f24_ftz_unit_copy4_y;
             mul_39_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_95_d1 <= mul_f24_ftz_unit_copy6_y;
-            shr_141_d1 <= add_140 >> 8;
-            to_fixed_188_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            to_fixed_188_d2 <= to_fixed_188_d1;
-            to_fixed_188_d3 <= to_fixed_188_d2;
-            to_fixed_188_d4 <= to_fixed_188_d3;
+            add_49_d1 <= add_f24_ftz_unit_y;
+            add_49_d2 <= add_49_d1;
+            select_85_d1 <= select_85;
+            mul_96_d1 <= mul_f24_ftz_unit_copy6_y;
+            add_114_d1 <= add_f24_ftz_unit_copy2_y;
+            add_114_d2 <= add_114_d1;
+            resize_148_d1 <= sub_146[8:0];
+            lt_149_d1 <= lt_149;
+            min_189_d1 <= min_f24_ftz_unit_y;
         end
-        if (load_5) begin
-            add_22_d1 <= add_f24_ftz_unit_y;
-            add_22_d2 <= add_22_d1;
-            add_22_d3 <= add_22_d2;
-            add_22_d4 <= add_22_d3;
-            whole_d7 <= delay_6_from_5_out;
+        if (load_1) begin
+            whole_d7 <= delay_6_from_1_out;
             whole_d8 <= whole_d7;
             whole_d9 <= whole_d8;
             whole_d10 <= whole_d9;
-            mul_50_d1 <= mul_f24_ftz_unit_y;
-            mul_55_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_114_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_119_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_165_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_170_d1 <= mul_f24_ftz_unit_copy6_y;
+            whole_d11 <= whole_d10;
+            add_59_d1 <= add_f24_ftz_unit_y;
+            add_59_d2 <= add_59_d1;
+            add_59_d3 <= add_59_d2;
+            add_59_d4 <= add_59_d3;
+            add_124_d1 <= add_f24_ftz_unit_copy5_y;
+            add_124_d2 <= add_124_d1;
+            add_124_d3 <= add_124_d2;
+            add_124_d4 <= add_124_d3;
+            shr_142_d1 <= add_141 >> 8;
+            select_188_d1 <= select_188;
+            select_188_d2 <= select_188_d1;
+            select_190_d1 <= select_190;
+            and_196_d1 <= and_196;
+            to_fixed_207_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            to_fixed_207_d2 <= to_fixed_207_d1;
+            to_fixed_207_d3 <= to_fixed_207_d2;
+            to_fixed_207_d4 <= to_fixed_207_d3;
+            max_213_d1 <= max_f24_ftz_unit_copy2_y;
         end
-        if (load_2) begin
+        if (load_6) begin
             mul_37_d1 <= mul_f24_ftz_unit_y;
             mul_43_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_97_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_101_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_103_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_107_d1 <= mul_f24_ftz_unit_copy6_y;
-            add_120_d1 <= add_f24_ftz_unit_copy2_y;
-            min_143_d1 <= min_143;
-            add_164_d1 <= add_f24_ftz_unit_copy4_y;
-            add_164_d2 <= add_164_d1;
-            add_167_d1 <= add_f24_ftz_unit_copy5_y;
-            abs_168_d1 <= {1'd0, delay_5_from_3_out[22:0]};
-            abs_168_d2 <= abs_168_d1;
-            select_176_d1 <= select_176;
-            select_176_d2 <= select_176_d1;
-            select_178_d1 <= select_178;
+            shr_82_d1 <= add_81 >> 8;
+            mul_102_d1 <= mul_f24_ftz_unit_copy3_y;
+            mul_108_d1 <= mul_f24_ftz_unit_copy4_y;
+            max_131_d1 <= max_f24_ftz_unit_y;
+            mul_151_d1 <= mul_f24_ftz_unit_copy6_y;
+            equal_160_d1 <= equal_160;
+            lt_163_d1 <= lt_163;
         end
-        if (load_7) begin
+        if (load_4) begin
             add_46_d1 <= add_f24_ftz_unit_y;
             add_46_d2 <= add_46_d1;
             add_46_d3 <= add_46_d2;
@@ -8706,135 +8798,121 @@ module core_a_setup (
             add_46_d9 <= add_46_d8;
             add_46_d10 <= add_46_d9;
             add_46_d11 <= add_46_d10;
-            min_86_d1 <= min_86;
-            add_110_d1 <= add_f24_ftz_unit_copy2_y;
-            add_110_d2 <= add_110_d1;
-            add_110_d3 <= add_110_d2;
-            add_110_d4 <= add_110_d3;
-            add_110_d5 <= add_110_d4;
-            add_110_d6 <= add_110_d5;
-            add_110_d7 <= add_110_d6;
-            add_110_d8 <= add_110_d7;
-            add_110_d9 <= add_110_d8;
-            add_110_d10 <= add_110_d9;
-            add_110_d11 <= add_110_d10;
-            add_118_d1 <= add_f24_ftz_unit_copy3_y;
-            add_118_d2 <= add_118_d1;
-            add_129_d1 <= add_f24_ftz_unit_copy4_y;
-            add_182_d1 <= add_f24_ftz_unit_copy5_y;
-            to_fixed_195_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-        end
-        if (load_6) begin
-            add_49_d1 <= add_f24_ftz_unit_y;
-            add_49_d2 <= add_49_d1;
             add_54_d1 <= add_f24_ftz_unit_copy2_y;
-            add_54_d2 <= add_54_d1;
-            add_66_d1 <= add_f24_ftz_unit_copy3_y;
-            shr_82_d1 <= add_81 >> 8;
-            add_113_d1 <= add_f24_ftz_unit_copy4_y;
-            add_113_d2 <= add_113_d1;
-            sqrt_121_d1 <= sqrt_f24_ftz_unit_y;
-            to_fixed_192_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            resize_90_d1 <= select_85_d1[8:0];
+            mul_98_d1 <= mul_f24_ftz_unit_copy3_y;
+            mul_104_d1 <= mul_f24_ftz_unit_copy4_y;
+            add_119_d1 <= add_f24_ftz_unit_copy3_y;
+            neg_125_d1 <= joined_3;
         end
-        if (load_3) begin
-            resize_147_d1 <= sub_145[8:0];
-            lt_148_d1 <= lt_148;
-            mul_162_d6 <= delay_5_from_3_out;
-            mul_171_d1 <= mul_f24_ftz_unit_copy6_y;
-            mul_171_d2 <= mul_171_d1;
+        if (load_2) begin
+            mul_55_d1 <= mul_f24_ftz_unit_copy2_y;
+            add_64_d1 <= add_f24_ftz_unit_y;
+            mul_120_d1 <= mul_f24_ftz_unit_copy4_y;
+            min_144_d1 <= min_144;
+            add_176_d1 <= add_f24_ftz_unit_copy2_y;
+            add_176_d2 <= add_176_d1;
+            add_176_d3 <= add_176_d2;
+            le_195_d1 <= le_f24_ftz_unit_y;
+            le_195_d2 <= le_195_d1;
+            le_195_d3 <= le_195_d2;
+            le_195_d4 <= le_195_d3;
+        end
+        if (load_7) begin
+            min_86_d1 <= min_86;
+            add_121_d1 <= add_f24_ftz_unit_copy3_y;
+            mul_169_d1 <= mul_f24_ftz_unit_y;
+            neg_171_d1 <= joined_5;
+            add_179_d1 <= add_f24_ftz_unit_copy4_y;
+            add_179_d2 <= add_179_d1;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? mul_17_d3 : mul_50_d1) : choice_4) : phase[1] ? (phase[0] ? scale_x : mul_17_d3) : choice_5;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_6 : choice_7;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_8 : choice_10;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_11 : choice_12;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? mul_43_d1 : choice_13) : phase[1] ? choice_14 : choice_5;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_15 : choice_16;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? mul_162_d6 : choice_17) : choice_18;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_19 : choice_20;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_21 : choice_22;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_23 : choice_25;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_26 : choice_27;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_28 : choice_30;
-            add_f24_ftz_unit_a <= phase[2] ? choice_31 : choice_32;
-            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? mul_f24_ftz_unit_copy2_y : choice_34) : phase[1] ? choice_35 : phase[0] ? joined_36 : origin_x;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_37 : choice_38;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_42 : choice_44;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_45 : choice_46;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_49 : choice_50;
+            recip_f24_ftz_unit_a <= phase[2] ? choice_6 : in_center_z;
+            mul_f24_ftz_unit_a <= phase[2] ? choice_7 : choice_8;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_9 : choice_10;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_11 : phase[1] ? choice_12 : phase[0] ? mul_19_d3 : scale_x;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_13 : choice_14;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_15 : choice_16;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_17 : choice_19;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_20 : choice_21;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_22 : phase[1] ? choice_23 : add_f24_ftz_unit_copy5_y;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_24 : choice_25;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_26 : choice_27;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_28 : choice_29;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_30 : choice_31;
+            add_f24_ftz_unit_a <= phase[2] ? choice_32 : choice_33;
+            add_f24_ftz_unit_b <= phase[2] ? choice_35 : phase[1] ? choice_37 : choice_38;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_40 : choice_41;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_43 : choice_44;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_46 : choice_47;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_49 : phase[1] ? add_59_d4 : phase[0] ? joined_50 : mul_120_d1;
             add_f24_ftz_unit_copy4_a <= phase[2] ? choice_51 : choice_52;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_53 : phase[1] ? (phase[0] ? depth_a : add_182_d1) : choice_54;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_55 : choice_56;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_57 : choice_58;
-            sqrt_f24_ftz_unit_a <= phase[2] ? (phase[1] ? add_22_d1 : phase[0] ? add_22_d1 : add_120_d1) : choice_59;
-            min_f24_ftz_unit_a <= phase[2] ? (phase[1] ? max_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y) : choice_60;
-            min_f24_ftz_unit_b <= phase[2] ? (phase[1] ? 24'h45fff8 : add_64_d1) : choice_61;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-            max_f24_ftz_unit_b <= phase[2] ? (phase[1] ? 24'd0 : add_66_d1) : choice_62;
-            max_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : 24'd0) : 24'd0;
-            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_129_d1 : select_176_d1) : choice_63;
-            to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_64 : choice_65;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_54 : choice_55;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_56 : choice_57;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_58 : choice_59;
+            sqrt_f24_ftz_unit_a <= phase[2] ? choice_60 : phase[1] ? add_22_d1 : add_121_d1;
+            min_f24_ftz_unit_a <= phase[2] ? choice_61 : choice_62;
+            min_f24_ftz_unit_b <= phase[2] ? choice_63 : phase[1] ? add_64_d1 : phase[0] ? add_64_d1 : abs_180_d2;
+            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_64;
+            max_f24_ftz_unit_b <= phase[2] ? choice_65 : choice_66;
+            max_f24_ftz_unit_copy2_a <= 24'd0;
+            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : select_188_d1) : phase[1] ? select_188_d1 : min_129_d1;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_67 : max_f24_ftz_unit_y;
+            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_176_d3 : 24'd0) : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[2] ? choice_68 : add_f24_ftz_unit_copy3_y;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_69 : choice_70;
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_16_from_0[delay_16_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
+            delay_17_from_0[delay_17_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
         end
         if (load_0) begin
-            delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
+            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
         end
     end
     always @(posedge clk) begin
-        if (load_2) begin
-            delay_9_from_2[delay_9_from_2_pointer] <= add_f24_ftz_unit_copy3_y;
+        if (load_1) begin
+            delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
         end
-        if (load_2) begin
-            delay_9_from_2_out <= delay_9_from_2[delay_9_from_2_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_2) begin
-            delay_10_from_2[delay_10_from_2_pointer] <= {mul_107_d1, mul_101_d1, mul_43_d1, mul_37_d1};
-        end
-        if (load_2) begin
-            delay_10_from_2_out <= delay_10_from_2[delay_10_from_2_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_3) begin
-            delay_5_from_3[delay_5_from_3_pointer] <= mul_f24_ftz_unit_copy5_y;
-        end
-        if (load_3) begin
-            delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_3) begin
-            delay_9_from_3[delay_9_from_3_pointer] <= {add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
-        end
-        if (load_3) begin
-            delay_9_from_3_out <= delay_9_from_3[delay_9_from_3_pointer];
+        if (load_1) begin
+            delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_4) begin
-            delay_5_from_4[delay_5_from_4_pointer] <= le_f24_ftz_unit_y;
+            delay_8_from_4[delay_8_from_4_pointer] <= {add_f24_ftz_unit_copy4_y, edge_on};
         end
         if (load_4) begin
-            delay_5_from_4_out <= delay_5_from_4[delay_5_from_4_pointer];
+            delay_8_from_4_out <= delay_8_from_4[delay_8_from_4_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_5) begin
-            delay_6_from_5[delay_6_from_5_pointer] <= lt_f24_ftz_unit_y;
+            delay_5_from_5[delay_5_from_5_pointer] <= mul_f24_ftz_unit_copy6_y;
         end
         if (load_5) begin
-            delay_6_from_5_out <= delay_6_from_5[delay_6_from_5_pointer];
+            delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_6) begin
+            delay_9_from_6[delay_9_from_6_pointer] <= {xor_200, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
+        end
+        if (load_6) begin
+            delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_6) begin
+            delay_10_from_6[delay_10_from_6_pointer] <= {mul_108_d1, mul_102_d1, mul_43_d1, mul_37_d1};
+        end
+        if (load_6) begin
+            delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
         end
     end
 
-    wire _unused = &{1'b0, sub_145[21:9], sub_89[21:9]};
+    wire _unused = &{1'b0, sub_146[21:9], sub_89[21:9]};
 endmodule
 
 // Floating to fixed point.
@@ -8887,6 +8965,38 @@ module float_to_fixed_w24_fraction24 (
     end
 
     wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f24-ftz
+module float_le (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  y
+);
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
+    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] joined_3 = {a[22:15], term_1};
+    wire [22:0] joined_4 = {b[22:15], term_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
+            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating to fixed point.
@@ -8942,7 +9052,7 @@ module float_to_fixed_w21_fraction8 (
 endmodule
 
 // Greater of two floating-point numbers.
-// stages = 1
+// stages = 2
 // format = f24-ftz
 module float_max (
     input  wire clk,
@@ -8952,16 +9062,23 @@ module float_max (
     input  wire [23:0] b,
     output reg  [23:0] y
 );
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [23:0] a_s1;
+    reg [23:0] b_s1;
+
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire term_2 = &a[22:15] & |term_1;
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire term_4 = &b[22:15] & |term_3;
-    wire term_5 = {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_3} ^ {23{b[23]}}};
-    wire [23:0] choice_6 = (term_4 | (~term_2 & ~term_5)) ? {a[23:15], term_1} : {b[23:15], term_3};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= (term_2 & term_4) ? 24'h7fc000 : choice_6;
+            a_nan_s1 <= &a[22:15] & |term_1;
+            b_nan_s1 <= &b[22:15] & |term_2;
+            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], term_1};
+            b_s1 <= {b[23:15], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
 
@@ -8969,7 +9086,7 @@ module float_max (
 endmodule
 
 // Lesser of two floating-point numbers.
-// stages = 1
+// stages = 2
 // format = f24-ftz
 module float_min (
     input  wire clk,
@@ -8979,16 +9096,23 @@ module float_min (
     input  wire [23:0] b,
     output reg  [23:0] y
 );
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [23:0] a_s1;
+    reg [23:0] b_s1;
+
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire term_2 = &a[22:15] & |term_1;
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire term_4 = &b[22:15] & |term_3;
-    wire term_5 = {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_3} ^ {23{b[23]}}};
-    wire [23:0] choice_6 = (term_4 | (~term_2 & term_5)) ? {a[23:15], term_1} : {b[23:15], term_3};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= (term_2 & term_4) ? 24'h7fc000 : choice_6;
+            a_nan_s1 <= &a[22:15] & |term_1;
+            b_nan_s1 <= &b[22:15] & |term_2;
+            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], term_1};
+            b_s1 <= {b[23:15], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
 
@@ -9060,8 +9184,6 @@ module float_sqrt (
     reg [9:0] exponent_s14;
     reg [9:0] exponent_s15;
     reg [9:0] exponent_s16;
-    reg [9:0] exponent_s17;
-    reg [17:0] significand_s17;
     reg sign_s1;
     reg sign_s2;
     reg sign_s3;
@@ -9078,7 +9200,6 @@ module float_sqrt (
     reg sign_s14;
     reg sign_s15;
     reg sign_s16;
-    reg sign_s17;
     reg nan_s1;
     reg nan_s2;
     reg nan_s3;
@@ -9095,7 +9216,6 @@ module float_sqrt (
     reg nan_s14;
     reg nan_s15;
     reg nan_s16;
-    reg nan_s17;
     reg infinite_s1;
     reg infinite_s2;
     reg infinite_s3;
@@ -9112,7 +9232,6 @@ module float_sqrt (
     reg infinite_s14;
     reg infinite_s15;
     reg infinite_s16;
-    reg infinite_s17;
     reg zero_s1;
     reg zero_s2;
     reg zero_s3;
@@ -9129,7 +9248,11 @@ module float_sqrt (
     reg zero_s14;
     reg zero_s15;
     reg zero_s16;
+    reg sign_s17;
+    reg nan_s17;
+    reg infinite_s17;
     reg zero_s17;
+    reg [22:0] rounded_s17;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -9153,11 +9276,10 @@ module float_sqrt (
     wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
     wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
     wire [9:0] sum_20 = {2'd0, a_field} + 10'd127;
-    wire term_21 = (exponent_s17 == 10'd0) & ~(&significand_s17[16:2] & significand_s17[1]);
-    wire term_22 = infinite_s17 | (~exponent_s17[9] & (10'd255 <= exponent_s17));
-    wire round_up = significand_s17[1] & (significand_s17[0] | significand_s17[2]);
-    wire [22:0] rounded = {exponent_s17[7:0], significand_s17[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_23 = (zero_s17 | ((exponent_s17[9] | term_21) & ~infinite_s17)) ? 23'd0 : term_22 ? 23'h7f8000 : rounded;
+    wire term_21 = (exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]);
+    wire round_up = root_s16[0] & (|remainder_s16 | root_s16[1]);
+    wire [22:0] rounded = {exponent_s16[7:0], root_s16[15:1]} + {22'd0, round_up};
+    wire [22:0] choice_22 = zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -9216,8 +9338,6 @@ module float_sqrt (
             exponent_s14 <= exponent_s13;
             exponent_s15 <= exponent_s14;
             exponent_s16 <= exponent_s15;
-            exponent_s17 <= exponent_s16;
-            significand_s17 <= {root_s16, |remainder_s16};
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -9234,7 +9354,6 @@ module float_sqrt (
             sign_s14 <= sign_s13;
             sign_s15 <= sign_s14;
             sign_s16 <= sign_s15;
-            sign_s17 <= sign_s16;
             nan_s1 <= (&a_field & |a_fraction) | (a[23] & |a_field);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
@@ -9251,7 +9370,6 @@ module float_sqrt (
             nan_s14 <= nan_s13;
             nan_s15 <= nan_s14;
             nan_s16 <= nan_s15;
-            nan_s17 <= nan_s16;
             infinite_s1 <= &a_field & (a_fraction == 15'd0);
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
@@ -9268,7 +9386,6 @@ module float_sqrt (
             infinite_s14 <= infinite_s13;
             infinite_s15 <= infinite_s14;
             infinite_s16 <= infinite_s15;
-            infinite_s17 <= infinite_s16;
             zero_s1 <= ~(|a_field);
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
@@ -9285,8 +9402,12 @@ module float_sqrt (
             zero_s14 <= zero_s13;
             zero_s15 <= zero_s14;
             zero_s16 <= zero_s15;
-            zero_s17 <= zero_s16;
-            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_23};
+            sign_s17 <= sign_s16;
+            nan_s17 <= nan_s16;
+            infinite_s17 <= infinite_s16 | (~exponent_s16[9] & (10'd255 <= exponent_s16));
+            zero_s17 <= zero_s16 | ((exponent_s16[9] | term_21) & ~infinite_s16);
+            rounded_s17 <= rounded;
+            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_22};
         end
     end
 
@@ -9308,10 +9429,94 @@ module float_sqrt (
         difference_7[6],
         difference_8[7],
         difference_9[8],
+        root_s16[16],
         rst,
-        significand_s17[17],
         sum_20[0]
     };
+endmodule
+
+// Floating-point product.
+// stages = 5
+// format = f24-ftz
+module float_mul_s5_ff24ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg [15:0] left_s1;
+    reg [15:0] right_s1;
+    reg [9:0] exponent_s1;
+    reg [31:0] product_s2;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg sign_s4;
+    reg nan_s4;
+    reg infinite_s4;
+    reg zero_s4;
+    reg [22:0] rounded_s4;
+
+    wire [7:0] a_field = a[22:15];
+    wire [14:0] a_fraction = a[14:0];
+    wire [7:0] b_field = b[22:15];
+    wire [14:0] b_fraction = b[14:0];
+    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire term_2 = &a_field & (a_fraction == 15'd0);
+    wire term_3 = ~(|b_field);
+    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
+    wire term_5 = ~(|a_field);
+    wire term_6 = &b_field & (b_fraction == 15'd0);
+    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [23:0] joined_8 = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            left_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            right_s1 <= {|b_field, b_fraction & {15{|b_field}}};
+            exponent_s1 <= {2'd0, a_field} + {2'd0, b_field};
+            product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
+            exponent_s2 <= exponent_s1 - 10'd127;
+            exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
+            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            sign_s1 <= a[23] ^ b[23];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            infinite_s1 <= term_2 | term_6;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            zero_s1 <= term_5 | term_3;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            sign_s4 <= sign_s3;
+            nan_s4 <= nan_s3;
+            infinite_s4 <= infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+            zero_s4 <= zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3);
+            rounded_s4 <= rounded;
+            y <= nan_s4 ? 24'h7fc000 : joined_8;
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s3[17]};
 endmodule
 
 // Floating-point reciprocal, correctly rounded.
@@ -9837,8 +10042,8 @@ module stream_skid_w373 (
 `endif
 endmodule
 
-// World space to camera space, with back-face culling.
-// latency = 58
+// World space to camera space.
+// latency = 28
 // initiation_interval = 8
 module core_a_transform (
     input  wire clk,
@@ -9887,78 +10092,59 @@ module core_a_transform (
     output wire [15:0] out_attribute_1,
     output wire [15:0] out_attribute_2
 );
-    (* ram_style = "distributed" *)
-    reg [48:0] delay_8_from_0 [0:6];
-    (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_5 [0:3];
-    (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_6 [0:3];
     reg [2:0] phase;
-    reg [2:0] delay_8_from_0_pointer;
-    reg [48:0] delay_8_from_0_out;
-    reg [1:0] delay_5_from_5_pointer;
-    reg [23:0] delay_5_from_5_out;
-    reg [1:0] delay_5_from_6_pointer;
-    reg [23:0] delay_5_from_6_out;
+    reg end_d1;
+    reg end_d2;
+    reg end_d3;
+    reg end_d4;
+    reg [15:0] attribute_0_d1;
+    reg [15:0] attribute_1_d1;
+    reg [15:0] attribute_2_d1;
     reg [23:0] reinterpret_26_d1;
     reg [23:0] reinterpret_27_d1;
     reg [23:0] reinterpret_28_d1;
-    reg [23:0] add_31_d1;
-    reg [23:0] mul_32_d1;
     reg [23:0] mul_37_d1;
-    reg [23:0] add_38_d1;
-    reg [23:0] mul_39_d1;
-    reg [23:0] mul_42_d1;
-    reg [23:0] add_43_d1;
     reg [23:0] add_44_d1;
-    reg [23:0] add_44_d2;
-    reg [23:0] add_44_d3;
-    reg [23:0] add_44_d4;
     reg [23:0] add_45_d1;
-    reg [23:0] add_45_d2;
-    reg [23:0] add_45_d3;
     reg [23:0] add_46_d1;
-    reg [23:0] add_46_d2;
-    reg [23:0] add_46_d3;
+    reg [23:0] reinterpret_47_d1;
     reg [23:0] reinterpret_48_d1;
     reg [23:0] reinterpret_49_d1;
+    reg [23:0] mul_53_d1;
     reg [23:0] add_54_d1;
-    reg [23:0] add_54_d2;
-    reg [23:0] add_54_d3;
-    reg [23:0] add_54_d4;
-    reg [23:0] add_54_d5;
+    reg [23:0] mul_55_d1;
+    reg [23:0] mul_58_d1;
     reg [23:0] add_59_d1;
-    reg [23:0] add_59_d2;
-    reg [23:0] add_59_d3;
-    reg [23:0] add_59_d4;
-    reg [23:0] add_59_d5;
-    reg [23:0] mul_60_d1;
     reg [23:0] mul_63_d1;
     reg [23:0] add_64_d1;
-    reg [23:0] add_64_d2;
-    reg [23:0] add_64_d3;
-    reg [23:0] add_64_d4;
-    reg [23:0] add_64_d5;
     reg [23:0] reinterpret_65_d1;
     reg [23:0] reinterpret_66_d1;
     reg [23:0] reinterpret_67_d1;
+    reg [23:0] mul_68_d1;
     reg [23:0] mul_71_d1;
     reg [23:0] add_72_d1;
-    reg [23:0] add_72_d2;
-    reg [23:0] add_72_d3;
-    reg [23:0] add_72_d4;
-    reg [23:0] add_72_d5;
     reg [23:0] add_75_d1;
     reg [23:0] mul_76_d1;
+    reg [23:0] add_77_d1;
+    reg [23:0] mul_78_d1;
     reg [23:0] add_80_d1;
     reg [23:0] mul_81_d1;
-    reg [23:0] neg_86_d1;
-    reg [23:0] add_87_d1;
-    reg [23:0] mul_88_d1;
-    reg [23:0] add_91_d1;
-    reg [23:0] mul_92_d1;
-    reg [23:0] add_95_d1;
-    reg [23:0] mul_99_d1;
+    reg [23:0] add_82_d1;
+    reg equal_89_d1;
+    reg [15:0] select_95_d1;
+    reg [15:0] select_96_d1;
+    reg [15:0] select_96_d2;
+    reg [15:0] select_96_d3;
+    reg equal_100_d1;
+    reg [15:0] select_103_d1;
+    reg [15:0] select_104_d1;
+    reg [15:0] select_104_d2;
+    reg [15:0] select_104_d3;
+    reg equal_108_d1;
+    reg [15:0] select_111_d1;
+    reg [15:0] select_112_d1;
+    reg [15:0] select_112_d2;
+    reg [15:0] select_112_d3;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
     reg [23:0] mul_f24_ftz_unit_copy2_a;
@@ -9967,24 +10153,16 @@ module core_a_transform (
     reg [23:0] mul_f24_ftz_unit_copy3_b;
     reg [23:0] mul_f24_ftz_unit_copy4_a;
     reg [23:0] mul_f24_ftz_unit_copy4_b;
-    reg [23:0] mul_f24_ftz_unit_copy5_a;
-    reg [23:0] mul_f24_ftz_unit_copy5_b;
     reg [23:0] add_f24_ftz_unit_a;
     reg [23:0] add_f24_ftz_unit_b;
     reg [23:0] add_f24_ftz_unit_copy2_a;
     reg [23:0] add_f24_ftz_unit_copy2_b;
     reg [23:0] add_f24_ftz_unit_copy3_a;
     reg [23:0] add_f24_ftz_unit_copy3_b;
-    reg [23:0] add_f24_ftz_unit_copy4_a;
-    reg [23:0] add_f24_ftz_unit_copy4_b;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
     reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -10005,55 +10183,59 @@ module core_a_transform (
     wire [23:0] mul_f24_ftz_unit_copy2_y;
     wire [23:0] mul_f24_ftz_unit_copy3_y;
     wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y;
     wire [23:0] add_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_copy2_y;
     wire [23:0] add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_y;
     wire lt_f24_ftz_unit_y;
-    wire le_f24_ftz_unit_y;
 
     wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
-    wire and_103 = lt_f24_ftz_unit_y & le_f24_ftz_unit_y;
-    wire or_104 = delay_8_from_0_out[0] | and_103;
-    wire term_1 = phase == 3'd2;
+    wire or_84 = end_d4 | lt_f24_ftz_unit_y;
+    wire term_1 = phase == 3'd4;
     wire queue_out_ready = out_ready;
     wire term_2 = phase == 3'd7;
+    wire load_7 = queue_in_ready & term_2;
+    wire load_2 = queue_in_ready & (phase == 3'd2);
+    wire load_3 = queue_in_ready & (phase == 3'd3);
     wire load_5 = queue_in_ready & (phase == 3'd5);
     wire load_6 = queue_in_ready & (phase == 3'd6);
     wire load_1 = queue_in_ready & (phase == 3'd1);
-    wire load_2 = queue_in_ready & term_1;
-    wire load_7 = queue_in_ready & term_2;
-    wire load_3 = queue_in_ready & (phase == 3'd3);
-    wire load_4 = queue_in_ready & (phase == 3'd4);
-    wire [23:0] choice_3 = phase[1] ? (phase[0] ? m02 : add_59_d1) : phase[0] ? m22 : m02;
-    wire [23:0] choice_4 = phase[0] ? reinterpret_49_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_5 = phase[1] ? reinterpret_26_d1 : phase[0] ? reinterpret_65_d1 : in_tangent1_x;
-    wire [23:0] choice_6 = phase[1] ? (phase[0] ? m12 : add_54_d1) : phase[0] ? m21 : m12;
-    wire [23:0] choice_7 = phase[1] ? choice_4 : phase[0] ? reinterpret_27_d1 : reinterpret_28_d1;
-    wire [23:0] choice_8 = phase[1] ? reinterpret_27_d1 : phase[0] ? reinterpret_48_d1 : in_tangent1_y;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? add_46_d1 : add_44_d1) : phase[0] ? add_64_d1 : m20;
-    wire [23:0] choice_10 = phase[1] ? (phase[0] ? add_95_d1 : add_87_d1) : phase[0] ? add_f24_ftz_unit_copy4_y : reinterpret_26_d1;
-    wire [23:0] choice_11 = phase[0] ? reinterpret_66_d1 : in_tangent1_x;
-    wire [23:0] choice_12 = phase[1] ? (phase[0] ? reinterpret_49_d1 : reinterpret_65_d1) : choice_11;
-    wire [23:0] choice_13 = phase[1] ? add_72_d1 : phase[0] ? add_72_d1 : reinterpret_67_d1;
-    wire [23:0] choice_14 = phase[1] ? (phase[0] ? reinterpret_67_d1 : reinterpret_65_d1) : phase[0] ? reinterpret_65_d1 : in_tangent1_y;
-    wire [23:0] choice_15 = phase[1] ? add_91_d1 : phase[0] ? add_f24_ftz_unit_copy4_y : reinterpret_67_d1;
-    wire [23:0] choice_16 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_60_d1) : phase[0] ? mul_f24_ftz_unit_y : m13;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_39_d1) : phase[0] ? add_31_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] choice_18 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? mul_f24_ftz_unit_copy2_y : add_38_d1;
-    wire [23:0] choice_19 = phase[1] ? (phase[0] ? neg_86_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_32_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_copy3_y : m23;
-    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_88_d1 : add_f24_ftz_unit_copy4_y) : phase[0] ? add_f24_ftz_unit_y : m03;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy4_y : add_43_d1;
-    wire [23:0] joined_23 = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-    wire [23:0] choice_24 = phase[1] ? (phase[0] ? joined_23 : mul_99_d1) : phase[0] ? mul_42_d1 : add_f24_ftz_unit_y;
-    wire [23:0] choice_25 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_26 = phase[1] ? mul_f24_ftz_unit_copy5_y : phase[0] ? mul_63_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] joined_27 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_28 = phase[1] ? (phase[0] ? add_80_d1 : add_75_d1) : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_81_d1 : mul_76_d1) : phase[0] ? mul_71_d1 : mul_f24_ftz_unit_copy2_y;
+    wire equal_89 = in_attribute_0[14:10] == 5'd31;
+    wire equal_91 = in_attribute_0[9:0] == 10'd0;
+    wire [15:0] select_95 = equal_91 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire load_4 = queue_in_ready & term_1;
+    wire [15:0] select_96 = equal_89_d1 ? select_95_d1 : attribute_0_d1;
+    wire equal_100 = 5'd31 == in_attribute_1[14:10];
+    wire equal_101 = 10'd0 == in_attribute_1[9:0];
+    wire [15:0] select_103 = equal_101 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_104 = equal_100_d1 ? select_103_d1 : attribute_1_d1;
+    wire equal_108 = 5'd31 == in_attribute_2[14:10];
+    wire equal_109 = 10'd0 == in_attribute_2[9:0];
+    wire [15:0] select_111 = equal_109 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_112 = equal_108_d1 ? select_111_d1 : attribute_2_d1;
+    wire [23:0] choice_3 = phase[0] ? reinterpret_28_d1 : reinterpret_67_d1;
+    wire [23:0] choice_4 = phase[1] ? choice_3 : phase[0] ? reinterpret_49_d1 : reinterpret_65_d1;
+    wire [23:0] choice_5 = phase[1] ? (phase[0] ? reinterpret_65_d1 : reinterpret_28_d1) : phase[0] ? reinterpret_26_d1 : in_center_x;
+    wire [23:0] choice_6 = phase[0] ? reinterpret_49_d1 : reinterpret_66_d1;
+    wire [23:0] choice_7 = phase[0] ? reinterpret_48_d1 : reinterpret_47_d1;
+    wire [23:0] choice_8 = phase[1] ? choice_7 : phase[0] ? reinterpret_27_d1 : in_center_y;
+    wire [23:0] choice_9 = phase[1] ? (phase[0] ? reinterpret_47_d1 : reinterpret_48_d1) : in_center_x;
+    wire [23:0] choice_10 = phase[1] ? reinterpret_66_d1 : phase[0] ? reinterpret_66_d1 : reinterpret_65_d1;
+    wire [23:0] choice_11 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] choice_12 = phase[1] ? choice_11 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] choice_13 = phase[1] ? (phase[0] ? m03 : mul_78_d1) : phase[0] ? mul_68_d1 : mul_55_d1;
+    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_16 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? m23 : add_80_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_58_d1 : mul_53_d1) : phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_19 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_20 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_81_d1) : choice_19;
+    wire [23:0] choice_21 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_22 = phase[1] ? choice_21 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
+    wire [23:0] choice_23 = phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : add_f24_ftz_unit_y;
+    wire [23:0] choice_24 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_63_d1 : mul_f24_ftz_unit_copy4_y) : choice_24;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -10073,21 +10255,21 @@ module core_a_transform (
     stream_skid_w265 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d8 & or_104 & term_1),
+        .in_valid(valid_d4 & or_84 & term_1),
         .in_ready(queue_in_ready),
-        .in_end(delay_8_from_0_out[0]),
-        .in_center_x(add_44_d4),
-        .in_center_y(add_45_d3),
-        .in_center_z(add_46_d3),
-        .in_tangent1_x(add_54_d5),
-        .in_tangent1_y(add_59_d5),
-        .in_tangent1_z(add_64_d5),
-        .in_tangent2_x(add_72_d5),
-        .in_tangent2_y(delay_5_from_5_out),
-        .in_tangent2_z(delay_5_from_6_out),
-        .in_attribute_0(delay_8_from_0_out[16:1]),
-        .in_attribute_1(delay_8_from_0_out[32:17]),
-        .in_attribute_2(delay_8_from_0_out[48:33]),
+        .in_end(end_d4),
+        .in_center_x(add_44_d1),
+        .in_center_y(add_45_d1),
+        .in_center_z(add_46_d1),
+        .in_tangent1_x(add_54_d1),
+        .in_tangent1_y(add_59_d1),
+        .in_tangent1_z(add_64_d1),
+        .in_tangent2_x(add_72_d1),
+        .in_tangent2_y(add_77_d1),
+        .in_tangent2_z(add_82_d1),
+        .in_attribute_0(select_96_d3),
+        .in_attribute_1(select_104_d3),
+        .in_attribute_2(select_112_d3),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -10141,15 +10323,6 @@ module core_a_transform (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy5_a),
-        .b(mul_f24_ftz_unit_copy5_b),
-        .y(mul_f24_ftz_unit_copy5_y)
-    );
-
     float_add_s6_ff24ftz add_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -10177,221 +10350,124 @@ module core_a_transform (
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy4_a),
-        .b(add_f24_ftz_unit_copy4_b),
-        .y(add_f24_ftz_unit_copy4_y)
-    );
-
     float_lt lt_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(near_plane),
-        .b(add_46_d3),
+        .b(add_f24_ftz_unit_copy2_y),
         .y(lt_f24_ftz_unit_y)
-    );
-
-    float_le le_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(24'd0),
-        .y(le_f24_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             phase <= 3'd0;
-            delay_8_from_0_pointer <= 3'd0;
-            delay_5_from_5_pointer <= 2'd0;
-            delay_5_from_6_pointer <= 2'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
             valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
         end else begin
             if (queue_in_ready) begin
                 phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
             end
             if (load_0) begin
-                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
                 valid_d4 <= valid_d3;
-                valid_d5 <= valid_d4;
-                valid_d6 <= valid_d5;
-                valid_d7 <= valid_d6;
-                valid_d8 <= valid_d7;
-            end
-            if (load_5) begin
-                delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
-            end
-            if (load_6) begin
-                delay_5_from_6_pointer <= (delay_5_from_6_pointer == 2'd3) ? (delay_5_from_6_pointer - 2'd3) : (delay_5_from_6_pointer + 2'd1);
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
+            end_d1 <= in_end;
+            end_d2 <= end_d1;
+            end_d3 <= end_d2;
+            end_d4 <= end_d3;
+            attribute_0_d1 <= in_attribute_0;
+            attribute_1_d1 <= in_attribute_1;
+            attribute_2_d1 <= in_attribute_2;
             reinterpret_26_d1 <= in_center_x;
             reinterpret_27_d1 <= in_center_y;
             reinterpret_28_d1 <= in_center_z;
-            add_43_d1 <= add_f24_ftz_unit_copy2_y;
+            reinterpret_47_d1 <= in_tangent1_x;
             reinterpret_48_d1 <= in_tangent1_y;
             reinterpret_49_d1 <= in_tangent1_z;
-            mul_63_d1 <= mul_f24_ftz_unit_copy3_y;
             reinterpret_65_d1 <= in_tangent2_x;
             reinterpret_66_d1 <= in_tangent2_y;
             reinterpret_67_d1 <= in_tangent2_z;
-            mul_71_d1 <= mul_f24_ftz_unit_copy4_y;
-        end
-        if (load_6) begin
-            add_31_d1 <= add_f24_ftz_unit_y;
-            add_38_d1 <= add_f24_ftz_unit_copy2_y;
-            add_80_d1 <= add_f24_ftz_unit_copy3_y;
-        end
-        if (load_1) begin
-            mul_32_d1 <= mul_f24_ftz_unit_y;
-            mul_37_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_39_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_76_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_81_d1 <= mul_f24_ftz_unit_copy5_y;
-        end
-        if (load_2) begin
-            mul_42_d1 <= mul_f24_ftz_unit_y;
-            neg_86_d1 <= {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-            add_87_d1 <= add_f24_ftz_unit_y;
-            mul_88_d1 <= mul_f24_ftz_unit_copy4_y;
-            add_91_d1 <= add_f24_ftz_unit_copy2_y;
-            mul_92_d1 <= mul_f24_ftz_unit_copy5_y;
-            add_95_d1 <= add_f24_ftz_unit_copy3_y;
+            mul_68_d1 <= mul_f24_ftz_unit_y;
+            add_75_d1 <= add_f24_ftz_unit_copy2_y;
+            add_77_d1 <= add_f24_ftz_unit_copy3_y;
+            equal_89_d1 <= equal_89;
+            select_95_d1 <= select_95;
+            equal_100_d1 <= equal_100;
+            select_103_d1 <= select_103;
+            equal_108_d1 <= equal_108;
+            select_111_d1 <= select_111;
         end
         if (load_7) begin
-            add_44_d1 <= add_f24_ftz_unit_copy2_y;
-            add_44_d2 <= add_44_d1;
-            add_44_d3 <= add_44_d2;
-            add_44_d4 <= add_44_d3;
+            mul_37_d1 <= mul_f24_ftz_unit_y;
+            mul_55_d1 <= mul_f24_ftz_unit_copy4_y;
+            add_72_d1 <= add_f24_ftz_unit_copy3_y;
+        end
+        if (load_2) begin
+            add_44_d1 <= add_f24_ftz_unit_y;
+            add_46_d1 <= add_f24_ftz_unit_copy2_y;
+            mul_53_d1 <= mul_f24_ftz_unit_y;
+            mul_58_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_63_d1 <= mul_f24_ftz_unit_copy3_y;
         end
         if (load_3) begin
-            add_45_d1 <= add_f24_ftz_unit_y;
-            add_45_d2 <= add_45_d1;
-            add_45_d3 <= add_45_d2;
-            add_46_d1 <= add_f24_ftz_unit_copy2_y;
-            add_46_d2 <= add_46_d1;
-            add_46_d3 <= add_46_d2;
-            add_54_d1 <= add_f24_ftz_unit_copy3_y;
-            add_54_d2 <= add_54_d1;
-            add_54_d3 <= add_54_d2;
-            add_54_d4 <= add_54_d3;
-            add_54_d5 <= add_54_d4;
-            add_59_d1 <= add_f24_ftz_unit_copy4_y;
-            add_59_d2 <= add_59_d1;
-            add_59_d3 <= add_59_d2;
-            add_59_d4 <= add_59_d3;
-            add_59_d5 <= add_59_d4;
+            add_45_d1 <= add_f24_ftz_unit_copy3_y;
+            mul_71_d1 <= mul_f24_ftz_unit_y;
+            mul_76_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_81_d1 <= mul_f24_ftz_unit_copy3_y;
         end
         if (load_5) begin
-            mul_60_d1 <= mul_f24_ftz_unit_copy5_y;
-            add_75_d1 <= add_f24_ftz_unit_copy3_y;
+            add_54_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_6) begin
+            add_59_d1 <= add_f24_ftz_unit_copy2_y;
+            add_64_d1 <= add_f24_ftz_unit_copy3_y;
+        end
+        if (load_1) begin
+            mul_78_d1 <= mul_f24_ftz_unit_copy4_y;
+            add_80_d1 <= add_f24_ftz_unit_y;
+            add_82_d1 <= add_f24_ftz_unit_copy2_y;
         end
         if (load_4) begin
-            add_64_d1 <= add_f24_ftz_unit_copy3_y;
-            add_64_d2 <= add_64_d1;
-            add_64_d3 <= add_64_d2;
-            add_64_d4 <= add_64_d3;
-            add_64_d5 <= add_64_d4;
-            add_72_d1 <= add_f24_ftz_unit_copy4_y;
-            add_72_d2 <= add_72_d1;
-            add_72_d3 <= add_72_d2;
-            add_72_d4 <= add_72_d3;
-            add_72_d5 <= add_72_d4;
-            mul_99_d1 <= mul_f24_ftz_unit_copy3_y;
+            select_96_d1 <= select_96;
+            select_96_d2 <= select_96_d1;
+            select_96_d3 <= select_96_d2;
+            select_104_d1 <= select_104;
+            select_104_d2 <= select_104_d1;
+            select_104_d3 <= select_104_d2;
+            select_112_d1 <= select_112;
+            select_112_d2 <= select_112_d1;
+            select_112_d3 <= select_112_d2;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[2] ? choice_3 : phase[1] ? (phase[0] ? m10 : m00) : m00;
-            mul_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_4 : reinterpret_28_d1) : choice_5;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_6 : phase[1] ? (phase[0] ? m11 : m01) : phase[0] ? m21 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_7 : choice_8;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_9 : phase[1] ? (phase[0] ? m22 : m20) : phase[0] ? m01 : m10;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_10 : choice_12;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? add_59_d1 : phase[0] ? add_64_d1 : m12) : phase[1] ? (phase[0] ? m02 : m10) : phase[0] ? m10 : m11;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_13 : choice_14;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? (phase[1] ? add_45_d1 : phase[0] ? add_54_d1 : m22) : phase[1] ? m21 : phase[0] ? m11 : m20;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_15 : phase[1] ? reinterpret_66_d1 : choice_11;
-            add_f24_ftz_unit_a <= phase[2] ? choice_16 : choice_17;
-            add_f24_ftz_unit_b <= phase[2] ? choice_18 : choice_19;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_20 : choice_21;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_22 : choice_24;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? choice_25 : add_f24_ftz_unit_y) : mul_92_d1;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_26 : joined_27;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_28 : mul_f24_ftz_unit_copy3_y;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_29 : mul_f24_ftz_unit_copy5_y;
+            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_4 : choice_5;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_3 : choice_6) : choice_8;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_67_d1 : choice_6) : choice_9;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_10 : phase[1] ? choice_7 : in_center_y;
+            add_f24_ftz_unit_a <= phase[2] ? choice_12 : choice_13;
+            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_14 : choice_11) : choice_15;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_16 : choice_17;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_18 : choice_20;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_22 : choice_23;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_25 : phase[1] ? mul_76_d1 : phase[0] ? mul_76_d1 : mul_71_d1;
         end
     end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_8_from_0[delay_8_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
-        end
-        if (load_0) begin
-            delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_5) begin
-            delay_5_from_5[delay_5_from_5_pointer] <= add_f24_ftz_unit_copy4_y;
-        end
-        if (load_5) begin
-            delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_6) begin
-            delay_5_from_6[delay_5_from_6_pointer] <= add_f24_ftz_unit_copy4_y;
-        end
-        if (load_6) begin
-            delay_5_from_6_out <= delay_5_from_6[delay_5_from_6_pointer];
-        end
-    end
-endmodule
-
-// Whether one floating-point number is less than another or equal.
-// stages = 1
-// format = f24-ftz
-module float_le (
-    input  wire clk,
-    input  wire rst,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
-    output reg  y
-);
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [22:0] joined_2 = {a[22:15], term_1};
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_4 = {b[22:15], term_3};
-    wire term_5 = {~a[23], joined_2 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            y <= (term_5 | ((joined_2 | joined_4) == 23'd0)) & ~((&a[22:15] & |term_1) | (&b[22:15] & |term_3));
-        end
-    end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Whether one floating-point number is less than another.
-// stages = 1
+// stages = 2
 // format = f24-ftz
 module float_lt (
     input  wire clk,
@@ -10401,15 +10477,21 @@ module float_lt (
     input  wire [23:0] b,
     output reg  y
 );
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [22:0] joined_2 = {a[22:15], term_1};
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_4 = {b[22:15], term_3};
-    wire term_5 = {~a[23], joined_2 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] joined_3 = {a[22:15], term_1};
+    wire [22:0] joined_4 = {b[22:15], term_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= term_5 & ~((joined_2 | joined_4) == 23'd0) & ~((&a[22:15] & |term_1) | (&b[22:15] & |term_3));
+            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
+            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+            y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
 

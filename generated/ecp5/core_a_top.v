@@ -2402,7 +2402,7 @@ endmodule
 
 // Blends samples into the pixels of the tile slots.
 // slots = 4
-// stages = 6
+// stages = 7
 module core_a_accumulator (
     input  wire clk,
     input  wire rst,
@@ -2518,6 +2518,11 @@ module core_a_accumulator (
     reg last_7;
     reg [1:0] slot_7;
     reg [5:0] pixel_7;
+    reg valid_8;
+    reg inside_8;
+    reg last_8;
+    reg [1:0] slot_8;
+    reg [5:0] pixel_8;
     reg head_valid;
     reg head_end;
     reg head_last;
@@ -2542,11 +2547,15 @@ module core_a_accumulator (
     reg [15:0] head_attribute_11;
     reg [15:0] head_attribute_12;
     reg [15:0] head_cardinal_0;
-    reg [6:0] collisions;
+    reg [7:0] collisions;
     reg [319:0] slot_0_read;
+    reg [319:0] slot_0_pixel;
     reg [319:0] slot_1_read;
+    reg [319:0] slot_1_pixel;
     reg [319:0] slot_2_read;
+    reg [319:0] slot_2_pixel;
     reg [319:0] slot_3_read;
+    reg [319:0] slot_3_pixel;
     reg [319:0] stored;
     reg [1:0] drained_slot;
     reg [15:0] sample_1_weight;
@@ -2585,115 +2594,133 @@ module core_a_accumulator (
     reg [15:0] sample_2_attribute_11;
     reg [15:0] sample_2_attribute_12;
     reg [15:0] sample_2_cardinal_0;
-    reg late_fail_3;
+    reg [15:0] sample_3_weight;
+    reg [39:0] sample_3_weighted_depth;
+    reg [23:0] sample_3_depth_low;
+    reg [23:0] sample_3_depth_high;
+    reg [15:0] sample_3_attribute_0;
+    reg [15:0] sample_3_attribute_1;
+    reg [15:0] sample_3_attribute_2;
+    reg [15:0] sample_3_attribute_3;
+    reg [15:0] sample_3_attribute_4;
+    reg [15:0] sample_3_attribute_5;
+    reg [15:0] sample_3_attribute_6;
+    reg [15:0] sample_3_attribute_7;
+    reg [15:0] sample_3_attribute_8;
+    reg [15:0] sample_3_attribute_9;
+    reg [15:0] sample_3_attribute_10;
+    reg [15:0] sample_3_attribute_11;
+    reg [15:0] sample_3_attribute_12;
+    reg [15:0] sample_3_cardinal_0;
     reg late_fail_4;
-    reg late_pass_3;
+    reg late_fail_5;
     reg late_pass_4;
-    reg [28:0] weight_sum_3;
+    reg late_pass_5;
     reg [28:0] weight_sum_4;
     reg [28:0] weight_sum_5;
     reg [28:0] weight_sum_6;
     reg [28:0] weight_sum_7;
-    reg [15:0] weight_3;
+    reg [28:0] weight_sum_8;
     reg [15:0] weight_4;
     reg [15:0] weight_5;
     reg [15:0] weight_6;
     reg [15:0] weight_7;
-    reg [51:0] depth_sum_3;
+    reg [15:0] weight_8;
     reg [51:0] depth_sum_4;
     reg [51:0] depth_sum_5;
     reg [51:0] depth_sum_6;
     reg [51:0] depth_sum_7;
-    reg [39:0] depth_3;
+    reg [51:0] depth_sum_8;
     reg [39:0] depth_4;
     reg [39:0] depth_5;
     reg [39:0] depth_6;
     reg [39:0] depth_7;
-    reg stronger_3;
+    reg [39:0] depth_8;
     reg stronger_4;
     reg stronger_5;
     reg stronger_6;
     reg stronger_7;
-    reg [15:0] peak_3;
+    reg stronger_8;
     reg [15:0] peak_4;
     reg [15:0] peak_5;
     reg [15:0] peak_6;
     reg [15:0] peak_7;
-    reg [15:0] attribute_0_3;
+    reg [15:0] peak_8;
     reg [15:0] attribute_0_4;
     reg [15:0] attribute_0_5;
     reg [15:0] attribute_0_6;
     reg [15:0] attribute_0_7;
-    reg [15:0] attribute_1_3;
+    reg [15:0] attribute_0_8;
     reg [15:0] attribute_1_4;
     reg [15:0] attribute_1_5;
     reg [15:0] attribute_1_6;
     reg [15:0] attribute_1_7;
-    reg [15:0] attribute_2_3;
+    reg [15:0] attribute_1_8;
     reg [15:0] attribute_2_4;
     reg [15:0] attribute_2_5;
     reg [15:0] attribute_2_6;
     reg [15:0] attribute_2_7;
-    reg [15:0] attribute_3_3;
+    reg [15:0] attribute_2_8;
     reg [15:0] attribute_3_4;
     reg [15:0] attribute_3_5;
     reg [15:0] attribute_3_6;
     reg [15:0] attribute_3_7;
-    reg [15:0] attribute_4_3;
+    reg [15:0] attribute_3_8;
     reg [15:0] attribute_4_4;
     reg [15:0] attribute_4_5;
     reg [15:0] attribute_4_6;
     reg [15:0] attribute_4_7;
-    reg [15:0] attribute_5_3;
+    reg [15:0] attribute_4_8;
     reg [15:0] attribute_5_4;
     reg [15:0] attribute_5_5;
     reg [15:0] attribute_5_6;
     reg [15:0] attribute_5_7;
-    reg [15:0] attribute_6_3;
+    reg [15:0] attribute_5_8;
     reg [15:0] attribute_6_4;
     reg [15:0] attribute_6_5;
     reg [15:0] attribute_6_6;
     reg [15:0] attribute_6_7;
-    reg [15:0] attribute_7_3;
+    reg [15:0] attribute_6_8;
     reg [15:0] attribute_7_4;
     reg [15:0] attribute_7_5;
     reg [15:0] attribute_7_6;
     reg [15:0] attribute_7_7;
-    reg [15:0] attribute_8_3;
+    reg [15:0] attribute_7_8;
     reg [15:0] attribute_8_4;
     reg [15:0] attribute_8_5;
     reg [15:0] attribute_8_6;
     reg [15:0] attribute_8_7;
-    reg [15:0] attribute_9_3;
+    reg [15:0] attribute_8_8;
     reg [15:0] attribute_9_4;
     reg [15:0] attribute_9_5;
     reg [15:0] attribute_9_6;
     reg [15:0] attribute_9_7;
-    reg [15:0] attribute_10_3;
+    reg [15:0] attribute_9_8;
     reg [15:0] attribute_10_4;
     reg [15:0] attribute_10_5;
     reg [15:0] attribute_10_6;
     reg [15:0] attribute_10_7;
-    reg [15:0] attribute_11_3;
+    reg [15:0] attribute_10_8;
     reg [15:0] attribute_11_4;
     reg [15:0] attribute_11_5;
     reg [15:0] attribute_11_6;
     reg [15:0] attribute_11_7;
-    reg [15:0] attribute_12_3;
+    reg [15:0] attribute_11_8;
     reg [15:0] attribute_12_4;
     reg [15:0] attribute_12_5;
     reg [15:0] attribute_12_6;
     reg [15:0] attribute_12_7;
-    reg [15:0] cardinal_0_3;
+    reg [15:0] attribute_12_8;
     reg [15:0] cardinal_0_4;
     reg [15:0] cardinal_0_5;
     reg [15:0] cardinal_0_6;
     reg [15:0] cardinal_0_7;
-    reg [15:0] stored_cardinal_0_3;
+    reg [15:0] cardinal_0_8;
     reg [15:0] stored_cardinal_0_4;
     reg [15:0] stored_cardinal_0_5;
     reg [15:0] stored_cardinal_0_6;
     reg [15:0] stored_cardinal_0_7;
+    reg [15:0] stored_cardinal_0_8;
 
     wire places_in_ready;
     wire places_out_valid;
@@ -2739,7 +2766,7 @@ module core_a_accumulator (
     wire [15:0] add_attribute_12_y;
 
     assign in_ready = places_in_ready;
-    wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_read : slot_2_read) : drained_slot[0] ? slot_1_read : slot_0_read;
+    wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
     wire [3:0] shifted_2 = slot_ready >> head_slot;
@@ -2749,23 +2776,37 @@ module core_a_accumulator (
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = term_1 & ~(slot_wait | hazard);
     wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_3 | valid_7);
+    wire issue_end = head_valid & head_end & ~(term_3 | valid_7 | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire queue_ready = head_takes;
     wire places_out_ready = queue_ready;
     wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [6:0] joined_11 = {term_4, term_5, term_6, term_7, term_8, term_9, head_valid & (head_inside & ~head_end) & term_10};
+    wire term_4 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
+    wire term_5 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_6 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_7 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_8 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_9 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_10 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_11 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [7:0] joined_12 = {
+        term_4,
+        term_5,
+        term_6,
+        term_7,
+        term_8,
+        term_9,
+        term_10,
+        head_valid & (head_inside & ~head_end) & term_11
+    };
+    wire term_13 = drain_enable & (drain_slot == 2'd0);
+    wire term_14 = drain_enable & (drain_slot == 2'd1);
+    wire term_15 = drain_enable & (drain_slot == 2'd2);
+    wire term_16 = drain_enable & (drain_slot == 2'd3);
     wire filling_0 = fill_valid & (fill_slot == 2'd0);
-    wire writes = inside_7 & (~late_fail_4 & (late_pass_4 | ~weight_sum_7[28]));
-    wire [319:0] joined_12 = {
+    wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
+    wire [319:0] joined_17 = {
         fill_weight,
         fill_depth,
         fill_peak,
@@ -2784,25 +2825,64 @@ module core_a_accumulator (
         fill_attribute_12,
         fill_cardinal_0
     };
-    wire selected = late_pass_4 | stronger_7;
+    wire selected = late_pass_5 | stronger_8;
+    wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
+    wire [14:0] choice_18 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_19 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_18};
+    wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
+    wire [14:0] choice_20 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_21 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_20};
+    wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
+    wire [14:0] choice_22 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_23 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_22};
+    wire overflow_of_attribute_3 = &add_attribute_3_y[14:10];
+    wire [14:0] choice_24 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
+    wire [15:0] choice_25 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_24};
+    wire overflow_of_attribute_4 = &add_attribute_4_y[14:10];
+    wire [14:0] choice_26 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
+    wire [15:0] choice_27 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_26};
+    wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
+    wire [14:0] choice_28 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
+    wire [15:0] choice_29 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_28};
+    wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
+    wire [14:0] choice_30 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
+    wire [15:0] choice_31 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_30};
+    wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
+    wire [14:0] choice_32 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
+    wire [15:0] choice_33 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_32};
+    wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
+    wire [14:0] choice_34 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
+    wire [15:0] choice_35 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_34};
+    wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
+    wire [14:0] choice_36 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
+    wire [15:0] choice_37 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_36};
+    wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
+    wire [14:0] choice_38 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
+    wire [15:0] choice_39 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_38};
+    wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
+    wire [14:0] choice_40 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
+    wire [15:0] choice_41 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_40};
+    wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
+    wire [14:0] choice_42 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
+    wire [15:0] choice_43 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_42};
     wire [319:0] result = {
-        late_pass_4 ? {12'd0, weight_7} : weight_sum_7[27:0],
-        late_pass_4 ? {12'd0, depth_7} : depth_sum_7,
-        selected ? weight_7 : peak_7,
-        late_pass_4 ? attribute_0_7 : add_attribute_0_y,
-        late_pass_4 ? attribute_1_7 : add_attribute_1_y,
-        late_pass_4 ? attribute_2_7 : add_attribute_2_y,
-        late_pass_4 ? attribute_3_7 : add_attribute_3_y,
-        late_pass_4 ? attribute_4_7 : add_attribute_4_y,
-        late_pass_4 ? attribute_5_7 : add_attribute_5_y,
-        late_pass_4 ? attribute_6_7 : add_attribute_6_y,
-        late_pass_4 ? attribute_7_7 : add_attribute_7_y,
-        late_pass_4 ? attribute_8_7 : add_attribute_8_y,
-        late_pass_4 ? attribute_9_7 : add_attribute_9_y,
-        late_pass_4 ? attribute_10_7 : add_attribute_10_y,
-        late_pass_4 ? attribute_11_7 : add_attribute_11_y,
-        late_pass_4 ? attribute_12_7 : add_attribute_12_y,
-        selected ? cardinal_0_7 : stored_cardinal_0_7
+        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
+        late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
+        selected ? weight_8 : peak_8,
+        choice_19,
+        choice_21,
+        choice_23,
+        choice_25,
+        choice_27,
+        choice_29,
+        choice_31,
+        choice_33,
+        choice_35,
+        choice_37,
+        choice_39,
+        choice_41,
+        choice_43,
+        selected ? cardinal_0_8 : stored_cardinal_0_8
     };
     wire filling_1 = fill_valid & (fill_slot == 2'd1);
     wire filling_2 = fill_valid & (fill_slot == 2'd2);
@@ -2895,8 +2975,8 @@ module core_a_accumulator (
         .rst(rst),
         .weight(stored[319:292]),
         .depth(stored[291:240]),
-        .depth_low(sample_2_depth_low),
-        .depth_high(sample_2_depth_high),
+        .depth_low(sample_3_depth_low),
+        .depth_high(sample_3_depth_high),
         .fail(depth_test_fail),
         .pass(depth_test_pass)
     );
@@ -2906,7 +2986,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[223:208]),
-        .b(sample_2_attribute_0),
+        .b(sample_3_attribute_0),
         .y(add_attribute_0_y)
     );
 
@@ -2915,7 +2995,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[207:192]),
-        .b(sample_2_attribute_1),
+        .b(sample_3_attribute_1),
         .y(add_attribute_1_y)
     );
 
@@ -2924,7 +3004,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[191:176]),
-        .b(sample_2_attribute_2),
+        .b(sample_3_attribute_2),
         .y(add_attribute_2_y)
     );
 
@@ -2933,7 +3013,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[175:160]),
-        .b(sample_2_attribute_3),
+        .b(sample_3_attribute_3),
         .y(add_attribute_3_y)
     );
 
@@ -2942,7 +3022,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[159:144]),
-        .b(sample_2_attribute_4),
+        .b(sample_3_attribute_4),
         .y(add_attribute_4_y)
     );
 
@@ -2951,7 +3031,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[143:128]),
-        .b(sample_2_attribute_5),
+        .b(sample_3_attribute_5),
         .y(add_attribute_5_y)
     );
 
@@ -2960,7 +3040,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[127:112]),
-        .b(sample_2_attribute_6),
+        .b(sample_3_attribute_6),
         .y(add_attribute_6_y)
     );
 
@@ -2969,7 +3049,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[111:96]),
-        .b(sample_2_attribute_7),
+        .b(sample_3_attribute_7),
         .y(add_attribute_7_y)
     );
 
@@ -2978,7 +3058,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[95:80]),
-        .b(sample_2_attribute_8),
+        .b(sample_3_attribute_8),
         .y(add_attribute_8_y)
     );
 
@@ -2987,7 +3067,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[79:64]),
-        .b(sample_2_attribute_9),
+        .b(sample_3_attribute_9),
         .y(add_attribute_9_y)
     );
 
@@ -2996,7 +3076,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[63:48]),
-        .b(sample_2_attribute_10),
+        .b(sample_3_attribute_10),
         .y(add_attribute_10_y)
     );
 
@@ -3005,7 +3085,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[47:32]),
-        .b(sample_2_attribute_11),
+        .b(sample_3_attribute_11),
         .y(add_attribute_11_y)
     );
 
@@ -3014,7 +3094,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[31:16]),
-        .b(sample_2_attribute_12),
+        .b(sample_3_attribute_12),
         .y(add_attribute_12_y)
     );
 
@@ -3036,12 +3116,14 @@ module core_a_accumulator (
             inside_6 <= 1'd0;
             valid_7 <= 1'd0;
             inside_7 <= 1'd0;
+            valid_8 <= 1'd0;
+            inside_8 <= 1'd0;
             head_valid <= 1'd0;
             event_accumulate <= 1'd0;
             event_hazard <= 1'd0;
             event_slot_wait <= 1'd0;
         end else begin
-            retire_valid <= valid_7 & last_7;
+            retire_valid <= valid_8 & last_8;
             frame_end <= issue_end;
             valid_1 <= issue;
             inside_1 <= issue_inside;
@@ -3057,6 +3139,8 @@ module core_a_accumulator (
             inside_6 <= inside_5;
             valid_7 <= valid_6;
             inside_7 <= inside_6;
+            valid_8 <= valid_7;
+            inside_8 <= inside_7;
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
@@ -3066,7 +3150,7 @@ module core_a_accumulator (
         end
     end
     always @(posedge clk) begin
-        retire_slot <= slot_7;
+        retire_slot <= slot_8;
         last_1 <= head_last;
         slot_1 <= head_slot;
         pixel_1 <= head_pixel;
@@ -3088,8 +3172,11 @@ module core_a_accumulator (
         last_7 <= last_6;
         slot_7 <= slot_6;
         pixel_7 <= pixel_6;
-        collisions <= head_takes ? joined_11 : (collisions << 1);
-        stored <= slot_1[1] ? (slot_1[0] ? slot_3_read : slot_2_read) : slot_1[0] ? slot_1_read : slot_0_read;
+        last_8 <= last_7;
+        slot_8 <= slot_7;
+        pixel_8 <= pixel_7;
+        collisions <= head_takes ? joined_12 : (collisions << 1);
+        stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -3126,115 +3213,133 @@ module core_a_accumulator (
         sample_2_attribute_11 <= sample_1_attribute_11;
         sample_2_attribute_12 <= sample_1_attribute_12;
         sample_2_cardinal_0 <= sample_1_cardinal_0;
-        late_fail_3 <= depth_test_fail;
-        late_fail_4 <= late_fail_3;
-        late_pass_3 <= depth_test_pass;
-        late_pass_4 <= late_pass_3;
-        weight_sum_3 <= {1'd0, stored[319:292]} + {13'd0, sample_2_weight};
-        weight_sum_4 <= weight_sum_3;
+        sample_3_weight <= sample_2_weight;
+        sample_3_weighted_depth <= sample_2_weighted_depth;
+        sample_3_depth_low <= sample_2_depth_low;
+        sample_3_depth_high <= sample_2_depth_high;
+        sample_3_attribute_0 <= sample_2_attribute_0;
+        sample_3_attribute_1 <= sample_2_attribute_1;
+        sample_3_attribute_2 <= sample_2_attribute_2;
+        sample_3_attribute_3 <= sample_2_attribute_3;
+        sample_3_attribute_4 <= sample_2_attribute_4;
+        sample_3_attribute_5 <= sample_2_attribute_5;
+        sample_3_attribute_6 <= sample_2_attribute_6;
+        sample_3_attribute_7 <= sample_2_attribute_7;
+        sample_3_attribute_8 <= sample_2_attribute_8;
+        sample_3_attribute_9 <= sample_2_attribute_9;
+        sample_3_attribute_10 <= sample_2_attribute_10;
+        sample_3_attribute_11 <= sample_2_attribute_11;
+        sample_3_attribute_12 <= sample_2_attribute_12;
+        sample_3_cardinal_0 <= sample_2_cardinal_0;
+        late_fail_4 <= depth_test_fail;
+        late_fail_5 <= late_fail_4;
+        late_pass_4 <= depth_test_pass;
+        late_pass_5 <= late_pass_4;
+        weight_sum_4 <= {1'd0, stored[319:292]} + {13'd0, sample_3_weight};
         weight_sum_5 <= weight_sum_4;
         weight_sum_6 <= weight_sum_5;
         weight_sum_7 <= weight_sum_6;
-        weight_3 <= sample_2_weight;
-        weight_4 <= weight_3;
+        weight_sum_8 <= weight_sum_7;
+        weight_4 <= sample_3_weight;
         weight_5 <= weight_4;
         weight_6 <= weight_5;
         weight_7 <= weight_6;
-        depth_sum_3 <= stored[291:240] + {12'd0, sample_2_weighted_depth};
-        depth_sum_4 <= depth_sum_3;
+        weight_8 <= weight_7;
+        depth_sum_4 <= stored[291:240] + {12'd0, sample_3_weighted_depth};
         depth_sum_5 <= depth_sum_4;
         depth_sum_6 <= depth_sum_5;
         depth_sum_7 <= depth_sum_6;
-        depth_3 <= sample_2_weighted_depth;
-        depth_4 <= depth_3;
+        depth_sum_8 <= depth_sum_7;
+        depth_4 <= sample_3_weighted_depth;
         depth_5 <= depth_4;
         depth_6 <= depth_5;
         depth_7 <= depth_6;
-        stronger_3 <= stored[239:224] < sample_2_weight;
-        stronger_4 <= stronger_3;
+        depth_8 <= depth_7;
+        stronger_4 <= stored[239:224] < sample_3_weight;
         stronger_5 <= stronger_4;
         stronger_6 <= stronger_5;
         stronger_7 <= stronger_6;
-        peak_3 <= stored[239:224];
-        peak_4 <= peak_3;
+        stronger_8 <= stronger_7;
+        peak_4 <= stored[239:224];
         peak_5 <= peak_4;
         peak_6 <= peak_5;
         peak_7 <= peak_6;
-        attribute_0_3 <= sample_2_attribute_0;
-        attribute_0_4 <= attribute_0_3;
+        peak_8 <= peak_7;
+        attribute_0_4 <= sample_3_attribute_0;
         attribute_0_5 <= attribute_0_4;
         attribute_0_6 <= attribute_0_5;
         attribute_0_7 <= attribute_0_6;
-        attribute_1_3 <= sample_2_attribute_1;
-        attribute_1_4 <= attribute_1_3;
+        attribute_0_8 <= attribute_0_7;
+        attribute_1_4 <= sample_3_attribute_1;
         attribute_1_5 <= attribute_1_4;
         attribute_1_6 <= attribute_1_5;
         attribute_1_7 <= attribute_1_6;
-        attribute_2_3 <= sample_2_attribute_2;
-        attribute_2_4 <= attribute_2_3;
+        attribute_1_8 <= attribute_1_7;
+        attribute_2_4 <= sample_3_attribute_2;
         attribute_2_5 <= attribute_2_4;
         attribute_2_6 <= attribute_2_5;
         attribute_2_7 <= attribute_2_6;
-        attribute_3_3 <= sample_2_attribute_3;
-        attribute_3_4 <= attribute_3_3;
+        attribute_2_8 <= attribute_2_7;
+        attribute_3_4 <= sample_3_attribute_3;
         attribute_3_5 <= attribute_3_4;
         attribute_3_6 <= attribute_3_5;
         attribute_3_7 <= attribute_3_6;
-        attribute_4_3 <= sample_2_attribute_4;
-        attribute_4_4 <= attribute_4_3;
+        attribute_3_8 <= attribute_3_7;
+        attribute_4_4 <= sample_3_attribute_4;
         attribute_4_5 <= attribute_4_4;
         attribute_4_6 <= attribute_4_5;
         attribute_4_7 <= attribute_4_6;
-        attribute_5_3 <= sample_2_attribute_5;
-        attribute_5_4 <= attribute_5_3;
+        attribute_4_8 <= attribute_4_7;
+        attribute_5_4 <= sample_3_attribute_5;
         attribute_5_5 <= attribute_5_4;
         attribute_5_6 <= attribute_5_5;
         attribute_5_7 <= attribute_5_6;
-        attribute_6_3 <= sample_2_attribute_6;
-        attribute_6_4 <= attribute_6_3;
+        attribute_5_8 <= attribute_5_7;
+        attribute_6_4 <= sample_3_attribute_6;
         attribute_6_5 <= attribute_6_4;
         attribute_6_6 <= attribute_6_5;
         attribute_6_7 <= attribute_6_6;
-        attribute_7_3 <= sample_2_attribute_7;
-        attribute_7_4 <= attribute_7_3;
+        attribute_6_8 <= attribute_6_7;
+        attribute_7_4 <= sample_3_attribute_7;
         attribute_7_5 <= attribute_7_4;
         attribute_7_6 <= attribute_7_5;
         attribute_7_7 <= attribute_7_6;
-        attribute_8_3 <= sample_2_attribute_8;
-        attribute_8_4 <= attribute_8_3;
+        attribute_7_8 <= attribute_7_7;
+        attribute_8_4 <= sample_3_attribute_8;
         attribute_8_5 <= attribute_8_4;
         attribute_8_6 <= attribute_8_5;
         attribute_8_7 <= attribute_8_6;
-        attribute_9_3 <= sample_2_attribute_9;
-        attribute_9_4 <= attribute_9_3;
+        attribute_8_8 <= attribute_8_7;
+        attribute_9_4 <= sample_3_attribute_9;
         attribute_9_5 <= attribute_9_4;
         attribute_9_6 <= attribute_9_5;
         attribute_9_7 <= attribute_9_6;
-        attribute_10_3 <= sample_2_attribute_10;
-        attribute_10_4 <= attribute_10_3;
+        attribute_9_8 <= attribute_9_7;
+        attribute_10_4 <= sample_3_attribute_10;
         attribute_10_5 <= attribute_10_4;
         attribute_10_6 <= attribute_10_5;
         attribute_10_7 <= attribute_10_6;
-        attribute_11_3 <= sample_2_attribute_11;
-        attribute_11_4 <= attribute_11_3;
+        attribute_10_8 <= attribute_10_7;
+        attribute_11_4 <= sample_3_attribute_11;
         attribute_11_5 <= attribute_11_4;
         attribute_11_6 <= attribute_11_5;
         attribute_11_7 <= attribute_11_6;
-        attribute_12_3 <= sample_2_attribute_12;
-        attribute_12_4 <= attribute_12_3;
+        attribute_11_8 <= attribute_11_7;
+        attribute_12_4 <= sample_3_attribute_12;
         attribute_12_5 <= attribute_12_4;
         attribute_12_6 <= attribute_12_5;
         attribute_12_7 <= attribute_12_6;
-        cardinal_0_3 <= sample_2_cardinal_0;
-        cardinal_0_4 <= cardinal_0_3;
+        attribute_12_8 <= attribute_12_7;
+        cardinal_0_4 <= sample_3_cardinal_0;
         cardinal_0_5 <= cardinal_0_4;
         cardinal_0_6 <= cardinal_0_5;
         cardinal_0_7 <= cardinal_0_6;
-        stored_cardinal_0_3 <= stored[15:0];
-        stored_cardinal_0_4 <= stored_cardinal_0_3;
+        cardinal_0_8 <= cardinal_0_7;
+        stored_cardinal_0_4 <= stored[15:0];
         stored_cardinal_0_5 <= stored_cardinal_0_4;
         stored_cardinal_0_6 <= stored_cardinal_0_5;
         stored_cardinal_0_7 <= stored_cardinal_0_6;
+        stored_cardinal_0_8 <= stored_cardinal_0_7;
         if (head_takes) begin
             head_end <= places_out_end;
             head_last <= places_out_last;
@@ -3260,39 +3365,51 @@ module core_a_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
+        if (slot_ready[0] | term_13) begin
+            slot_0_pixel <= slot_0_read;
+        end
+        if (slot_ready[1] | term_14) begin
+            slot_1_pixel <= slot_1_read;
+        end
+        if (slot_ready[2] | term_15) begin
+            slot_2_pixel <= slot_2_read;
+        end
+        if (slot_ready[3] | term_16) begin
+            slot_3_pixel <= slot_3_read;
+        end
         if (drain_enable) begin
             drained_slot <= drain_slot;
         end
     end
     always @(posedge clk) begin
-        if (filling_0 | (writes & (slot_7 == 2'd0))) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_7] <= filling_0 ? joined_12 : result;
+        if (filling_0 | (writes & (slot_8 == 2'd0))) begin
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_17 : result;
         end
-        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : (drain_enable & (drain_slot == 2'd0))) begin
+        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_13) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_1 | (writes & (slot_7 == 2'd1))) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_7] <= filling_1 ? joined_12 : result;
+        if (filling_1 | (writes & (slot_8 == 2'd1))) begin
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_17 : result;
         end
-        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : (drain_enable & (drain_slot == 2'd1))) begin
+        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_14) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_2 | (writes & (slot_7 == 2'd2))) begin
-            slot_2_pixels[filling_2 ? fill_pixel : pixel_7] <= filling_2 ? joined_12 : result;
+        if (filling_2 | (writes & (slot_8 == 2'd2))) begin
+            slot_2_pixels[filling_2 ? fill_pixel : pixel_8] <= filling_2 ? joined_17 : result;
         end
-        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : (drain_enable & (drain_slot == 2'd2))) begin
+        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_15) begin
             slot_2_read <= slot_2_pixels[slot_ready[2] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_3 | (writes & (slot_7 == 2'd3))) begin
-            slot_3_pixels[filling_3 ? fill_pixel : pixel_7] <= filling_3 ? joined_12 : result;
+        if (filling_3 | (writes & (slot_8 == 2'd3))) begin
+            slot_3_pixels[filling_3 ? fill_pixel : pixel_8] <= filling_3 ? joined_17 : result;
         end
-        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : (drain_enable & (drain_slot == 2'd3))) begin
+        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_16) begin
             slot_3_read <= slot_3_pixels[slot_ready[3] ? head_pixel : drain_pixel];
         end
     end
@@ -5006,7 +5123,7 @@ module stream_fifo_d64_w296 (
 endmodule
 
 // Distance of a sample from its splat's centre, and its kernel weight.
-// latency = 56
+// latency = 58
 // initiation_interval = 1
 module core_a_evaluation (
     input  wire clk,
@@ -5052,11 +5169,11 @@ module core_a_evaluation (
     (* ram_style = "distributed" *)
     reg [23:0] delay_26_from_0 [0:24];
     (* ram_style = "distributed" *)
-    reg delay_50_from_0 [0:48];
+    reg delay_52_from_0 [0:50];
     (* ram_style = "distributed" *)
-    reg delay_51_from_0 [0:49];
+    reg delay_53_from_0 [0:51];
     (* ram_style = "distributed" *)
-    reg [7:0] delay_56_from_0 [0:54];
+    reg [7:0] delay_58_from_0 [0:56];
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
@@ -5071,13 +5188,13 @@ module core_a_evaluation (
     reg delay_24_from_0_out;
     reg [4:0] delay_26_from_0_pointer;
     reg [23:0] delay_26_from_0_out;
-    reg [5:0] delay_50_from_0_pointer;
-    reg delay_50_from_0_out;
-    reg [5:0] delay_51_from_0_pointer;
-    reg delay_51_from_0_out;
-    reg [5:0] delay_56_from_0_pointer;
-    reg [7:0] delay_56_from_0_out;
-    reg end_d51;
+    reg [5:0] delay_52_from_0_pointer;
+    reg delay_52_from_0_out;
+    reg [5:0] delay_53_from_0_pointer;
+    reg delay_53_from_0_out;
+    reg [5:0] delay_58_from_0_pointer;
+    reg [7:0] delay_58_from_0_out;
+    reg end_d53;
     reg [23:0] neg_18_d1;
     reg [23:0] neg_18_d2;
     reg [23:0] neg_18_d3;
@@ -5141,6 +5258,8 @@ module core_a_evaluation (
     reg valid_d54;
     reg valid_d55;
     reg valid_d56;
+    reg valid_d57;
+    reg valid_d58;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -5181,10 +5300,10 @@ module core_a_evaluation (
     assign in_ready = queue_in_ready;
     wire queue_out_ready = out_ready;
     wire [23:0] select_53 = delay_24_from_0_out ? 24'h7f8000 : div_f24_ftz_unit_y;
-    wire not_62 = ~delay_50_from_0_out;
+    wire not_62 = ~delay_52_from_0_out;
     wire and_63 = lt_f24_ftz_unit_y & not_62_d1;
-    wire or_64 = delay_51_from_0_out | and_63;
-    wire or_65 = end_d51 | or_64;
+    wire or_64 = delay_53_from_0_out | and_63;
+    wire or_65 = end_d53 | or_64;
     wire xor_51 = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
 
     assign out_valid = queue_out_valid;
@@ -5198,13 +5317,13 @@ module core_a_evaluation (
     stream_skid_w27 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d56 & delay_5_from_0_out[3]),
+        .in_valid(valid_d58 & delay_5_from_0_out[3]),
         .in_ready(queue_in_ready),
         .in_end(delay_5_from_0_out[0]),
         .in_last(delay_5_from_0_out[1]),
         .in_inside(delay_5_from_0_out[2]),
-        .in_slot(delay_56_from_0_out[1:0]),
-        .in_pixel(delay_56_from_0_out[7:2]),
+        .in_slot(delay_58_from_0_out[1:0]),
+        .in_pixel(delay_58_from_0_out[7:2]),
         .in_weight(interpolate_8_8_16_unit_y),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
@@ -5464,9 +5583,9 @@ module core_a_evaluation (
             delay_13_from_0_pointer <= 4'd0;
             delay_24_from_0_pointer <= 5'd0;
             delay_26_from_0_pointer <= 5'd0;
-            delay_50_from_0_pointer <= 6'd0;
-            delay_51_from_0_pointer <= 6'd0;
-            delay_56_from_0_pointer <= 6'd0;
+            delay_52_from_0_pointer <= 6'd0;
+            delay_53_from_0_pointer <= 6'd0;
+            delay_58_from_0_pointer <= 6'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -5523,6 +5642,8 @@ module core_a_evaluation (
             valid_d54 <= 1'd0;
             valid_d55 <= 1'd0;
             valid_d56 <= 1'd0;
+            valid_d57 <= 1'd0;
+            valid_d58 <= 1'd0;
         end else if (queue_in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
@@ -5531,9 +5652,9 @@ module core_a_evaluation (
             delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
             delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
             delay_26_from_0_pointer <= (delay_26_from_0_pointer == 5'd24) ? (delay_26_from_0_pointer - 5'd24) : (delay_26_from_0_pointer + 5'd1);
-            delay_50_from_0_pointer <= (delay_50_from_0_pointer == 6'd48) ? (delay_50_from_0_pointer - 6'd48) : (delay_50_from_0_pointer + 6'd1);
-            delay_51_from_0_pointer <= (delay_51_from_0_pointer == 6'd49) ? (delay_51_from_0_pointer - 6'd49) : (delay_51_from_0_pointer + 6'd1);
-            delay_56_from_0_pointer <= (delay_56_from_0_pointer == 6'd54) ? (delay_56_from_0_pointer - 6'd54) : (delay_56_from_0_pointer + 6'd1);
+            delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
+            delay_53_from_0_pointer <= (delay_53_from_0_pointer == 6'd51) ? (delay_53_from_0_pointer - 6'd51) : (delay_53_from_0_pointer + 6'd1);
+            delay_58_from_0_pointer <= (delay_58_from_0_pointer == 6'd56) ? (delay_58_from_0_pointer - 6'd56) : (delay_58_from_0_pointer + 6'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
             valid_d3 <= valid_d2;
@@ -5590,11 +5711,13 @@ module core_a_evaluation (
             valid_d54 <= valid_d53;
             valid_d55 <= valid_d54;
             valid_d56 <= valid_d55;
+            valid_d57 <= valid_d56;
+            valid_d58 <= valid_d57;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            end_d51 <= delay_50_from_0_out;
+            end_d53 <= delay_52_from_0_out;
             neg_18_d1 <= {~in_center_x[23], in_center_x[22:0]};
             neg_18_d2 <= neg_18_d1;
             neg_18_d3 <= neg_18_d2;
@@ -5606,7 +5729,7 @@ module core_a_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_51_from_0_out, end_d51};
+            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_53_from_0_out, end_d53};
         end
         if (queue_in_ready) begin
             delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
@@ -5662,32 +5785,32 @@ module core_a_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_50_from_0[delay_50_from_0_pointer] <= in_end;
+            delay_52_from_0[delay_52_from_0_pointer] <= in_end;
         end
         if (queue_in_ready) begin
-            delay_50_from_0_out <= delay_50_from_0[delay_50_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_51_from_0[delay_51_from_0_pointer] <= in_last;
-        end
-        if (queue_in_ready) begin
-            delay_51_from_0_out <= delay_51_from_0[delay_51_from_0_pointer];
+            delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_56_from_0[delay_56_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+            delay_53_from_0[delay_53_from_0_pointer] <= in_last;
         end
         if (queue_in_ready) begin
-            delay_56_from_0_out <= delay_56_from_0[delay_56_from_0_pointer];
+            delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_58_from_0[delay_58_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        end
+        if (queue_in_ready) begin
+            delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
         end
     end
 endmodule
 
 // Sampled function, interpolated linearly.
-// stages = 3
+// stages = 4
 // index_bits = 8
 // fraction_bits = 8
 module float_table (
@@ -5697,11 +5820,13 @@ module float_table (
     input  wire [15:0] a,
     output reg  [15:0] y
 );
-    reg [16:0] slope_s1;
+    reg [32:0] entry_s1;
     reg [7:0] fraction_s1;
-    reg [15:0] rise_s2;
-    reg [15:0] start_s1;
+    reg [16:0] slope_s2;
+    reg [7:0] fraction_s2;
+    reg [15:0] rise_s3;
     reg [15:0] start_s2;
+    reg [15:0] start_s3;
 
     reg [32:0] samples;
     always @(*) begin
@@ -5964,17 +6089,19 @@ module float_table (
             default: samples = 33'h45d7ffba;
         endcase
     end
-    wire [8:0] joined_1 = {1'd0, fraction_s1};
-    wire [25:0] product_2 = $signed({{9{slope_s1[16]}}, slope_s1}) * $signed({{17{joined_1[8]}}, joined_1});
+    wire [8:0] joined_1 = {1'd0, fraction_s2};
+    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
 
     always @(posedge clk) begin
         if (enable) begin
-            slope_s1 <= samples[16:0];
+            entry_s1 <= samples;
             fraction_s1 <= a[7:0];
-            rise_s2 <= product_2[23:8];
-            start_s1 <= samples[32:17];
-            start_s2 <= start_s1;
-            y <= start_s2 + rise_s2;
+            slope_s2 <= entry_s1[16:0];
+            fraction_s2 <= fraction_s1;
+            rise_s3 <= product_2[23:8];
+            start_s2 <= entry_s1[32:17];
+            start_s3 <= start_s2;
+            y <= start_s3 + rise_s3;
         end
     end
 
@@ -6812,23 +6939,6 @@ module core_a_tile_cache (
     reg is_of_code_3;
     reg stored_touched;
     reg touched;
-    reg [27:0] held_weight;
-    reg [51:0] held_depth;
-    reg [15:0] held_peak;
-    reg [15:0] held_attribute_0;
-    reg [15:0] held_attribute_1;
-    reg [15:0] held_attribute_2;
-    reg [15:0] held_attribute_3;
-    reg [15:0] held_attribute_4;
-    reg [15:0] held_attribute_5;
-    reg [15:0] held_attribute_6;
-    reg [15:0] held_attribute_7;
-    reg [15:0] held_attribute_8;
-    reg [15:0] held_attribute_9;
-    reg [15:0] held_attribute_10;
-    reg [15:0] held_attribute_11;
-    reg [15:0] held_attribute_12;
-    reg [15:0] held_cardinal_0;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
@@ -6952,7 +7062,6 @@ module core_a_tile_cache (
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
-    wire drain_next = drain_step & ~drained[6];
     wire head_waits = (mode == 3'd1) & head_valid;
     wire term_4 = head_waits & ~head_end;
     wire term_5 = resident_0 & is_of_copy_0;
@@ -6974,7 +7083,7 @@ module core_a_tile_cache (
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
     wire term_12 = term_1 & beat;
-    wire [27:0] choice_13 = term_2 ? held_weight : data_weight;
+    wire [27:0] choice_13 = term_2 ? drain_weight : data_weight;
     wire visible = |choice_13;
     wire pixel_queue_out_ready = pixel_ready;
     wire term_14 = mode == 3'd0;
@@ -7007,6 +7116,7 @@ module core_a_tile_cache (
     wire term_34 = (term_25 & resident_0) | (term_26 & resident_1) | (term_28 & resident_2);
     wire [11:0] term_35 = ({12{term_25}} & tile_0) | ({12{term_26}} & tile_1) | ({12{term_28}} & tile_2);
     wire term_36 = looked | term_19;
+    wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
     wire term_37 = start & term_25;
     wire term_38 = done & (slot == 2'd0);
@@ -7102,7 +7212,7 @@ module core_a_tile_cache (
     assign pixel_cardinal_0 = pixel_queue_out_cardinal_0;
     assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
     assign fill_slot = slot;
-    assign drain_enable = drain_next;
+    assign drain_enable = drain_step;
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
@@ -7261,23 +7371,23 @@ module core_a_tile_cache (
         .in_ready(write_queue_in_ready),
         .in_tile(evict_tile),
         .in_pixel(held_pixel),
-        .in_weight(held_weight),
-        .in_depth(held_depth),
-        .in_peak(held_peak),
-        .in_attribute_0(held_attribute_0),
-        .in_attribute_1(held_attribute_1),
-        .in_attribute_2(held_attribute_2),
-        .in_attribute_3(held_attribute_3),
-        .in_attribute_4(held_attribute_4),
-        .in_attribute_5(held_attribute_5),
-        .in_attribute_6(held_attribute_6),
-        .in_attribute_7(held_attribute_7),
-        .in_attribute_8(held_attribute_8),
-        .in_attribute_9(held_attribute_9),
-        .in_attribute_10(held_attribute_10),
-        .in_attribute_11(held_attribute_11),
-        .in_attribute_12(held_attribute_12),
-        .in_cardinal_0(held_cardinal_0),
+        .in_weight(drain_weight),
+        .in_depth(drain_depth),
+        .in_peak(drain_peak),
+        .in_attribute_0(drain_attribute_0),
+        .in_attribute_1(drain_attribute_1),
+        .in_attribute_2(drain_attribute_2),
+        .in_attribute_3(drain_attribute_3),
+        .in_attribute_4(drain_attribute_4),
+        .in_attribute_5(drain_attribute_5),
+        .in_attribute_6(drain_attribute_6),
+        .in_attribute_7(drain_attribute_7),
+        .in_attribute_8(drain_attribute_8),
+        .in_attribute_9(drain_attribute_9),
+        .in_attribute_10(drain_attribute_10),
+        .in_attribute_11(drain_attribute_11),
+        .in_attribute_12(drain_attribute_12),
+        .in_cardinal_0(drain_cardinal_0),
         .out_valid(write_queue_out_valid),
         .out_ready(write_queue_out_ready),
         .out_tile(write_queue_out_tile),
@@ -7310,22 +7420,22 @@ module core_a_tile_cache (
         .in_tile(code),
         .in_pixel(term_2 ? held_pixel : drained[5:0]),
         .in_weight(choice_13),
-        .in_depth(term_2 ? held_depth : data_depth),
-        .in_peak(term_2 ? held_peak : data_peak),
-        .in_attribute_0(term_2 ? held_attribute_0 : data_attribute_0),
-        .in_attribute_1(term_2 ? held_attribute_1 : data_attribute_1),
-        .in_attribute_2(term_2 ? held_attribute_2 : data_attribute_2),
-        .in_attribute_3(term_2 ? held_attribute_3 : data_attribute_3),
-        .in_attribute_4(term_2 ? held_attribute_4 : data_attribute_4),
-        .in_attribute_5(term_2 ? held_attribute_5 : data_attribute_5),
-        .in_attribute_6(term_2 ? held_attribute_6 : data_attribute_6),
-        .in_attribute_7(term_2 ? held_attribute_7 : data_attribute_7),
-        .in_attribute_8(term_2 ? held_attribute_8 : data_attribute_8),
-        .in_attribute_9(term_2 ? held_attribute_9 : data_attribute_9),
-        .in_attribute_10(term_2 ? held_attribute_10 : data_attribute_10),
-        .in_attribute_11(term_2 ? held_attribute_11 : data_attribute_11),
-        .in_attribute_12(term_2 ? held_attribute_12 : data_attribute_12),
-        .in_cardinal_0(term_2 ? held_cardinal_0 : data_cardinal_0),
+        .in_depth(term_2 ? drain_depth : data_depth),
+        .in_peak(term_2 ? drain_peak : data_peak),
+        .in_attribute_0(term_2 ? drain_attribute_0 : data_attribute_0),
+        .in_attribute_1(term_2 ? drain_attribute_1 : data_attribute_1),
+        .in_attribute_2(term_2 ? drain_attribute_2 : data_attribute_2),
+        .in_attribute_3(term_2 ? drain_attribute_3 : data_attribute_3),
+        .in_attribute_4(term_2 ? drain_attribute_4 : data_attribute_4),
+        .in_attribute_5(term_2 ? drain_attribute_5 : data_attribute_5),
+        .in_attribute_6(term_2 ? drain_attribute_6 : data_attribute_6),
+        .in_attribute_7(term_2 ? drain_attribute_7 : data_attribute_7),
+        .in_attribute_8(term_2 ? drain_attribute_8 : data_attribute_8),
+        .in_attribute_9(term_2 ? drain_attribute_9 : data_attribute_9),
+        .in_attribute_10(term_2 ? drain_attribute_10 : data_attribute_10),
+        .in_attribute_11(term_2 ? drain_attribute_11 : data_attribute_11),
+        .in_attribute_12(term_2 ? drain_attribute_12 : data_attribute_12),
+        .in_cardinal_0(term_2 ? drain_cardinal_0 : data_cardinal_0),
         .out_valid(pixel_queue_out_valid),
         .out_ready(pixel_queue_out_ready),
         .out_end(pixel_queue_out_end),
@@ -7497,23 +7607,6 @@ module core_a_tile_cache (
         end
         if (drain_step) begin
             held_pixel <= shown_pixel;
-            held_weight <= drain_weight;
-            held_depth <= drain_depth;
-            held_peak <= drain_peak;
-            held_attribute_0 <= drain_attribute_0;
-            held_attribute_1 <= drain_attribute_1;
-            held_attribute_2 <= drain_attribute_2;
-            held_attribute_3 <= drain_attribute_3;
-            held_attribute_4 <= drain_attribute_4;
-            held_attribute_5 <= drain_attribute_5;
-            held_attribute_6 <= drain_attribute_6;
-            held_attribute_7 <= drain_attribute_7;
-            held_attribute_8 <= drain_attribute_8;
-            held_attribute_9 <= drain_attribute_9;
-            held_attribute_10 <= drain_attribute_10;
-            held_attribute_11 <= drain_attribute_11;
-            held_attribute_12 <= drain_attribute_12;
-            held_cardinal_0 <= drain_cardinal_0;
         end
         if (term_36 | fill) begin
             filled <= term_36 ? 7'd0 : (filled + 7'd1);
@@ -10724,7 +10817,7 @@ module stream_skid_w537 (
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
-// latency = 122
+// latency = 132
 // initiation_interval = 4
 module core_a_setup (
     input  wire clk,
@@ -10799,75 +10892,75 @@ module core_a_setup (
     output wire [8:0] out_bottom
 );
     (* ram_style = "distributed" *)
-    reg [191:0] delay_5_from_0 [0:3];
+    reg [71:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_17_from_0 [0:15];
+    reg [215:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [224:0] delay_31_from_0 [0:29];
+    reg [23:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
-    reg [71:0] delay_5_from_1 [0:3];
+    reg [23:0] delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_6_from_1 [0:4];
+    reg [47:0] delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_7_from_1 [0:5];
+    reg delay_17_from_0 [0:15];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_11_from_1 [0:9];
+    reg [224:0] delay_33_from_0 [0:31];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_6_from_2 [0:4];
+    reg [72:0] delay_7_from_1 [0:5];
+    (* ram_style = "distributed" *)
+    reg delay_12_from_1 [0:10];
     (* ram_style = "distributed" *)
     reg delay_8_from_2 [0:6];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_19_from_2 [0:17];
+    reg [72:0] delay_18_from_2 [0:16];
+    (* ram_style = "distributed" *)
+    reg [95:0] delay_21_from_2 [0:19];
     (* ram_style = "distributed" *)
     reg [47:0] delay_5_from_3 [0:3];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_7_from_3 [0:5];
-    (* ram_style = "distributed" *)
-    reg [71:0] delay_8_from_3 [0:6];
-    (* ram_style = "distributed" *)
-    reg [47:0] delay_17_from_3 [0:15];
+    reg [23:0] delay_11_from_3 [0:9];
     reg [1:0] phase;
     reg [1:0] delay_5_from_0_pointer;
-    reg [191:0] delay_5_from_0_out;
+    reg [71:0] delay_5_from_0_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [215:0] delay_6_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [23:0] delay_7_from_0_out;
+    reg [2:0] delay_8_from_0_pointer;
+    reg [23:0] delay_8_from_0_out;
+    reg [2:0] delay_9_from_0_pointer;
+    reg [47:0] delay_9_from_0_out;
     reg [3:0] delay_17_from_0_pointer;
-    reg [23:0] delay_17_from_0_out;
-    reg [4:0] delay_31_from_0_pointer;
-    reg [224:0] delay_31_from_0_out;
-    reg [1:0] delay_5_from_1_pointer;
-    reg [71:0] delay_5_from_1_out;
-    reg [2:0] delay_6_from_1_pointer;
-    reg [24:0] delay_6_from_1_out;
+    reg delay_17_from_0_out;
+    reg [4:0] delay_33_from_0_pointer;
+    reg [224:0] delay_33_from_0_out;
     reg [2:0] delay_7_from_1_pointer;
-    reg [23:0] delay_7_from_1_out;
-    reg [3:0] delay_11_from_1_pointer;
-    reg [24:0] delay_11_from_1_out;
-    reg [2:0] delay_6_from_2_pointer;
-    reg [23:0] delay_6_from_2_out;
+    reg [72:0] delay_7_from_1_out;
+    reg [3:0] delay_12_from_1_pointer;
+    reg delay_12_from_1_out;
     reg [2:0] delay_8_from_2_pointer;
     reg delay_8_from_2_out;
-    reg [4:0] delay_19_from_2_pointer;
-    reg [95:0] delay_19_from_2_out;
+    reg [4:0] delay_18_from_2_pointer;
+    reg [72:0] delay_18_from_2_out;
+    reg [4:0] delay_21_from_2_pointer;
+    reg [95:0] delay_21_from_2_out;
     reg [1:0] delay_5_from_3_pointer;
     reg [47:0] delay_5_from_3_out;
-    reg [2:0] delay_7_from_3_pointer;
-    reg [23:0] delay_7_from_3_out;
-    reg [2:0] delay_8_from_3_pointer;
-    reg [71:0] delay_8_from_3_out;
-    reg [3:0] delay_17_from_3_pointer;
-    reg [47:0] delay_17_from_3_out;
+    reg [3:0] delay_11_from_3_pointer;
+    reg [23:0] delay_11_from_3_out;
+    reg [23:0] mul_28_d6;
+    reg [23:0] mul_30_d6;
     reg [23:0] add_33_d1;
     reg [23:0] add_33_d2;
-    reg [23:0] add_33_d3;
-    reg [23:0] add_35_d1;
-    reg [23:0] recip_36_d1;
-    reg whole_d18;
-    reg [23:0] mul_42_d1;
+    reg whole_d20;
+    reg whole_d21;
     reg [23:0] mul_44_d1;
     reg [23:0] mul_44_d2;
     reg [23:0] mul_48_d1;
     reg [23:0] mul_50_d1;
     reg [23:0] mul_50_d2;
     reg [23:0] mul_54_d1;
+    reg [23:0] add_57_d17;
     reg [23:0] add_60_d1;
     reg [23:0] add_60_d2;
     reg [23:0] add_60_d3;
@@ -10875,63 +10968,75 @@ module core_a_setup (
     reg [23:0] add_65_d2;
     reg [23:0] add_65_d3;
     reg [23:0] mul_66_d1;
+    reg [23:0] mul_66_d2;
+    reg [23:0] add_77_d1;
     reg [21:0] shr_93_d1;
     reg [21:0] select_96_d1;
+    reg [21:0] select_96_d2;
     reg [21:0] min_97_d1;
     reg [8:0] resize_101_d1;
     reg [8:0] resize_102_d1;
     reg lt_103_d1;
-    reg [23:0] mul_106_d1;
-    reg [23:0] mul_108_d1;
-    reg [23:0] mul_108_d2;
-    reg [23:0] mul_112_d1;
-    reg [23:0] mul_114_d1;
-    reg [23:0] mul_114_d2;
-    reg [23:0] mul_118_d1;
-    reg [23:0] add_121_d16;
-    reg [23:0] add_124_d1;
-    reg [23:0] add_124_d2;
-    reg [23:0] add_124_d3;
-    reg [23:0] add_129_d1;
-    reg [23:0] add_129_d2;
-    reg [23:0] add_129_d3;
-    reg [23:0] add_129_d4;
-    reg [23:0] mul_130_d1;
-    reg [23:0] add_131_d1;
-    reg [23:0] add_138_d1;
-    reg [23:0] add_140_d1;
-    reg [21:0] shr_152_d1;
-    reg [21:0] select_153_d1;
-    reg [21:0] min_154_d1;
-    reg [8:0] resize_157_d1;
-    reg [8:0] resize_158_d1;
-    reg lt_159_d1;
-    reg [23:0] neg_170_d1;
-    reg [23:0] mul_173_d12;
-    reg [23:0] add_175_d1;
-    reg [23:0] add_175_d2;
-    reg [23:0] add_175_d3;
-    reg [23:0] add_175_d4;
-    reg [23:0] add_178_d1;
-    reg [23:0] add_178_d2;
-    reg [23:0] abs_179_d1;
-    reg [23:0] abs_179_d2;
-    reg [23:0] abs_179_d3;
-    reg [23:0] abs_179_d4;
-    reg [23:0] abs_179_d5;
-    reg [23:0] mul_182_d1;
-    reg [23:0] mul_182_d2;
-    reg [23:0] mul_182_d3;
-    reg [23:0] mul_182_d4;
+    reg [23:0] mul_109_d1;
+    reg [23:0] mul_109_d2;
+    reg [23:0] mul_113_d1;
+    reg [23:0] mul_115_d1;
+    reg [23:0] mul_115_d2;
+    reg [23:0] mul_119_d1;
+    reg [23:0] add_122_d18;
+    reg [23:0] add_125_d1;
+    reg [23:0] add_125_d2;
+    reg [23:0] add_125_d3;
+    reg [23:0] add_130_d1;
+    reg [23:0] add_130_d2;
+    reg [23:0] add_130_d3;
+    reg [23:0] mul_131_d1;
+    reg [23:0] mul_131_d2;
+    reg [23:0] add_132_d1;
+    reg [23:0] sqrt_133_d1;
+    reg [23:0] add_135_d8;
+    reg [23:0] add_141_d1;
+    reg [23:0] max_143_d1;
+    reg [21:0] shr_153_d1;
+    reg [21:0] select_154_d1;
+    reg [21:0] min_155_d1;
+    reg [8:0] resize_159_d1;
+    reg lt_160_d1;
+    reg [23:0] mul_162_d1;
+    reg [23:0] neg_164_d1;
+    reg equal_171_d1;
+    reg [7:0] bits_172_d1;
+    reg [7:0] bits_172_d2;
+    reg lt_174_d1;
+    reg [23:0] neg_178_d1;
+    reg [23:0] mul_185_d12;
+    reg [23:0] add_187_d1;
+    reg [23:0] add_187_d2;
+    reg [23:0] add_187_d3;
+    reg [23:0] add_187_d4;
+    reg [23:0] add_187_d5;
+    reg [23:0] add_190_d1;
+    reg [23:0] add_190_d2;
+    reg [23:0] add_190_d3;
+    reg [23:0] abs_191_d1;
+    reg [23:0] sqrt_192_d1;
+    reg [23:0] mul_194_d1;
+    reg [23:0] mul_194_d2;
+    reg [23:0] mul_194_d3;
+    reg [23:0] mul_194_d4;
+    reg [23:0] mul_194_d5;
     reg beyond_near_d1;
-    reg [23:0] select_187_d1;
-    reg [23:0] select_187_d2;
-    reg [23:0] select_187_d3;
-    reg [23:0] select_187_d4;
-    reg [23:0] to_fixed_203_d1;
-    reg [23:0] to_fixed_203_d2;
-    reg [23:0] max_205_d1;
-    reg [23:0] to_fixed_206_d1;
+    reg [23:0] select_199_d1;
+    reg [23:0] select_199_d2;
+    reg [23:0] select_199_d3;
+    reg [23:0] select_199_d4;
+    reg [23:0] select_199_d5;
+    reg [23:0] add_205_d1;
+    reg and_207_d1;
+    reg [23:0] to_fixed_222_d1;
+    reg [23:0] max_224_d1;
+    reg [23:0] to_fixed_225_d1;
+    reg [23:0] recip_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
     reg [23:0] mul_f24_ftz_unit_copy2_a;
@@ -10986,6 +11091,8 @@ module core_a_setup (
     reg [23:0] max_f24_ftz_unit_copy3_a;
     reg [23:0] max_f24_ftz_unit_copy3_b;
     reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
+    reg [23:0] le_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_b;
     reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
     reg valid_d1;
     reg valid_d2;
@@ -11018,6 +11125,8 @@ module core_a_setup (
     reg valid_d29;
     reg valid_d30;
     reg valid_d31;
+    reg valid_d32;
+    reg valid_d33;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -11085,65 +11194,72 @@ module core_a_setup (
     wire le_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire load_0 = queue_in_ready & (phase == 2'd0);
+    wire term_1 = phase == 2'd0;
+    wire load_0 = queue_in_ready & term_1;
     assign in_ready = load_0;
-    wire and_195 = lt_103_d1 & delay_8_from_2_out;
-    wire and_196 = lt_159_d1 & and_195;
-    wire or_197 = delay_31_from_0_out[0] | and_196;
-    wire term_1 = phase == 2'd2;
+    wire and_208 = lt_160_d1 & and_207_d1;
+    wire or_212 = delay_17_from_0_out | delay_18_from_2_out[72];
+    wire and_213 = and_208 & or_212;
+    wire or_215 = delay_33_from_0_out[0] | and_213;
+    wire [23:0] select_216 = delay_17_from_0_out ? 24'h7fc000 : delay_18_from_2_out[23:0];
     wire queue_out_ready = out_ready;
     wire term_2 = phase == 2'd3;
     wire load_1 = queue_in_ready & (phase == 2'd1);
-    wire load_2 = queue_in_ready & term_1;
+    wire load_2 = queue_in_ready & (phase == 2'd2);
     wire load_3 = queue_in_ready & term_2;
     wire [21:0] add_92 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_84 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] select_96 = delay_6_from_1_out[0] ? (add_84 >> 8) : 22'd0;
+    wire [21:0] select_96 = delay_7_from_1_out[0] ? (add_84 >> 8) : 22'd0;
     wire [21:0] min_97 = (22'd512 < shr_93_d1) ? 22'd512 : shr_93_d1;
-    wire [21:0] select_98 = whole_d18 ? min_97_d1 : 22'd512;
+    wire [21:0] select_98 = whole_d20 ? min_97_d1 : 22'd512;
     wire [21:0] sub_100 = select_98 - 22'd1;
-    wire lt_103 = select_96_d1 < select_98;
-    wire [21:0] add_151 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] add_145 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] select_153 = delay_6_from_1_out[0] ? (add_145 >> 8) : 22'd0;
-    wire [21:0] min_154 = (shr_152_d1 < 22'd512) ? shr_152_d1 : 22'd512;
-    wire [21:0] select_155 = whole_d18 ? min_154_d1 : 22'd512;
-    wire [21:0] sub_156 = select_155 - 22'd1;
-    wire lt_159 = select_153_d1 < select_155;
-    wire [23:0] joined_3 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire beyond_near = delay_11_from_1_out[0] & le_f24_ftz_unit_y;
-    wire [23:0] select_187 = beyond_near ? add_178_d2 : add_175_d4;
-    wire [23:0] choice_4 = phase[0] ? mul_f24_ftz_unit_y : recip_f24_ftz_unit_y;
-    wire [23:0] choice_5 = phase[0] ? mul_f24_ftz_unit_copy2_y : recip_f24_ftz_unit_y;
-    wire [23:0] choice_6 = phase[0] ? mul_f24_ftz_unit_copy2_y : delay_5_from_0_out[47:24];
-    wire [23:0] choice_7 = phase[0] ? delay_5_from_1_out[47:24] : mul_f24_ftz_unit_copy7_y;
-    wire [23:0] choice_8 = phase[0] ? mul_f24_ftz_unit_copy3_y : delay_5_from_0_out[71:48];
-    wire [23:0] choice_9 = phase[0] ? scale_x : recip_f24_ftz_unit_y;
-    wire [23:0] choice_10 = phase[0] ? add_f24_ftz_unit_copy2_y : delay_5_from_0_out[95:72];
-    wire [23:0] choice_11 = phase[0] ? mul_f24_ftz_unit_copy12_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_12 = phase[0] ? mul_f24_ftz_unit_copy3_y : delay_5_from_0_out[119:96];
-    wire [23:0] choice_13 = phase[0] ? add_f24_ftz_unit_copy3_y : delay_5_from_0_out[143:120];
-    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy6_y : delay_5_from_0_out[191:168];
-    wire [23:0] choice_15 = phase[0] ? sqrt_f24_ftz_unit_y : mul_f24_ftz_unit_copy9_y;
-    wire [23:0] choice_16 = phase[0] ? add_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy10_y;
-    wire [23:0] select_189 = beyond_near_d1 ? mul_182_d4 : min_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_17 = phase[0] ? {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]} : origin_x;
-    wire [23:0] choice_18 = phase[0] ? delay_6_from_1_out[24:1] : mul_f24_ftz_unit_copy9_y;
-    wire [23:0] joined_19 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire [23:0] joined_20 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] joined_21 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_22 = phase[0] ? mul_f24_ftz_unit_copy7_y : delay_8_from_3_out[23:0];
-    wire [23:0] choice_23 = phase[0] ? delay_8_from_3_out[47:24] : mul_f24_ftz_unit_y;
+    wire lt_103 = select_96_d2 < select_98;
+    wire [21:0] add_152 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] add_146 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] select_154 = whole_d20 ? (add_146 >> 8) : 22'd0;
+    wire [21:0] min_155 = (shr_153_d1 < 22'd512) ? shr_153_d1 : 22'd512;
+    wire [21:0] select_156 = whole_d21 ? min_155_d1 : 22'd512;
+    wire [21:0] sub_157 = select_156 - 22'd1;
+    wire lt_160 = select_154_d1 < select_156;
+    wire [8:0] joined_3 = {1'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire equal_171 = joined_3 == 9'd0;
+    wire [8:0] add_169 = joined_3 + 9'd12;
+    wire lt_174 = add_169 < {1'd0, bits_172_d2};
+    wire beyond_near = delay_12_from_1_out & le_f24_ftz_unit_y;
+    wire [23:0] select_199 = beyond_near ? add_190_d3 : add_187_d5;
+    wire and_207 = lt_103_d1 & delay_8_from_2_out;
+    wire [23:0] choice_4 = phase[0] ? mul_f24_ftz_unit_y : delay_5_from_3_out[23:0];
+    wire [23:0] choice_5 = phase[0] ? recip_f24_ftz_unit_y : scale_x;
+    wire [23:0] choice_6 = phase[0] ? delay_6_from_0_out[23:0] : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_7 = phase[0] ? mul_f24_ftz_unit_copy2_y : delay_5_from_3_out[47:24];
+    wire [23:0] choice_8 = phase[0] ? delay_6_from_0_out[47:24] : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_9 = phase[0] ? recip_f24_ftz_unit_y : scale_y;
+    wire [23:0] choice_10 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_11 = phase[0] ? delay_6_from_0_out[119:96] : add_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_12 = phase[0] ? mul_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_13 = phase[0] ? delay_6_from_0_out[167:144] : add_f24_ftz_unit_copy6_y;
+    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy7_y;
+    wire [23:0] select_201 = beyond_near_d1 ? mul_194_d5 : min_f24_ftz_unit_copy2_y;
+    wire [23:0] joined_15 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] choice_16 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_17 = phase[0] ? neg_164_d1 : {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_18 = phase[0] ? mul_f24_ftz_unit_copy10_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] joined_19 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] choice_20 = phase[0] ? mul_f24_ftz_unit_copy5_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] joined_21 = {~mul_f24_ftz_unit_copy11_y[23], mul_f24_ftz_unit_copy11_y[22:0]};
+    wire [23:0] joined_22 = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] choice_23 = phase[0] ? delay_11_from_3_out : delay_9_from_0_out[47:24];
     wire [23:0] joined_24 = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
-    wire [23:0] joined_25 = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-    wire [23:0] joined_26 = {~mul_f24_ftz_unit_copy8_y[23], mul_f24_ftz_unit_copy8_y[22:0]};
-    wire [23:0] choice_27 = phase[0] ? mul_f24_ftz_unit_copy9_y : add_f24_ftz_unit_copy7_y;
-    wire [23:0] joined_28 = {~mul_f24_ftz_unit_copy10_y[23], mul_f24_ftz_unit_copy10_y[22:0]};
-    wire [23:0] joined_29 = {~mul_f24_ftz_unit_copy12_y[23], mul_f24_ftz_unit_copy12_y[22:0]};
-    wire [23:0] joined_30 = {~add_f24_ftz_unit_copy8_y[23], add_f24_ftz_unit_copy8_y[22:0]};
-    wire [23:0] choice_31 = phase[0] ? {~mul_182_d2[23], mul_182_d2[22:0]} : joined_19;
-    wire [23:0] choice_32 = phase[0] ? add_f24_ftz_unit_copy8_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_33 = phase[0] ? add_f24_ftz_unit_copy9_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] joined_25 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] choice_26 = phase[0] ? {~mul_194_d2[23], mul_194_d2[22:0]} : {~sqrt_133_d1[23], sqrt_133_d1[22:0]};
+    wire [23:0] choice_27 = phase[0] ? delay_7_from_1_out[48:25] : mul_f24_ftz_unit_copy11_y;
+    wire [23:0] choice_28 = phase[0] ? add_205_d1 : {~add_205_d1[23], add_205_d1[22:0]};
+    wire [23:0] choice_29 = phase[0] ? max_f24_ftz_unit_copy2_y : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_30 = phase[0] ? add_f24_ftz_unit_copy7_y : delay_5_from_0_out[71:48];
+    wire [23:0] choice_31 = phase[0] ? add_f24_ftz_unit_copy9_y : min_f24_ftz_unit_copy2_y;
+    wire edge_on = equal_171_d1 | lt_174_d1;
+    wire xor_210 = scale_x[23] ^ scale_y[23];
+    wire xor_211 = add_f24_ftz_unit_copy2_y[23] ^ xor_210;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -11181,39 +11297,39 @@ module core_a_setup (
     stream_skid_w549 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d31 & or_197 & term_1),
+        .in_valid(valid_d33 & or_215 & term_1),
         .in_ready(queue_in_ready),
-        .in_end(delay_31_from_0_out[0]),
-        .in_center_x(delay_5_from_3_out[23:0]),
-        .in_center_y(delay_5_from_3_out[47:24]),
-        .in_ax(delay_19_from_2_out[23:0]),
-        .in_bx(delay_19_from_2_out[47:24]),
-        .in_ay(delay_19_from_2_out[71:48]),
-        .in_by(delay_19_from_2_out[95:72]),
-        .in_delta(delay_17_from_3_out[23:0]),
-        .in_mx(delay_17_from_3_out[47:24]),
-        .in_my(delay_17_from_0_out),
-        .in_depth(delay_6_from_2_out),
-        .in_depth_low(to_fixed_203_d2),
-        .in_depth_high(to_fixed_206_d1),
-        .in_attribute_0(delay_31_from_0_out[16:1]),
-        .in_attribute_1(delay_31_from_0_out[32:17]),
-        .in_attribute_2(delay_31_from_0_out[48:33]),
-        .in_attribute_3(delay_31_from_0_out[64:49]),
-        .in_attribute_4(delay_31_from_0_out[80:65]),
-        .in_attribute_5(delay_31_from_0_out[96:81]),
-        .in_attribute_6(delay_31_from_0_out[112:97]),
-        .in_attribute_7(delay_31_from_0_out[128:113]),
-        .in_attribute_8(delay_31_from_0_out[144:129]),
-        .in_attribute_9(delay_31_from_0_out[160:145]),
-        .in_attribute_10(delay_31_from_0_out[176:161]),
-        .in_attribute_11(delay_31_from_0_out[192:177]),
-        .in_attribute_12(delay_31_from_0_out[208:193]),
-        .in_cardinal_0(delay_31_from_0_out[224:209]),
+        .in_end(delay_33_from_0_out[0]),
+        .in_center_x(delay_6_from_0_out[143:120]),
+        .in_center_y(delay_5_from_0_out[47:24]),
+        .in_ax(delay_21_from_2_out[23:0]),
+        .in_bx(delay_21_from_2_out[47:24]),
+        .in_ay(delay_21_from_2_out[71:48]),
+        .in_by(delay_21_from_2_out[95:72]),
+        .in_delta(select_216),
+        .in_mx(delay_18_from_2_out[47:24]),
+        .in_my(delay_18_from_2_out[71:48]),
+        .in_depth(delay_7_from_1_out[72:49]),
+        .in_depth_low(to_fixed_222_d1),
+        .in_depth_high(to_fixed_225_d1),
+        .in_attribute_0(delay_33_from_0_out[16:1]),
+        .in_attribute_1(delay_33_from_0_out[32:17]),
+        .in_attribute_2(delay_33_from_0_out[48:33]),
+        .in_attribute_3(delay_33_from_0_out[64:49]),
+        .in_attribute_4(delay_33_from_0_out[80:65]),
+        .in_attribute_5(delay_33_from_0_out[96:81]),
+        .in_attribute_6(delay_33_from_0_out[112:97]),
+        .in_attribute_7(delay_33_from_0_out[128:113]),
+        .in_attribute_8(delay_33_from_0_out[144:129]),
+        .in_attribute_9(delay_33_from_0_out[160:145]),
+        .in_attribute_10(delay_33_from_0_out[176:161]),
+        .in_attribute_11(delay_33_from_0_out[192:177]),
+        .in_attribute_12(delay_33_from_0_out[208:193]),
+        .in_cardinal_0(delay_33_from_0_out[224:209]),
         .in_left(resize_101_d1),
         .in_right(resize_102_d1),
-        .in_top(resize_157_d1),
-        .in_bottom(resize_158_d1),
+        .in_top(select_154_d1[8:0]),
+        .in_bottom(resize_159_d1),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -11253,11 +11369,11 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase[1] ? add_35_d1 : phase[0] ? add_35_d1 : in_center_z),
+        .a(recip_f24_ftz_unit_a),
         .y(recip_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11266,7 +11382,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11275,7 +11391,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11284,7 +11400,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11293,7 +11409,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy5 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11302,7 +11418,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy6 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11311,7 +11427,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy7 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy7 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11320,7 +11436,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy8 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy8 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11329,7 +11445,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy9 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy9 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11338,7 +11454,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy10 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy10 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11347,7 +11463,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy11 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy11 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11356,7 +11472,7 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy12 (
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy12 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -11450,8 +11566,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(24'h398000),
-        .b(add_35_d1),
+        .a(24'h3d0000),
+        .b(add_f24_ftz_unit_y),
         .y(lt_f24_ftz_unit_y)
     );
 
@@ -11520,8 +11636,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase[1] ? 24'd0 : add_175_d4),
-        .b(phase[1] ? add_f24_ftz_unit_copy8_y : 24'h3f8000),
+        .a(le_f24_ftz_unit_a),
+        .b(le_f24_ftz_unit_b),
         .y(le_f24_ftz_unit_y)
     );
 
@@ -11537,19 +11653,19 @@ module core_a_setup (
         if (rst) begin
             phase <= 2'd0;
             delay_5_from_0_pointer <= 2'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_7_from_0_pointer <= 3'd0;
+            delay_8_from_0_pointer <= 3'd0;
+            delay_9_from_0_pointer <= 3'd0;
             delay_17_from_0_pointer <= 4'd0;
-            delay_31_from_0_pointer <= 5'd0;
-            delay_5_from_1_pointer <= 2'd0;
-            delay_6_from_1_pointer <= 3'd0;
+            delay_33_from_0_pointer <= 5'd0;
             delay_7_from_1_pointer <= 3'd0;
-            delay_11_from_1_pointer <= 4'd0;
-            delay_6_from_2_pointer <= 3'd0;
+            delay_12_from_1_pointer <= 4'd0;
             delay_8_from_2_pointer <= 3'd0;
-            delay_19_from_2_pointer <= 5'd0;
+            delay_18_from_2_pointer <= 5'd0;
+            delay_21_from_2_pointer <= 5'd0;
             delay_5_from_3_pointer <= 2'd0;
-            delay_7_from_3_pointer <= 3'd0;
-            delay_8_from_3_pointer <= 3'd0;
-            delay_17_from_3_pointer <= 4'd0;
+            delay_11_from_3_pointer <= 4'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -11581,14 +11697,20 @@ module core_a_setup (
             valid_d29 <= 1'd0;
             valid_d30 <= 1'd0;
             valid_d31 <= 1'd0;
+            valid_d32 <= 1'd0;
+            valid_d33 <= 1'd0;
         end else begin
             if (queue_in_ready) begin
                 phase <= term_2 ? (phase - 2'd3) : (phase + 2'd1);
             end
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
+                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-                delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
+                delay_33_from_0_pointer <= (delay_33_from_0_pointer == 5'd31) ? (delay_33_from_0_pointer - 5'd31) : (delay_33_from_0_pointer + 5'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
@@ -11620,176 +11742,197 @@ module core_a_setup (
                 valid_d29 <= valid_d28;
                 valid_d30 <= valid_d29;
                 valid_d31 <= valid_d30;
+                valid_d32 <= valid_d31;
+                valid_d33 <= valid_d32;
             end
             if (load_1) begin
-                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
-                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
                 delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
-                delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
+                delay_12_from_1_pointer <= (delay_12_from_1_pointer == 4'd10) ? (delay_12_from_1_pointer - 4'd10) : (delay_12_from_1_pointer + 4'd1);
             end
             if (load_2) begin
-                delay_6_from_2_pointer <= (delay_6_from_2_pointer == 3'd4) ? (delay_6_from_2_pointer - 3'd4) : (delay_6_from_2_pointer + 3'd1);
                 delay_8_from_2_pointer <= (delay_8_from_2_pointer == 3'd6) ? (delay_8_from_2_pointer - 3'd6) : (delay_8_from_2_pointer + 3'd1);
-                delay_19_from_2_pointer <= (delay_19_from_2_pointer == 5'd17) ? (delay_19_from_2_pointer - 5'd17) : (delay_19_from_2_pointer + 5'd1);
+                delay_18_from_2_pointer <= (delay_18_from_2_pointer == 5'd16) ? (delay_18_from_2_pointer - 5'd16) : (delay_18_from_2_pointer + 5'd1);
+                delay_21_from_2_pointer <= (delay_21_from_2_pointer == 5'd19) ? (delay_21_from_2_pointer - 5'd19) : (delay_21_from_2_pointer + 5'd1);
             end
             if (load_3) begin
                 delay_5_from_3_pointer <= (delay_5_from_3_pointer == 2'd3) ? (delay_5_from_3_pointer - 2'd3) : (delay_5_from_3_pointer + 2'd1);
-                delay_7_from_3_pointer <= (delay_7_from_3_pointer == 3'd5) ? (delay_7_from_3_pointer - 3'd5) : (delay_7_from_3_pointer + 3'd1);
-                delay_8_from_3_pointer <= (delay_8_from_3_pointer == 3'd6) ? (delay_8_from_3_pointer - 3'd6) : (delay_8_from_3_pointer + 3'd1);
-                delay_17_from_3_pointer <= (delay_17_from_3_pointer == 4'd15) ? (delay_17_from_3_pointer - 4'd15) : (delay_17_from_3_pointer + 4'd1);
+                delay_11_from_3_pointer <= (delay_11_from_3_pointer == 4'd9) ? (delay_11_from_3_pointer - 4'd9) : (delay_11_from_3_pointer + 4'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            add_33_d1 <= add_f24_ftz_unit_y;
-            add_33_d2 <= add_33_d1;
-            add_33_d3 <= add_33_d2;
-            recip_36_d1 <= recip_f24_ftz_unit_y;
-            whole_d18 <= delay_6_from_1_out[0];
-            mul_42_d1 <= mul_f24_ftz_unit_copy3_y;
+        if (load_3) begin
+            mul_28_d6 <= delay_5_from_3_out[23:0];
+            mul_30_d6 <= delay_5_from_3_out[47:24];
             mul_44_d1 <= mul_f24_ftz_unit_copy4_y;
             mul_44_d2 <= mul_44_d1;
             mul_50_d1 <= mul_f24_ftz_unit_copy5_y;
             mul_50_d2 <= mul_50_d1;
-            mul_106_d1 <= mul_f24_ftz_unit_copy6_y;
-            mul_108_d1 <= mul_f24_ftz_unit_copy7_y;
-            mul_108_d2 <= mul_108_d1;
-            mul_114_d1 <= mul_f24_ftz_unit_copy8_y;
-            mul_114_d2 <= mul_114_d1;
-            select_153_d1 <= select_153;
-            resize_158_d1 <= sub_156[8:0];
-            lt_159_d1 <= lt_159;
-            mul_173_d12 <= delay_11_from_1_out[24:1];
-            mul_182_d1 <= mul_f24_ftz_unit_copy11_y;
-            mul_182_d2 <= mul_182_d1;
-            mul_182_d3 <= mul_182_d2;
-            mul_182_d4 <= mul_182_d3;
-            to_fixed_203_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            to_fixed_203_d2 <= to_fixed_203_d1;
-            max_205_d1 <= max_f24_ftz_unit_y;
-        end
-        if (load_0) begin
-            add_35_d1 <= add_f24_ftz_unit_y;
-            select_96_d1 <= select_96;
-            resize_102_d1 <= sub_100[8:0];
-            lt_103_d1 <= lt_103;
-            mul_130_d1 <= mul_f24_ftz_unit_copy6_y;
-            min_154_d1 <= min_154;
-            neg_170_d1 <= joined_3;
-            add_175_d1 <= add_f24_ftz_unit_copy7_y;
-            add_175_d2 <= add_175_d1;
-            add_175_d3 <= add_175_d2;
-            add_175_d4 <= add_175_d3;
-        end
-        if (load_2) begin
-            mul_48_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_54_d1 <= mul_f24_ftz_unit_copy6_y;
-            add_60_d1 <= add_f24_ftz_unit_y;
+            add_60_d1 <= add_f24_ftz_unit_copy2_y;
             add_60_d2 <= add_60_d1;
             add_60_d3 <= add_60_d2;
-            add_65_d1 <= add_f24_ftz_unit_copy2_y;
+            add_65_d1 <= add_f24_ftz_unit_copy3_y;
             add_65_d2 <= add_65_d1;
             add_65_d3 <= add_65_d2;
-            shr_93_d1 <= add_92 >> 8;
-            resize_101_d1 <= select_96_d1[8:0];
-            mul_112_d1 <= mul_f24_ftz_unit_copy9_y;
-            mul_118_d1 <= mul_f24_ftz_unit_copy11_y;
-            add_124_d1 <= add_f24_ftz_unit_copy4_y;
-            add_124_d2 <= add_124_d1;
-            add_124_d3 <= add_124_d2;
-            add_129_d1 <= add_f24_ftz_unit_copy5_y;
-            add_129_d2 <= add_129_d1;
-            add_129_d3 <= add_129_d2;
-            add_129_d4 <= add_129_d3;
-            add_131_d1 <= add_f24_ftz_unit_copy6_y;
-            add_140_d1 <= add_f24_ftz_unit_copy7_y;
-            resize_157_d1 <= select_153_d1[8:0];
-            abs_179_d1 <= {1'd0, mul_173_d12[22:0]};
-            abs_179_d2 <= abs_179_d1;
-            abs_179_d3 <= abs_179_d2;
-            abs_179_d4 <= abs_179_d3;
-            abs_179_d5 <= abs_179_d4;
-        end
-        if (load_3) begin
-            mul_66_d1 <= mul_f24_ftz_unit_copy6_y;
+            select_96_d1 <= select_96;
+            select_96_d2 <= select_96_d1;
             min_97_d1 <= min_97;
-            add_121_d16 <= delay_7_from_3_out;
-            add_138_d1 <= add_f24_ftz_unit_copy3_y;
-            shr_152_d1 <= add_151 >> 8;
-            add_178_d1 <= add_f24_ftz_unit_copy6_y;
-            add_178_d2 <= add_178_d1;
+            mul_109_d1 <= mul_f24_ftz_unit_copy7_y;
+            mul_109_d2 <= mul_109_d1;
+            mul_115_d1 <= mul_f24_ftz_unit_copy8_y;
+            mul_115_d2 <= mul_115_d1;
+            add_125_d1 <= add_f24_ftz_unit_copy5_y;
+            add_125_d2 <= add_125_d1;
+            add_125_d3 <= add_125_d2;
+            add_130_d1 <= add_f24_ftz_unit_copy6_y;
+            add_130_d2 <= add_130_d1;
+            add_130_d3 <= add_130_d2;
+            add_132_d1 <= add_f24_ftz_unit_copy7_y;
+            max_143_d1 <= max_f24_ftz_unit_copy3_y;
+            resize_159_d1 <= sub_157[8:0];
+            lt_160_d1 <= lt_160;
+            mul_185_d12 <= delay_11_from_3_out;
+            add_190_d1 <= add_f24_ftz_unit_copy8_y;
+            add_190_d2 <= add_190_d1;
+            add_190_d3 <= add_190_d2;
+        end
+        if (load_0) begin
+            add_33_d1 <= add_f24_ftz_unit_y;
+            add_33_d2 <= add_33_d1;
+            add_57_d17 <= delay_7_from_0_out;
+            resize_101_d1 <= select_96_d2[8:0];
+            resize_102_d1 <= sub_100[8:0];
+            lt_103_d1 <= lt_103;
+            add_122_d18 <= delay_8_from_0_out;
+            sqrt_133_d1 <= sqrt_f24_ftz_unit_y;
+            select_154_d1 <= select_154;
+            abs_191_d1 <= {1'd0, mul_185_d12[22:0]};
+            mul_194_d1 <= mul_f24_ftz_unit_copy12_y;
+            mul_194_d2 <= mul_194_d1;
+            mul_194_d3 <= mul_194_d2;
+            mul_194_d4 <= mul_194_d3;
+            mul_194_d5 <= mul_194_d4;
+            add_205_d1 <= add_f24_ftz_unit_copy9_y;
+            to_fixed_222_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+        end
+        if (load_1) begin
+            whole_d20 <= delay_7_from_1_out[0];
+            whole_d21 <= whole_d20;
+            add_135_d8 <= delay_7_from_1_out[48:25];
+            add_141_d1 <= add_f24_ftz_unit_copy8_y;
+            shr_153_d1 <= add_152 >> 8;
+            mul_162_d1 <= mul_f24_ftz_unit_copy9_y;
+            neg_164_d1 <= {~mul_f24_ftz_unit_copy10_y[23], mul_f24_ftz_unit_copy10_y[22:0]};
+            sqrt_192_d1 <= sqrt_f24_ftz_unit_y;
             beyond_near_d1 <= beyond_near;
-            select_187_d1 <= select_187;
-            select_187_d2 <= select_187_d1;
-            select_187_d3 <= select_187_d2;
-            select_187_d4 <= select_187_d3;
-            to_fixed_206_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            select_199_d1 <= select_199;
+            select_199_d2 <= select_199_d1;
+            select_199_d3 <= select_199_d2;
+            select_199_d4 <= select_199_d3;
+            select_199_d5 <= select_199_d4;
+            and_207_d1 <= and_207;
+            max_224_d1 <= max_f24_ftz_unit_copy2_y;
+        end
+        if (load_2) begin
+            mul_48_d1 <= mul_f24_ftz_unit_y;
+            mul_54_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_66_d1 <= mul_f24_ftz_unit_copy4_y;
+            mul_66_d2 <= mul_66_d1;
+            add_77_d1 <= add_f24_ftz_unit_y;
+            shr_93_d1 <= add_92 >> 8;
+            mul_113_d1 <= mul_f24_ftz_unit_copy5_y;
+            mul_119_d1 <= mul_f24_ftz_unit_copy6_y;
+            mul_131_d1 <= mul_f24_ftz_unit_copy8_y;
+            mul_131_d2 <= mul_131_d1;
+            min_155_d1 <= min_155;
+            equal_171_d1 <= equal_171;
+            bits_172_d1 <= mul_162_d1[22:15];
+            bits_172_d2 <= bits_172_d1;
+            lt_174_d1 <= lt_174;
+            neg_178_d1 <= {~mul_f24_ftz_unit_copy9_y[23], mul_f24_ftz_unit_copy9_y[22:0]};
+            add_187_d1 <= add_f24_ftz_unit_copy5_y;
+            add_187_d2 <= add_187_d1;
+            add_187_d3 <= add_187_d2;
+            add_187_d4 <= add_187_d3;
+            add_187_d5 <= add_187_d4;
+            to_fixed_225_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[1] ? (phase[0] ? mul_48_d1 : delay_5_from_1_out[23:0]) : choice_4;
-            mul_f24_ftz_unit_b <= phase[1] ? (phase[0] ? mul_118_d1 : mul_f24_ftz_unit_copy4_y) : phase[0] ? mul_f24_ftz_unit_y : delay_5_from_0_out[23:0];
-            mul_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? mul_54_d1 : delay_5_from_1_out[47:24]) : choice_5;
-            mul_f24_ftz_unit_copy2_b <= phase[1] ? (phase[0] ? mul_112_d1 : mul_f24_ftz_unit_copy6_y) : choice_6;
-            mul_f24_ftz_unit_copy3_a <= phase[1] ? choice_7 : choice_4;
-            mul_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy7_y) : choice_8;
-            mul_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? scale_x : mul_f24_ftz_unit_copy4_y) : choice_9;
-            mul_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? mul_42_d1 : mul_f24_ftz_unit_copy4_y) : choice_10;
-            mul_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? mul_173_d12 : mul_f24_ftz_unit_copy6_y) : choice_5;
-            mul_f24_ftz_unit_copy5_b <= phase[1] ? choice_11 : choice_12;
-            mul_f24_ftz_unit_copy6_a <= phase[1] ? recip_36_d1 : choice_9;
-            mul_f24_ftz_unit_copy6_b <= phase[1] ? (phase[0] ? add_129_d4 : add_65_d3) : choice_13;
-            mul_f24_ftz_unit_copy7_a <= phase[1] ? delay_5_from_1_out[23:0] : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy7_b <= phase[1] ? (phase[0] ? mul_118_d1 : mul_f24_ftz_unit_copy9_y) : phase[0] ? add_60_d3 : delay_5_from_0_out[167:144];
-            mul_f24_ftz_unit_copy8_a <= phase[1] ? delay_5_from_1_out[47:24] : choice_4;
-            mul_f24_ftz_unit_copy8_b <= phase[1] ? (phase[0] ? mul_112_d1 : mul_f24_ftz_unit_copy11_y) : choice_14;
-            mul_f24_ftz_unit_copy9_a <= phase[1] ? (phase[0] ? scale_y : mul_f24_ftz_unit_copy12_y) : phase[0] ? scale_y : delay_5_from_1_out[23:0];
-            mul_f24_ftz_unit_copy9_b <= phase[1] ? (phase[0] ? mul_106_d1 : mul_f24_ftz_unit_copy12_y) : phase[0] ? add_f24_ftz_unit_copy5_y : mul_54_d1;
-            mul_f24_ftz_unit_copy10_a <= phase[1] ? (phase[0] ? recip_36_d1 : mul_f24_ftz_unit_copy9_y) : choice_5;
-            mul_f24_ftz_unit_copy10_b <= phase[1] ? choice_15 : phase[0] ? mul_f24_ftz_unit_copy6_y : depth_b;
-            mul_f24_ftz_unit_copy11_a <= phase[1] ? mul_f24_ftz_unit_copy11_y : phase[0] ? scale_y : abs_179_d1;
-            mul_f24_ftz_unit_copy11_b <= phase[1] ? mul_f24_ftz_unit_copy11_y : choice_16;
-            mul_f24_ftz_unit_copy12_a <= phase[1] ? delay_5_from_1_out[71:48] : phase[0] ? recip_f24_ftz_unit_y : select_189;
-            mul_f24_ftz_unit_copy12_b <= phase[1] ? recip_36_d1 : phase[0] ? add_124_d3 : epsilon_scale;
-            add_f24_ftz_unit_a <= phase[1] ? mul_f24_ftz_unit_y : phase[0] ? 24'h3f8000 : mul_f24_ftz_unit_copy4_y;
-            add_f24_ftz_unit_b <= phase[1] ? mul_f24_ftz_unit_copy2_y : choice_17;
-            add_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy4_y : mul_44_d2) : choice_18;
-            add_f24_ftz_unit_copy2_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy5_y : joined_3) : phase[0] ? joined_19 : origin_y;
-            add_f24_ftz_unit_copy3_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_50_d2) : phase[0] ? sqrt_f24_ftz_unit_y : joined_20;
-            add_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? mul_66_d1 : joined_21) : phase[0] ? delay_6_from_1_out[24:1] : add_121_d16;
-            add_f24_ftz_unit_copy4_a <= phase[1] ? choice_22 : choice_23;
-            add_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy8_y : joined_24) : phase[0] ? joined_20 : joined_25;
-            add_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy10_y : mul_108_d2) : phase[0] ? filter_radius : mul_f24_ftz_unit_copy8_y;
-            add_f24_ftz_unit_copy5_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy11_y : joined_26) : phase[0] ? delay_8_from_3_out[47:24] : joined_24;
-            add_f24_ftz_unit_copy6_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy9_y : mul_114_d2) : choice_27;
-            add_f24_ftz_unit_copy6_b <= phase[1] ? (phase[0] ? mul_130_d1 : joined_28) : phase[0] ? neg_170_d1 : mul_f24_ftz_unit_copy5_y;
-            add_f24_ftz_unit_copy7_a <= phase[1] ? (phase[0] ? filter_radius : delay_8_from_3_out[71:48]) : phase[0] ? delay_11_from_1_out[24:1] : select_187_d4;
-            add_f24_ftz_unit_copy7_b <= phase[1] ? (phase[0] ? delay_7_from_3_out : joined_29) : phase[0] ? depth_a : joined_30;
-            add_f24_ftz_unit_copy8_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : delay_7_from_1_out) : phase[0] ? mul_f24_ftz_unit_copy12_y : select_187_d4;
-            add_f24_ftz_unit_copy8_b <= phase[1] ? choice_31 : phase[0] ? epsilon_bias : add_f24_ftz_unit_copy8_y;
-            add_f24_ftz_unit_copy9_a <= sqrt_f24_ftz_unit_y;
-            add_f24_ftz_unit_copy9_b <= delay_7_from_1_out;
-            sqrt_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_131_d1 : add_f24_ftz_unit_copy3_y) : add_33_d3;
-            min_f24_ftz_unit_a <= phase[1] ? (phase[0] ? 24'h45fff8 : max_f24_ftz_unit_y) : choice_32;
-            min_f24_ftz_unit_b <= phase[1] ? (phase[0] ? max_f24_ftz_unit_y : 24'h45fff8) : phase[0] ? add_138_d1 : add_f24_ftz_unit_copy4_y;
-            min_f24_ftz_unit_copy2_a <= 24'h3f8000;
-            min_f24_ftz_unit_copy2_b <= abs_179_d5;
-            max_f24_ftz_unit_a <= phase[1] ? (phase[0] ? 24'd0 : min_f24_ftz_unit_y) : choice_33;
-            max_f24_ftz_unit_b <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy8_y : 24'd0) : phase[0] ? add_140_d1 : add_f24_ftz_unit_copy5_y;
-            max_f24_ftz_unit_copy2_a <= 24'd0;
-            max_f24_ftz_unit_copy2_b <= min_f24_ftz_unit_y;
+            recip_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+            mul_f24_ftz_unit_a <= phase[1] ? choice_4 : choice_5;
+            mul_f24_ftz_unit_b <= phase[1] ? mul_f24_ftz_unit_y : choice_6;
+            mul_f24_ftz_unit_copy2_a <= phase[1] ? choice_7 : choice_5;
+            mul_f24_ftz_unit_copy2_b <= phase[1] ? mul_f24_ftz_unit_copy2_y : choice_8;
+            mul_f24_ftz_unit_copy3_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : recip_f24_ftz_unit_y;
+            mul_f24_ftz_unit_copy3_b <= phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? delay_6_from_0_out[71:48] : add_60_d3;
+            mul_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y) : recip_f24_ftz_unit_y;
+            mul_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : phase[0] ? delay_6_from_0_out[95:72] : add_65_d3;
+            mul_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? scale_x : mul_f24_ftz_unit_copy2_y) : choice_9;
+            mul_f24_ftz_unit_copy5_b <= phase[1] ? choice_10 : choice_11;
+            mul_f24_ftz_unit_copy6_a <= phase[1] ? choice_4 : choice_9;
+            mul_f24_ftz_unit_copy6_b <= phase[1] ? choice_12 : choice_13;
+            mul_f24_ftz_unit_copy7_a <= phase[1] ? choice_7 : recip_f24_ftz_unit_y;
+            mul_f24_ftz_unit_copy7_b <= phase[1] ? mul_f24_ftz_unit_copy6_y : phase[0] ? delay_6_from_0_out[191:168] : add_125_d3;
+            mul_f24_ftz_unit_copy8_a <= phase[1] ? (phase[0] ? scale_y : mul_f24_ftz_unit_copy7_y) : recip_f24_ftz_unit_y;
+            mul_f24_ftz_unit_copy8_b <= phase[1] ? choice_14 : phase[0] ? delay_6_from_0_out[215:192] : add_130_d3;
+            mul_f24_ftz_unit_copy9_a <= phase[1] ? (phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy5_y) : mul_28_d6;
+            mul_f24_ftz_unit_copy9_b <= phase[1] ? (phase[0] ? mul_119_d1 : mul_f24_ftz_unit_copy5_y) : phase[0] ? mul_54_d1 : mul_119_d1;
+            mul_f24_ftz_unit_copy10_a <= phase[1] ? (phase[0] ? mul_54_d1 : mul_f24_ftz_unit_copy6_y) : phase[0] ? mul_30_d6 : delay_5_from_0_out[23:0];
+            mul_f24_ftz_unit_copy10_b <= phase[1] ? (phase[0] ? mul_113_d1 : mul_f24_ftz_unit_copy6_y) : phase[0] ? mul_113_d1 : recip_f24_ftz_unit_y;
+            mul_f24_ftz_unit_copy11_a <= phase[1] ? (phase[0] ? select_201 : mul_185_d12) : phase[0] ? mul_30_d6 : recip_f24_ftz_unit_y;
+            mul_f24_ftz_unit_copy11_b <= phase[1] ? (phase[0] ? epsilon_scale : mul_f24_ftz_unit_copy10_y) : phase[0] ? mul_48_d1 : sqrt_192_d1;
+            mul_f24_ftz_unit_copy12_a <= phase[1] ? abs_191_d1 : recip_f24_ftz_unit_y;
+            mul_f24_ftz_unit_copy12_b <= phase[1] ? mul_f24_ftz_unit_copy11_y : depth_b;
+            add_f24_ftz_unit_a <= phase[1] ? (phase[0] ? filter_radius : delay_9_from_0_out[23:0]) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+            add_f24_ftz_unit_b <= phase[1] ? (phase[0] ? delay_7_from_0_out : joined_15) : choice_16;
+            add_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? mul_162_d1 : delay_7_from_1_out[24:1]) : phase[0] ? mul_44_d2 : mul_f24_ftz_unit_y;
+            add_f24_ftz_unit_copy2_b <= phase[1] ? choice_17 : phase[0] ? joined_15 : mul_f24_ftz_unit_copy2_y;
+            add_f24_ftz_unit_copy3_a <= phase[1] ? choice_18 : phase[0] ? mul_50_d2 : mul_f24_ftz_unit_copy4_y;
+            add_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? neg_178_d1 : delay_7_from_1_out[24:1]) : phase[0] ? joined_19 : mul_f24_ftz_unit_copy5_y;
+            add_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy9_y : add_57_d17) : choice_20;
+            add_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? joined_21 : joined_22) : phase[0] ? origin_x : mul_66_d2;
+            add_f24_ftz_unit_copy5_a <= phase[1] ? choice_23 : phase[0] ? mul_109_d2 : mul_f24_ftz_unit_copy6_y;
+            add_f24_ftz_unit_copy5_b <= phase[1] ? (phase[0] ? depth_a : joined_24) : phase[0] ? joined_25 : mul_f24_ftz_unit_copy7_y;
+            add_f24_ftz_unit_copy6_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy8_y : add_135_d8) : phase[0] ? mul_115_d2 : mul_f24_ftz_unit_copy9_y;
+            add_f24_ftz_unit_copy6_b <= phase[1] ? choice_26 : phase[0] ? joined_24 : mul_f24_ftz_unit_copy10_y;
+            add_f24_ftz_unit_copy7_a <= phase[1] ? joined_22 : mul_f24_ftz_unit_copy8_y;
+            add_f24_ftz_unit_copy7_b <= phase[1] ? add_122_d18 : phase[0] ? origin_y : mul_131_d2;
+            add_f24_ftz_unit_copy8_a <= phase[1] ? filter_radius : phase[0] ? sqrt_133_d1 : add_187_d1;
+            add_f24_ftz_unit_copy8_b <= phase[1] ? delay_8_from_0_out : choice_27;
+            add_f24_ftz_unit_copy9_a <= phase[1] ? select_199_d5 : mul_f24_ftz_unit_copy11_y;
+            add_f24_ftz_unit_copy9_b <= phase[1] ? choice_28 : epsilon_bias;
+            sqrt_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : add_33_d2) : add_132_d1;
+            min_f24_ftz_unit_a <= phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+            min_f24_ftz_unit_b <= phase[1] ? choice_29 : phase[0] ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
+            min_f24_ftz_unit_copy2_a <= phase[1] ? add_f24_ftz_unit_copy6_y : phase[0] ? add_f24_ftz_unit_copy6_y : 24'h3f8000;
+            min_f24_ftz_unit_copy2_b <= phase[1] ? add_f24_ftz_unit_copy7_y : choice_30;
+            max_f24_ftz_unit_a <= phase[1] ? 24'd0 : phase[0] ? add_f24_ftz_unit_copy3_y : min_f24_ftz_unit_y;
+            max_f24_ftz_unit_b <= phase[1] ? min_f24_ftz_unit_y : phase[0] ? add_77_d1 : 24'd0;
+            max_f24_ftz_unit_copy2_a <= phase[1] ? 24'd0 : add_f24_ftz_unit_copy8_y;
+            max_f24_ftz_unit_copy2_b <= phase[1] ? add_f24_ftz_unit_copy9_y : add_141_d1;
             max_f24_ftz_unit_copy3_a <= 24'd0;
-            max_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy7_y : select_187_d1) : select_187_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[1] ? (phase[0] ? max_205_d1 : max_f24_ftz_unit_copy3_y) : max_f24_ftz_unit_copy3_y;
+            max_f24_ftz_unit_copy3_b <= phase[1] ? select_199_d1 : choice_31;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_143_d1;
+            le_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_187_d5 : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy6_y) : add_f24_ftz_unit_copy6_y;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[1] ? max_224_d1 : max_f24_ftz_unit_copy3_y;
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {
+            delay_5_from_0[delay_5_from_0_pointer] <= {abs_191_d1, add_122_d18, add_33_d2};
+        end
+        if (load_0) begin
+            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {
                 in_tangent2_y,
                 in_tangent1_y,
                 in_center_y,
+                add_57_d17,
                 in_tangent2_x,
                 in_tangent1_x,
                 in_center_x,
@@ -11798,12 +11941,36 @@ module core_a_setup (
             };
         end
         if (load_0) begin
-            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= add_f24_ftz_unit_copy6_y;
+            delay_7_from_0[delay_7_from_0_pointer] <= delay_9_from_0_out[23:0];
+        end
+        if (load_0) begin
+            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_8_from_0[delay_8_from_0_pointer] <= delay_9_from_0_out[47:24];
+        end
+        if (load_0) begin
+            delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_9_from_0[delay_9_from_0_pointer] <= {add_f24_ftz_unit_copy7_y, add_f24_ftz_unit_copy4_y};
+        end
+        if (load_0) begin
+            delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_17_from_0[delay_17_from_0_pointer] <= edge_on;
         end
         if (load_0) begin
             delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
@@ -11811,7 +11978,7 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_31_from_0[delay_31_from_0_pointer] <= {
+            delay_33_from_0[delay_33_from_0_pointer] <= {
                 in_cardinal_0,
                 in_attribute_12,
                 in_attribute_11,
@@ -11830,28 +11997,12 @@ module core_a_setup (
             };
         end
         if (load_0) begin
-            delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
+            delay_33_from_0_out <= delay_33_from_0[delay_33_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_5_from_1[delay_5_from_1_pointer] <= {add_33_d3, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_y};
-        end
-        if (load_1) begin
-            delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_1) begin
-            delay_6_from_1[delay_6_from_1_pointer] <= {add_f24_ftz_unit_copy4_y, delay_11_from_1_out[0]};
-        end
-        if (load_1) begin
-            delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_1) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= add_f24_ftz_unit_copy7_y;
+            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_y, delay_12_from_1_out};
         end
         if (load_1) begin
             delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
@@ -11859,18 +12010,10 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_11_from_1[delay_11_from_1_pointer] <= {mul_f24_ftz_unit_copy10_y, lt_f24_ftz_unit_y};
+            delay_12_from_1[delay_12_from_1_pointer] <= lt_f24_ftz_unit_y;
         end
         if (load_1) begin
-            delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_2) begin
-            delay_6_from_2[delay_6_from_2_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
-        end
-        if (load_2) begin
-            delay_6_from_2_out <= delay_6_from_2[delay_6_from_2_pointer];
+            delay_12_from_1_out <= delay_12_from_1[delay_12_from_1_pointer];
         end
     end
     always @(posedge clk) begin
@@ -11883,15 +12026,23 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_2) begin
-            delay_19_from_2[delay_19_from_2_pointer] <= {mul_118_d1, mul_112_d1, mul_54_d1, mul_48_d1};
+            delay_18_from_2[delay_18_from_2_pointer] <= {xor_211, add_f24_ftz_unit_copy4_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy2_y};
         end
         if (load_2) begin
-            delay_19_from_2_out <= delay_19_from_2[delay_19_from_2_pointer];
+            delay_18_from_2_out <= delay_18_from_2[delay_18_from_2_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_2) begin
+            delay_21_from_2[delay_21_from_2_pointer] <= {mul_119_d1, mul_113_d1, mul_54_d1, mul_48_d1};
+        end
+        if (load_2) begin
+            delay_21_from_2_out <= delay_21_from_2[delay_21_from_2_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_3) begin
-            delay_5_from_3[delay_5_from_3_pointer] <= {add_121_d16, delay_8_from_3_out[47:24]};
+            delay_5_from_3[delay_5_from_3_pointer] <= {mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_y};
         end
         if (load_3) begin
             delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
@@ -11899,30 +12050,14 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_3) begin
-            delay_7_from_3[delay_7_from_3_pointer] <= delay_8_from_3_out[71:48];
+            delay_11_from_3[delay_11_from_3_pointer] <= mul_f24_ftz_unit_copy12_y;
         end
         if (load_3) begin
-            delay_7_from_3_out <= delay_7_from_3[delay_7_from_3_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_3) begin
-            delay_8_from_3[delay_8_from_3_pointer] <= {add_f24_ftz_unit_copy2_y, delay_8_from_3_out[23:0], add_f24_ftz_unit_y};
-        end
-        if (load_3) begin
-            delay_8_from_3_out <= delay_8_from_3[delay_8_from_3_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_3) begin
-            delay_17_from_3[delay_17_from_3_pointer] <= {add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy4_y};
-        end
-        if (load_3) begin
-            delay_17_from_3_out <= delay_17_from_3[delay_17_from_3_pointer];
+            delay_11_from_3_out <= delay_11_from_3[delay_11_from_3_pointer];
         end
     end
 
-    wire _unused = &{1'b0, sub_100[21:9], sub_156[21:9]};
+    wire _unused = &{1'b0, sub_100[21:9], sub_157[21:9]};
 endmodule
 
 // Floating to fixed point.
@@ -11975,6 +12110,38 @@ module float_to_fixed_w24_fraction24 (
     end
 
     wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f24-ftz
+module float_le (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  y
+);
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
+    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] joined_3 = {a[22:15], term_1};
+    wire [22:0] joined_4 = {b[22:15], term_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
+            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating to fixed point.
@@ -12030,7 +12197,7 @@ module float_to_fixed_w21_fraction8 (
 endmodule
 
 // Greater of two floating-point numbers.
-// stages = 1
+// stages = 2
 // format = f24-ftz
 module float_max (
     input  wire clk,
@@ -12040,16 +12207,23 @@ module float_max (
     input  wire [23:0] b,
     output reg  [23:0] y
 );
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [23:0] a_s1;
+    reg [23:0] b_s1;
+
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire term_2 = &a[22:15] & |term_1;
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire term_4 = &b[22:15] & |term_3;
-    wire term_5 = {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_3} ^ {23{b[23]}}};
-    wire [23:0] choice_6 = (term_4 | (~term_2 & ~term_5)) ? {a[23:15], term_1} : {b[23:15], term_3};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= (term_2 & term_4) ? 24'h7fc000 : choice_6;
+            a_nan_s1 <= &a[22:15] & |term_1;
+            b_nan_s1 <= &b[22:15] & |term_2;
+            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], term_1};
+            b_s1 <= {b[23:15], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
 
@@ -12057,7 +12231,7 @@ module float_max (
 endmodule
 
 // Lesser of two floating-point numbers.
-// stages = 1
+// stages = 2
 // format = f24-ftz
 module float_min (
     input  wire clk,
@@ -12067,16 +12241,23 @@ module float_min (
     input  wire [23:0] b,
     output reg  [23:0] y
 );
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [23:0] a_s1;
+    reg [23:0] b_s1;
+
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire term_2 = &a[22:15] & |term_1;
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire term_4 = &b[22:15] & |term_3;
-    wire term_5 = {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_3} ^ {23{b[23]}}};
-    wire [23:0] choice_6 = (term_4 | (~term_2 & term_5)) ? {a[23:15], term_1} : {b[23:15], term_3};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= (term_2 & term_4) ? 24'h7fc000 : choice_6;
+            a_nan_s1 <= &a[22:15] & |term_1;
+            b_nan_s1 <= &b[22:15] & |term_2;
+            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], term_1};
+            b_s1 <= {b[23:15], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
 
@@ -12148,8 +12329,6 @@ module float_sqrt (
     reg [9:0] exponent_s14;
     reg [9:0] exponent_s15;
     reg [9:0] exponent_s16;
-    reg [9:0] exponent_s17;
-    reg [17:0] significand_s17;
     reg sign_s1;
     reg sign_s2;
     reg sign_s3;
@@ -12166,7 +12345,6 @@ module float_sqrt (
     reg sign_s14;
     reg sign_s15;
     reg sign_s16;
-    reg sign_s17;
     reg nan_s1;
     reg nan_s2;
     reg nan_s3;
@@ -12183,7 +12361,6 @@ module float_sqrt (
     reg nan_s14;
     reg nan_s15;
     reg nan_s16;
-    reg nan_s17;
     reg infinite_s1;
     reg infinite_s2;
     reg infinite_s3;
@@ -12200,7 +12377,6 @@ module float_sqrt (
     reg infinite_s14;
     reg infinite_s15;
     reg infinite_s16;
-    reg infinite_s17;
     reg zero_s1;
     reg zero_s2;
     reg zero_s3;
@@ -12217,7 +12393,11 @@ module float_sqrt (
     reg zero_s14;
     reg zero_s15;
     reg zero_s16;
+    reg sign_s17;
+    reg nan_s17;
+    reg infinite_s17;
     reg zero_s17;
+    reg [22:0] rounded_s17;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -12241,11 +12421,10 @@ module float_sqrt (
     wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
     wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
     wire [9:0] sum_20 = {2'd0, a_field} + 10'd127;
-    wire term_21 = (exponent_s17 == 10'd0) & ~(&significand_s17[16:2] & significand_s17[1]);
-    wire term_22 = infinite_s17 | (~exponent_s17[9] & (10'd255 <= exponent_s17));
-    wire round_up = significand_s17[1] & (significand_s17[0] | significand_s17[2]);
-    wire [22:0] rounded = {exponent_s17[7:0], significand_s17[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_23 = (zero_s17 | ((exponent_s17[9] | term_21) & ~infinite_s17)) ? 23'd0 : term_22 ? 23'h7f8000 : rounded;
+    wire term_21 = (exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]);
+    wire round_up = root_s16[0] & (|remainder_s16 | root_s16[1]);
+    wire [22:0] rounded = {exponent_s16[7:0], root_s16[15:1]} + {22'd0, round_up};
+    wire [22:0] choice_22 = zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -12304,8 +12483,6 @@ module float_sqrt (
             exponent_s14 <= exponent_s13;
             exponent_s15 <= exponent_s14;
             exponent_s16 <= exponent_s15;
-            exponent_s17 <= exponent_s16;
-            significand_s17 <= {root_s16, |remainder_s16};
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             sign_s3 <= sign_s2;
@@ -12322,7 +12499,6 @@ module float_sqrt (
             sign_s14 <= sign_s13;
             sign_s15 <= sign_s14;
             sign_s16 <= sign_s15;
-            sign_s17 <= sign_s16;
             nan_s1 <= (&a_field & |a_fraction) | (a[23] & |a_field);
             nan_s2 <= nan_s1;
             nan_s3 <= nan_s2;
@@ -12339,7 +12515,6 @@ module float_sqrt (
             nan_s14 <= nan_s13;
             nan_s15 <= nan_s14;
             nan_s16 <= nan_s15;
-            nan_s17 <= nan_s16;
             infinite_s1 <= &a_field & (a_fraction == 15'd0);
             infinite_s2 <= infinite_s1;
             infinite_s3 <= infinite_s2;
@@ -12356,7 +12531,6 @@ module float_sqrt (
             infinite_s14 <= infinite_s13;
             infinite_s15 <= infinite_s14;
             infinite_s16 <= infinite_s15;
-            infinite_s17 <= infinite_s16;
             zero_s1 <= ~(|a_field);
             zero_s2 <= zero_s1;
             zero_s3 <= zero_s2;
@@ -12373,8 +12547,12 @@ module float_sqrt (
             zero_s14 <= zero_s13;
             zero_s15 <= zero_s14;
             zero_s16 <= zero_s15;
-            zero_s17 <= zero_s16;
-            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_23};
+            sign_s17 <= sign_s16;
+            nan_s17 <= nan_s16;
+            infinite_s17 <= infinite_s16 | (~exponent_s16[9] & (10'd255 <= exponent_s16));
+            zero_s17 <= zero_s16 | ((exponent_s16[9] | term_21) & ~infinite_s16);
+            rounded_s17 <= rounded;
+            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_22};
         end
     end
 
@@ -12396,10 +12574,94 @@ module float_sqrt (
         difference_7[6],
         difference_8[7],
         difference_9[8],
+        root_s16[16],
         rst,
-        significand_s17[17],
         sum_20[0]
     };
+endmodule
+
+// Floating-point product.
+// stages = 5
+// format = f24-ftz
+module float_mul_s5_ff24ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg [15:0] left_s1;
+    reg [15:0] right_s1;
+    reg [9:0] exponent_s1;
+    reg [31:0] product_s2;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg sign_s4;
+    reg nan_s4;
+    reg infinite_s4;
+    reg zero_s4;
+    reg [22:0] rounded_s4;
+
+    wire [7:0] a_field = a[22:15];
+    wire [14:0] a_fraction = a[14:0];
+    wire [7:0] b_field = b[22:15];
+    wire [14:0] b_fraction = b[14:0];
+    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire term_2 = &a_field & (a_fraction == 15'd0);
+    wire term_3 = ~(|b_field);
+    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
+    wire term_5 = ~(|a_field);
+    wire term_6 = &b_field & (b_fraction == 15'd0);
+    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [23:0] joined_8 = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            left_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            right_s1 <= {|b_field, b_fraction & {15{|b_field}}};
+            exponent_s1 <= {2'd0, a_field} + {2'd0, b_field};
+            product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
+            exponent_s2 <= exponent_s1 - 10'd127;
+            exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
+            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            sign_s1 <= a[23] ^ b[23];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            infinite_s1 <= term_2 | term_6;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            zero_s1 <= term_5 | term_3;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            sign_s4 <= sign_s3;
+            nan_s4 <= nan_s3;
+            infinite_s4 <= infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+            zero_s4 <= zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3);
+            rounded_s4 <= rounded;
+            y <= nan_s4 ? 24'h7fc000 : joined_8;
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s3[17]};
 endmodule
 
 // Floating-point reciprocal, correctly rounded.
@@ -12969,8 +13231,8 @@ module stream_skid_w549 (
 `endif
 endmodule
 
-// World space to camera space, with back-face culling.
-// latency = 59
+// World space to camera space.
+// latency = 28
 // initiation_interval = 4
 module core_a_transform (
     input  wire clk,
@@ -13042,81 +13304,92 @@ module core_a_transform (
     output wire [15:0] out_cardinal_0
 );
     (* ram_style = "distributed" *)
-    reg [47:0] delay_9_from_0 [0:7];
+    reg [207:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [224:0] delay_15_from_0 [0:13];
-    (* ram_style = "distributed" *)
-    reg [23:0] delay_6_from_1 [0:4];
-    (* ram_style = "distributed" *)
-    reg [23:0] delay_6_from_3 [0:4];
-    (* ram_style = "distributed" *)
-    reg [95:0] delay_9_from_3 [0:7];
+    reg [16:0] delay_7_from_0 [0:5];
     reg [1:0] phase;
-    reg [2:0] delay_9_from_0_pointer;
-    reg [47:0] delay_9_from_0_out;
-    reg [3:0] delay_15_from_0_pointer;
-    reg [224:0] delay_15_from_0_out;
-    reg [2:0] delay_6_from_1_pointer;
-    reg [23:0] delay_6_from_1_out;
-    reg [2:0] delay_6_from_3_pointer;
-    reg [23:0] delay_6_from_3_out;
-    reg [2:0] delay_9_from_3_pointer;
-    reg [95:0] delay_9_from_3_out;
-    reg [23:0] reinterpret_37_d1;
-    reg [23:0] reinterpret_38_d1;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [207:0] delay_6_from_0_out;
+    reg [2:0] delay_7_from_0_pointer;
+    reg [16:0] delay_7_from_0_out;
+    reg [15:0] attribute_0_d1;
+    reg [15:0] attribute_1_d1;
+    reg [15:0] attribute_2_d1;
+    reg [15:0] attribute_3_d1;
+    reg [15:0] attribute_4_d1;
+    reg [15:0] attribute_5_d1;
+    reg [15:0] attribute_6_d1;
+    reg [15:0] attribute_7_d1;
+    reg [15:0] attribute_8_d1;
+    reg [15:0] attribute_9_d1;
+    reg [15:0] attribute_10_d1;
+    reg [15:0] attribute_11_d1;
+    reg [15:0] attribute_12_d1;
     reg [23:0] reinterpret_39_d1;
     reg [23:0] mul_43_d1;
     reg [23:0] mul_43_d2;
-    reg [23:0] add_47_d1;
     reg [23:0] mul_48_d1;
-    reg [23:0] mul_48_d2;
+    reg [23:0] add_49_d1;
     reg [23:0] mul_53_d1;
-    reg [23:0] mul_53_d2;
-    reg [23:0] add_54_d1;
     reg [23:0] add_55_d1;
-    reg [23:0] add_55_d2;
-    reg [23:0] add_56_d1;
-    reg [23:0] add_56_d2;
     reg [23:0] add_57_d1;
-    reg [23:0] add_57_d2;
-    reg [23:0] add_57_d3;
-    reg [23:0] add_57_d4;
-    reg [23:0] add_57_d5;
-    reg [23:0] add_57_d6;
-    reg [23:0] add_57_d7;
-    reg [23:0] add_57_d8;
+    reg [23:0] reinterpret_58_d1;
+    reg [23:0] reinterpret_59_d1;
     reg [23:0] reinterpret_60_d1;
     reg [23:0] mul_64_d1;
     reg [23:0] mul_64_d2;
     reg [23:0] add_65_d1;
+    reg [23:0] add_65_d2;
     reg [23:0] mul_69_d1;
     reg [23:0] mul_69_d2;
     reg [23:0] add_70_d1;
+    reg [23:0] add_70_d2;
+    reg [23:0] mul_71_d1;
     reg [23:0] mul_74_d1;
     reg [23:0] mul_74_d2;
     reg [23:0] add_75_d1;
+    reg [23:0] add_75_d2;
     reg [23:0] reinterpret_76_d1;
     reg [23:0] reinterpret_77_d1;
     reg [23:0] reinterpret_78_d1;
     reg [23:0] mul_82_d1;
     reg [23:0] mul_82_d2;
     reg [23:0] add_83_d1;
-    reg [23:0] mul_84_d1;
+    reg [23:0] add_83_d2;
     reg [23:0] mul_87_d1;
     reg [23:0] mul_87_d2;
     reg [23:0] add_88_d1;
+    reg [23:0] add_88_d2;
     reg [23:0] mul_92_d1;
     reg [23:0] mul_92_d2;
     reg [23:0] add_93_d1;
-    reg [23:0] mul_103_d1;
-    reg [23:0] neg_105_d1;
-    reg [23:0] neg_105_d2;
-    reg [23:0] add_106_d1;
-    reg [23:0] mul_107_d1;
-    reg [23:0] mul_108_d1;
-    reg [23:0] add_109_d1;
-    reg [23:0] mul_110_d1;
-    reg [23:0] mul_110_d2;
+    reg [23:0] add_93_d2;
+    reg equal_100_d1;
+    reg [15:0] select_106_d1;
+    reg equal_111_d1;
+    reg [15:0] select_114_d1;
+    reg equal_119_d1;
+    reg [15:0] select_122_d1;
+    reg equal_127_d1;
+    reg [15:0] select_130_d1;
+    reg equal_135_d1;
+    reg [15:0] select_138_d1;
+    reg equal_143_d1;
+    reg [15:0] select_146_d1;
+    reg equal_151_d1;
+    reg [15:0] select_154_d1;
+    reg equal_159_d1;
+    reg [15:0] select_162_d1;
+    reg equal_167_d1;
+    reg [15:0] select_170_d1;
+    reg equal_175_d1;
+    reg [15:0] select_178_d1;
+    reg equal_183_d1;
+    reg [15:0] select_186_d1;
+    reg equal_191_d1;
+    reg [15:0] select_194_d1;
+    reg equal_199_d1;
+    reg [15:0] select_202_d1;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
     reg [23:0] mul_f24_ftz_unit_copy2_a;
@@ -13131,10 +13404,6 @@ module core_a_transform (
     reg [23:0] mul_f24_ftz_unit_copy6_b;
     reg [23:0] mul_f24_ftz_unit_copy7_a;
     reg [23:0] mul_f24_ftz_unit_copy7_b;
-    reg [23:0] mul_f24_ftz_unit_copy8_a;
-    reg [23:0] mul_f24_ftz_unit_copy8_b;
-    reg [23:0] mul_f24_ftz_unit_copy9_a;
-    reg [23:0] mul_f24_ftz_unit_copy9_b;
     reg [23:0] add_f24_ftz_unit_a;
     reg [23:0] add_f24_ftz_unit_b;
     reg [23:0] add_f24_ftz_unit_copy2_a;
@@ -13147,8 +13416,6 @@ module core_a_transform (
     reg [23:0] add_f24_ftz_unit_copy5_b;
     reg [23:0] add_f24_ftz_unit_copy6_a;
     reg [23:0] add_f24_ftz_unit_copy6_b;
-    reg [23:0] add_f24_ftz_unit_copy7_a;
-    reg [23:0] add_f24_ftz_unit_copy7_b;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
@@ -13156,14 +13423,6 @@ module core_a_transform (
     reg valid_d5;
     reg valid_d6;
     reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -13198,37 +13457,84 @@ module core_a_transform (
     wire [23:0] mul_f24_ftz_unit_copy5_y;
     wire [23:0] mul_f24_ftz_unit_copy6_y;
     wire [23:0] mul_f24_ftz_unit_copy7_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_y;
-    wire [23:0] mul_f24_ftz_unit_copy9_y;
     wire [23:0] add_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_copy2_y;
     wire [23:0] add_f24_ftz_unit_copy3_y;
     wire [23:0] add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y;
     wire [23:0] add_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy7_y;
     wire lt_f24_ftz_unit_y;
-    wire le_f24_ftz_unit_y;
 
-    wire load_0 = queue_in_ready & (phase == 2'd0);
+    wire term_1 = phase == 2'd0;
+    wire load_0 = queue_in_ready & term_1;
     assign in_ready = load_0;
-    wire and_114 = lt_f24_ftz_unit_y & le_f24_ftz_unit_y;
-    wire or_115 = delay_15_from_0_out[0] | and_114;
-    wire term_1 = phase == 2'd3;
+    wire or_95 = delay_7_from_0_out[0] | lt_f24_ftz_unit_y;
     wire queue_out_ready = out_ready;
-    wire load_1 = queue_in_ready & (phase == 2'd1);
-    wire load_3 = queue_in_ready & term_1;
+    wire term_2 = phase == 2'd3;
     wire load_2 = queue_in_ready & (phase == 2'd2);
-    wire [23:0] choice_2 = phase[0] ? reinterpret_37_d1 : in_tangent1_x;
-    wire [23:0] choice_3 = phase[0] ? add_88_d1 : reinterpret_39_d1;
-    wire [23:0] choice_4 = phase[0] ? reinterpret_38_d1 : in_tangent1_y;
-    wire [23:0] choice_5 = phase[0] ? reinterpret_77_d1 : in_tangent2_x;
-    wire [23:0] choice_6 = phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_7 = phase[0] ? mul_f24_ftz_unit_copy5_y : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_8 = phase[0] ? mul_f24_ftz_unit_copy7_y : add_f24_ftz_unit_copy5_y;
-    wire [23:0] joined_9 = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
-    wire [23:0] choice_10 = phase[0] ? add_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] joined_11 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire load_1 = queue_in_ready & (phase == 2'd1);
+    wire load_3 = queue_in_ready & term_2;
+    wire equal_100 = in_attribute_0[14:10] == 5'd31;
+    wire equal_102 = in_attribute_0[9:0] == 10'd0;
+    wire [15:0] select_106 = equal_102 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire equal_111 = 5'd31 == in_attribute_1[14:10];
+    wire equal_112 = 10'd0 == in_attribute_1[9:0];
+    wire [15:0] select_114 = equal_112 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire equal_119 = 5'd31 == in_attribute_2[14:10];
+    wire equal_120 = 10'd0 == in_attribute_2[9:0];
+    wire [15:0] select_122 = equal_120 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire equal_127 = 5'd31 == in_attribute_3[14:10];
+    wire equal_128 = 10'd0 == in_attribute_3[9:0];
+    wire [15:0] select_130 = equal_128 ? {in_attribute_3[15], 15'h7bff} : 16'd0;
+    wire equal_135 = 5'd31 == in_attribute_4[14:10];
+    wire equal_136 = 10'd0 == in_attribute_4[9:0];
+    wire [15:0] select_138 = equal_136 ? {in_attribute_4[15], 15'h7bff} : 16'd0;
+    wire equal_143 = 5'd31 == in_attribute_5[14:10];
+    wire equal_144 = 10'd0 == in_attribute_5[9:0];
+    wire [15:0] select_146 = equal_144 ? {in_attribute_5[15], 15'h7bff} : 16'd0;
+    wire equal_151 = 5'd31 == in_attribute_6[14:10];
+    wire equal_152 = 10'd0 == in_attribute_6[9:0];
+    wire [15:0] select_154 = equal_152 ? {in_attribute_6[15], 15'h7bff} : 16'd0;
+    wire equal_159 = 5'd31 == in_attribute_7[14:10];
+    wire equal_160 = 10'd0 == in_attribute_7[9:0];
+    wire [15:0] select_162 = equal_160 ? {in_attribute_7[15], 15'h7bff} : 16'd0;
+    wire equal_167 = 5'd31 == in_attribute_8[14:10];
+    wire equal_168 = 10'd0 == in_attribute_8[9:0];
+    wire [15:0] select_170 = equal_168 ? {in_attribute_8[15], 15'h7bff} : 16'd0;
+    wire equal_175 = 5'd31 == in_attribute_9[14:10];
+    wire equal_176 = 10'd0 == in_attribute_9[9:0];
+    wire [15:0] select_178 = equal_176 ? {in_attribute_9[15], 15'h7bff} : 16'd0;
+    wire equal_183 = 5'd31 == in_attribute_10[14:10];
+    wire equal_184 = 10'd0 == in_attribute_10[9:0];
+    wire [15:0] select_186 = equal_184 ? {in_attribute_10[15], 15'h7bff} : 16'd0;
+    wire equal_191 = 5'd31 == in_attribute_11[14:10];
+    wire equal_192 = 10'd0 == in_attribute_11[9:0];
+    wire [15:0] select_194 = equal_192 ? {in_attribute_11[15], 15'h7bff} : 16'd0;
+    wire equal_199 = 5'd31 == in_attribute_12[14:10];
+    wire equal_200 = 10'd0 == in_attribute_12[9:0];
+    wire [15:0] select_202 = equal_200 ? {in_attribute_12[15], 15'h7bff} : 16'd0;
+    wire [23:0] choice_3 = phase[0] ? reinterpret_60_d1 : reinterpret_77_d1;
+    wire [23:0] choice_4 = phase[0] ? reinterpret_58_d1 : in_center_y;
+    wire [23:0] choice_5 = phase[0] ? m22 : m21;
+    wire [23:0] choice_6 = phase[0] ? reinterpret_78_d1 : reinterpret_76_d1;
+    wire [23:0] choice_7 = phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_8 = phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_9 = phase[0] ? mul_f24_ftz_unit_copy6_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_10 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_11 = phase[0] ? mul_f24_ftz_unit_copy6_y : add_f24_ftz_unit_copy6_y;
+    wire [15:0] select_203 = equal_199_d1 ? select_202_d1 : attribute_12_d1;
+    wire [15:0] select_195 = equal_191_d1 ? select_194_d1 : attribute_11_d1;
+    wire [15:0] select_187 = equal_183_d1 ? select_186_d1 : attribute_10_d1;
+    wire [15:0] select_179 = equal_175_d1 ? select_178_d1 : attribute_9_d1;
+    wire [15:0] select_171 = equal_167_d1 ? select_170_d1 : attribute_8_d1;
+    wire [15:0] select_163 = equal_159_d1 ? select_162_d1 : attribute_7_d1;
+    wire [15:0] select_155 = equal_151_d1 ? select_154_d1 : attribute_6_d1;
+    wire [15:0] select_147 = equal_143_d1 ? select_146_d1 : attribute_5_d1;
+    wire [15:0] select_139 = equal_135_d1 ? select_138_d1 : attribute_4_d1;
+    wire [15:0] select_131 = equal_127_d1 ? select_130_d1 : attribute_3_d1;
+    wire [15:0] select_123 = equal_119_d1 ? select_122_d1 : attribute_2_d1;
+    wire [15:0] select_115 = equal_111_d1 ? select_114_d1 : attribute_1_d1;
+    wire [15:0] select_107 = equal_100_d1 ? select_106_d1 : attribute_0_d1;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -13259,32 +13565,32 @@ module core_a_transform (
     stream_skid_w441 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d15 & or_115 & term_1),
+        .in_valid(valid_d7 & or_95 & term_1),
         .in_ready(queue_in_ready),
-        .in_end(delay_15_from_0_out[0]),
-        .in_center_x(delay_6_from_3_out),
-        .in_center_y(delay_6_from_1_out),
-        .in_center_z(add_57_d8),
-        .in_tangent1_x(delay_9_from_3_out[23:0]),
-        .in_tangent1_y(delay_9_from_3_out[47:24]),
-        .in_tangent1_z(delay_9_from_3_out[71:48]),
-        .in_tangent2_x(delay_9_from_3_out[95:72]),
-        .in_tangent2_y(delay_9_from_0_out[23:0]),
-        .in_tangent2_z(delay_9_from_0_out[47:24]),
-        .in_attribute_0(delay_15_from_0_out[16:1]),
-        .in_attribute_1(delay_15_from_0_out[32:17]),
-        .in_attribute_2(delay_15_from_0_out[48:33]),
-        .in_attribute_3(delay_15_from_0_out[64:49]),
-        .in_attribute_4(delay_15_from_0_out[80:65]),
-        .in_attribute_5(delay_15_from_0_out[96:81]),
-        .in_attribute_6(delay_15_from_0_out[112:97]),
-        .in_attribute_7(delay_15_from_0_out[128:113]),
-        .in_attribute_8(delay_15_from_0_out[144:129]),
-        .in_attribute_9(delay_15_from_0_out[160:145]),
-        .in_attribute_10(delay_15_from_0_out[176:161]),
-        .in_attribute_11(delay_15_from_0_out[192:177]),
-        .in_attribute_12(delay_15_from_0_out[208:193]),
-        .in_cardinal_0(delay_15_from_0_out[224:209]),
+        .in_end(delay_7_from_0_out[0]),
+        .in_center_x(add_55_d1),
+        .in_center_y(add_f24_ftz_unit_copy4_y),
+        .in_center_z(add_57_d1),
+        .in_tangent1_x(add_65_d2),
+        .in_tangent1_y(add_70_d2),
+        .in_tangent1_z(add_75_d2),
+        .in_tangent2_x(add_83_d2),
+        .in_tangent2_y(add_88_d2),
+        .in_tangent2_z(add_93_d2),
+        .in_attribute_0(delay_6_from_0_out[15:0]),
+        .in_attribute_1(delay_6_from_0_out[31:16]),
+        .in_attribute_2(delay_6_from_0_out[47:32]),
+        .in_attribute_3(delay_6_from_0_out[63:48]),
+        .in_attribute_4(delay_6_from_0_out[79:64]),
+        .in_attribute_5(delay_6_from_0_out[95:80]),
+        .in_attribute_6(delay_6_from_0_out[111:96]),
+        .in_attribute_7(delay_6_from_0_out[127:112]),
+        .in_attribute_8(delay_6_from_0_out[143:128]),
+        .in_attribute_9(delay_6_from_0_out[159:144]),
+        .in_attribute_10(delay_6_from_0_out[175:160]),
+        .in_attribute_11(delay_6_from_0_out[191:176]),
+        .in_attribute_12(delay_6_from_0_out[207:192]),
+        .in_cardinal_0(delay_7_from_0_out[16:1]),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -13376,24 +13682,6 @@ module core_a_transform (
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy8_a),
-        .b(mul_f24_ftz_unit_copy8_b),
-        .y(mul_f24_ftz_unit_copy8_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy9_a),
-        .b(mul_f24_ftz_unit_copy9_b),
-        .y(mul_f24_ftz_unit_copy9_y)
-    );
-
     float_add_s6_ff24ftz add_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -13448,41 +13736,20 @@ module core_a_transform (
         .y(add_f24_ftz_unit_copy6_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy7_a),
-        .b(add_f24_ftz_unit_copy7_b),
-        .y(add_f24_ftz_unit_copy7_y)
-    );
-
     float_lt lt_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(near_plane),
-        .b(add_57_d7),
+        .b(add_f24_ftz_unit_copy2_y),
         .y(lt_f24_ftz_unit_y)
-    );
-
-    float_le le_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy6_y),
-        .b(24'd0),
-        .y(le_f24_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             phase <= 2'd0;
-            delay_9_from_0_pointer <= 3'd0;
-            delay_15_from_0_pointer <= 4'd0;
-            delay_6_from_1_pointer <= 3'd0;
-            delay_6_from_3_pointer <= 3'd0;
-            delay_9_from_3_pointer <= 3'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_7_from_0_pointer <= 3'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -13490,21 +13757,13 @@ module core_a_transform (
             valid_d5 <= 1'd0;
             valid_d6 <= 1'd0;
             valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
         end else begin
             if (queue_in_ready) begin
-                phase <= term_1 ? (phase - 2'd3) : (phase + 2'd1);
+                phase <= term_2 ? (phase - 2'd3) : (phase + 2'd1);
             end
             if (load_0) begin
-                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-                delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
@@ -13512,209 +13771,159 @@ module core_a_transform (
                 valid_d5 <= valid_d4;
                 valid_d6 <= valid_d5;
                 valid_d7 <= valid_d6;
-                valid_d8 <= valid_d7;
-                valid_d9 <= valid_d8;
-                valid_d10 <= valid_d9;
-                valid_d11 <= valid_d10;
-                valid_d12 <= valid_d11;
-                valid_d13 <= valid_d12;
-                valid_d14 <= valid_d13;
-                valid_d15 <= valid_d14;
-            end
-            if (load_1) begin
-                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
-            end
-            if (load_3) begin
-                delay_6_from_3_pointer <= (delay_6_from_3_pointer == 3'd4) ? (delay_6_from_3_pointer - 3'd4) : (delay_6_from_3_pointer + 3'd1);
-                delay_9_from_3_pointer <= (delay_9_from_3_pointer == 3'd7) ? (delay_9_from_3_pointer - 3'd7) : (delay_9_from_3_pointer + 3'd1);
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            reinterpret_37_d1 <= in_center_x;
-            reinterpret_38_d1 <= in_center_y;
+            attribute_0_d1 <= in_attribute_0;
+            attribute_1_d1 <= in_attribute_1;
+            attribute_2_d1 <= in_attribute_2;
+            attribute_3_d1 <= in_attribute_3;
+            attribute_4_d1 <= in_attribute_4;
+            attribute_5_d1 <= in_attribute_5;
+            attribute_6_d1 <= in_attribute_6;
+            attribute_7_d1 <= in_attribute_7;
+            attribute_8_d1 <= in_attribute_8;
+            attribute_9_d1 <= in_attribute_9;
+            attribute_10_d1 <= in_attribute_10;
+            attribute_11_d1 <= in_attribute_11;
+            attribute_12_d1 <= in_attribute_12;
             reinterpret_39_d1 <= in_center_z;
+            mul_53_d1 <= mul_f24_ftz_unit_y;
+            reinterpret_58_d1 <= in_tangent1_x;
+            reinterpret_59_d1 <= in_tangent1_y;
             reinterpret_60_d1 <= in_tangent1_z;
+            mul_64_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_64_d2 <= mul_64_d1;
+            add_65_d1 <= add_f24_ftz_unit_copy5_y;
+            add_65_d2 <= add_65_d1;
+            mul_69_d1 <= mul_f24_ftz_unit_copy5_y;
+            mul_69_d2 <= mul_69_d1;
+            add_70_d1 <= add_f24_ftz_unit_copy6_y;
+            add_70_d2 <= add_70_d1;
+            mul_74_d1 <= mul_f24_ftz_unit_copy3_y;
+            mul_74_d2 <= mul_74_d1;
             reinterpret_76_d1 <= in_tangent2_x;
             reinterpret_77_d1 <= in_tangent2_y;
             reinterpret_78_d1 <= in_tangent2_z;
-            add_88_d1 <= add_f24_ftz_unit_copy6_y;
-            add_93_d1 <= add_f24_ftz_unit_copy7_y;
-            mul_103_d1 <= mul_f24_ftz_unit_copy5_y;
-            neg_105_d1 <= {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
-            neg_105_d2 <= neg_105_d1;
-            mul_107_d1 <= mul_f24_ftz_unit_copy7_y;
-            mul_108_d1 <= mul_f24_ftz_unit_copy8_y;
-            mul_110_d1 <= mul_f24_ftz_unit_copy9_y;
-            mul_110_d2 <= mul_110_d1;
-        end
-        if (load_3) begin
-            mul_43_d1 <= mul_f24_ftz_unit_y;
-            mul_43_d2 <= mul_43_d1;
-            mul_48_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_48_d2 <= mul_48_d1;
-            mul_53_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_53_d2 <= mul_53_d1;
-            add_55_d1 <= add_f24_ftz_unit_y;
-            add_55_d2 <= add_55_d1;
-            add_65_d1 <= add_f24_ftz_unit_copy2_y;
-            add_70_d1 <= add_f24_ftz_unit_copy3_y;
-            mul_74_d1 <= mul_f24_ftz_unit_copy6_y;
-            mul_74_d2 <= mul_74_d1;
-            add_75_d1 <= add_f24_ftz_unit_copy4_y;
-            mul_82_d1 <= mul_f24_ftz_unit_copy7_y;
+            mul_82_d1 <= mul_f24_ftz_unit_copy4_y;
             mul_82_d2 <= mul_82_d1;
-            add_83_d1 <= add_f24_ftz_unit_copy5_y;
-            mul_87_d1 <= mul_f24_ftz_unit_copy8_y;
+            mul_87_d1 <= mul_f24_ftz_unit_copy6_y;
             mul_87_d2 <= mul_87_d1;
-            mul_92_d1 <= mul_f24_ftz_unit_copy9_y;
+            mul_92_d1 <= mul_f24_ftz_unit_copy7_y;
             mul_92_d2 <= mul_92_d1;
-        end
-        if (load_1) begin
-            add_47_d1 <= add_f24_ftz_unit_copy2_y;
-            add_54_d1 <= add_f24_ftz_unit_copy3_y;
-            add_56_d1 <= add_f24_ftz_unit_copy4_y;
-            add_56_d2 <= add_56_d1;
-            mul_84_d1 <= mul_f24_ftz_unit_copy9_y;
+            equal_100_d1 <= equal_100;
+            select_106_d1 <= select_106;
+            equal_111_d1 <= equal_111;
+            select_114_d1 <= select_114;
+            equal_119_d1 <= equal_119;
+            select_122_d1 <= select_122;
+            equal_127_d1 <= equal_127;
+            select_130_d1 <= select_130;
+            equal_135_d1 <= equal_135;
+            select_138_d1 <= select_138;
+            equal_143_d1 <= equal_143;
+            select_146_d1 <= select_146;
+            equal_151_d1 <= equal_151;
+            select_154_d1 <= select_154;
+            equal_159_d1 <= equal_159;
+            select_162_d1 <= select_162;
+            equal_167_d1 <= equal_167;
+            select_170_d1 <= select_170;
+            equal_175_d1 <= equal_175;
+            select_178_d1 <= select_178;
+            equal_183_d1 <= equal_183;
+            select_186_d1 <= select_186;
+            equal_191_d1 <= equal_191;
+            select_194_d1 <= select_194;
+            equal_199_d1 <= equal_199;
+            select_202_d1 <= select_202;
         end
         if (load_2) begin
-            add_57_d1 <= add_f24_ftz_unit_copy3_y;
-            add_57_d2 <= add_57_d1;
-            add_57_d3 <= add_57_d2;
-            add_57_d4 <= add_57_d3;
-            add_57_d5 <= add_57_d4;
-            add_57_d6 <= add_57_d5;
-            add_57_d7 <= add_57_d6;
-            add_57_d8 <= add_57_d7;
-            mul_64_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_64_d2 <= mul_64_d1;
-            mul_69_d1 <= mul_f24_ftz_unit_copy6_y;
-            mul_69_d2 <= mul_69_d1;
-            add_106_d1 <= add_f24_ftz_unit_copy4_y;
-            add_109_d1 <= add_f24_ftz_unit_copy5_y;
+            mul_43_d1 <= mul_f24_ftz_unit_y;
+            mul_43_d2 <= mul_43_d1;
+            add_55_d1 <= add_f24_ftz_unit_y;
+            add_57_d1 <= add_f24_ftz_unit_copy2_y;
+            mul_71_d1 <= mul_f24_ftz_unit_copy6_y;
+        end
+        if (load_1) begin
+            mul_48_d1 <= mul_f24_ftz_unit_copy5_y;
+            add_75_d1 <= add_f24_ftz_unit_copy3_y;
+            add_75_d2 <= add_75_d1;
+            add_83_d1 <= add_f24_ftz_unit_copy4_y;
+            add_83_d2 <= add_83_d1;
+            add_88_d1 <= add_f24_ftz_unit_copy5_y;
+            add_88_d2 <= add_88_d1;
+            add_93_d1 <= add_f24_ftz_unit_copy6_y;
+            add_93_d2 <= add_93_d1;
+        end
+        if (load_3) begin
+            add_49_d1 <= add_f24_ftz_unit_copy2_y;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_70_d1 : m02) : m00;
-            mul_f24_ftz_unit_b <= phase[1] ? (phase[0] ? add_93_d1 : reinterpret_39_d1) : choice_2;
-            mul_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? add_75_d1 : m12) : m01;
+            mul_f24_ftz_unit_a <= phase[1] ? (phase[0] ? m22 : m00) : phase[0] ? m02 : m00;
+            mul_f24_ftz_unit_b <= phase[1] ? (phase[0] ? reinterpret_39_d1 : reinterpret_76_d1) : phase[0] ? reinterpret_39_d1 : in_center_x;
+            mul_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? m02 : m01) : phase[0] ? m00 : m01;
             mul_f24_ftz_unit_copy2_b <= phase[1] ? choice_3 : choice_4;
-            mul_f24_ftz_unit_copy3_a <= phase[1] ? (phase[0] ? add_75_d1 : m20) : m10;
-            mul_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? add_83_d1 : reinterpret_37_d1) : choice_2;
-            mul_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? add_65_d1 : m21) : m11;
-            mul_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? add_93_d1 : reinterpret_38_d1) : choice_4;
-            mul_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? add_65_d1 : m22) : phase[0] ? m02 : m20;
-            mul_f24_ftz_unit_copy5_b <= phase[1] ? choice_3 : phase[0] ? reinterpret_60_d1 : in_tangent1_x;
-            mul_f24_ftz_unit_copy6_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : m22) : phase[0] ? m12 : m21;
-            mul_f24_ftz_unit_copy6_b <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : reinterpret_60_d1) : phase[0] ? reinterpret_60_d1 : in_tangent1_y;
-            mul_f24_ftz_unit_copy7_a <= phase[1] ? (phase[0] ? add_55_d2 : m02) : phase[0] ? m11 : m00;
-            mul_f24_ftz_unit_copy7_b <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy6_y : reinterpret_78_d1) : choice_5;
-            mul_f24_ftz_unit_copy8_a <= phase[1] ? (phase[0] ? add_56_d2 : m12) : phase[0] ? m20 : m01;
-            mul_f24_ftz_unit_copy8_b <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy7_y : reinterpret_78_d1) : phase[0] ? reinterpret_76_d1 : in_tangent2_y;
-            mul_f24_ftz_unit_copy9_a <= phase[1] ? (phase[0] ? add_57_d3 : m22) : phase[0] ? m21 : m10;
-            mul_f24_ftz_unit_copy9_b <= phase[1] ? (phase[0] ? add_106_d1 : reinterpret_78_d1) : choice_5;
-            add_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_47_d1 : mul_f24_ftz_unit_y) : phase[0] ? add_f24_ftz_unit_y : m03;
-            add_f24_ftz_unit_b <= phase[1] ? (phase[0] ? mul_48_d2 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_43_d2 : add_f24_ftz_unit_y;
-            add_f24_ftz_unit_copy2_a <= phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
-            add_f24_ftz_unit_copy2_b <= phase[1] ? mul_f24_ftz_unit_copy4_y : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_64_d2;
-            add_f24_ftz_unit_copy3_a <= phase[1] ? (phase[0] ? m23 : add_f24_ftz_unit_copy2_y) : choice_6;
-            add_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? add_54_d1 : mul_53_d2) : phase[0] ? mul_f24_ftz_unit_copy4_y : mul_69_d2;
-            add_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? mul_103_d1 : m13) : choice_7;
-            add_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? neg_105_d2 : add_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_copy6_y : mul_74_d2;
-            add_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? mul_107_d1 : mul_84_d1) : choice_8;
-            add_f24_ftz_unit_copy5_b <= phase[1] ? (phase[0] ? mul_108_d1 : mul_f24_ftz_unit_copy7_y) : phase[0] ? mul_f24_ftz_unit_copy8_y : mul_82_d2;
-            add_f24_ftz_unit_copy6_a <= phase[1] ? (phase[0] ? add_109_d1 : mul_f24_ftz_unit_copy8_y) : phase[0] ? add_f24_ftz_unit_copy5_y : mul_f24_ftz_unit_y;
-            add_f24_ftz_unit_copy6_b <= phase[1] ? (phase[0] ? mul_110_d2 : mul_f24_ftz_unit_copy9_y) : phase[0] ? mul_87_d2 : joined_9;
-            add_f24_ftz_unit_copy7_a <= phase[1] ? add_f24_ftz_unit_copy6_y : choice_10;
-            add_f24_ftz_unit_copy7_b <= phase[1] ? mul_92_d2 : phase[0] ? mul_92_d2 : joined_11;
+            mul_f24_ftz_unit_copy3_a <= phase[1] ? choice_5 : phase[0] ? m01 : m10;
+            mul_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? reinterpret_60_d1 : reinterpret_59_d1) : phase[0] ? reinterpret_59_d1 : in_center_x;
+            mul_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? m02 : m10) : phase[0] ? m10 : m11;
+            mul_f24_ftz_unit_copy4_b <= phase[1] ? choice_6 : choice_4;
+            mul_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? m12 : m11) : phase[0] ? m11 : m12;
+            mul_f24_ftz_unit_copy5_b <= phase[1] ? choice_3 : phase[0] ? reinterpret_59_d1 : reinterpret_39_d1;
+            mul_f24_ftz_unit_copy6_a <= phase[1] ? (phase[0] ? m12 : m20) : m20;
+            mul_f24_ftz_unit_copy6_b <= phase[1] ? choice_6 : phase[0] ? reinterpret_58_d1 : in_center_x;
+            mul_f24_ftz_unit_copy7_a <= phase[1] ? choice_5 : m21;
+            mul_f24_ftz_unit_copy7_b <= phase[1] ? (phase[0] ? reinterpret_78_d1 : reinterpret_77_d1) : in_center_y;
+            add_f24_ftz_unit_a <= phase[1] ? (phase[0] ? m03 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+            add_f24_ftz_unit_b <= phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_43_d2;
+            add_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? m23 : mul_f24_ftz_unit_copy4_y) : choice_7;
+            add_f24_ftz_unit_copy2_b <= phase[1] ? choice_8 : phase[0] ? mul_f24_ftz_unit_copy4_y : mul_48_d1;
+            add_f24_ftz_unit_copy3_a <= phase[1] ? (phase[0] ? mul_71_d1 : add_f24_ftz_unit_copy3_y) : choice_9;
+            add_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_74_d2) : phase[0] ? mul_f24_ftz_unit_copy7_y : mul_53_d1;
+            add_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : m13;
+            add_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_82_d2) : add_49_d1;
+            add_f24_ftz_unit_copy5_a <= phase[1] ? choice_10 : add_f24_ftz_unit_y;
+            add_f24_ftz_unit_copy5_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy5_y : mul_87_d2) : mul_64_d2;
+            add_f24_ftz_unit_copy6_a <= phase[1] ? choice_11 : add_f24_ftz_unit_copy2_y;
+            add_f24_ftz_unit_copy6_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy7_y : mul_92_d2) : mul_69_d2;
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_9_from_0[delay_9_from_0_pointer] <= {add_93_d1, add_88_d1};
-        end
-        if (load_0) begin
-            delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_15_from_0[delay_15_from_0_pointer] <= {
-                in_cardinal_0,
-                in_attribute_12,
-                in_attribute_11,
-                in_attribute_10,
-                in_attribute_9,
-                in_attribute_8,
-                in_attribute_7,
-                in_attribute_6,
-                in_attribute_5,
-                in_attribute_4,
-                in_attribute_3,
-                in_attribute_2,
-                in_attribute_1,
-                in_attribute_0,
-                in_end
+            delay_6_from_0[delay_6_from_0_pointer] <= {
+                select_203,
+                select_195,
+                select_187,
+                select_179,
+                select_171,
+                select_163,
+                select_155,
+                select_147,
+                select_139,
+                select_131,
+                select_123,
+                select_115,
+                select_107
             };
         end
         if (load_0) begin
-            delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
+            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
         end
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_6_from_1[delay_6_from_1_pointer] <= add_56_d2;
+        if (load_0) begin
+            delay_7_from_0[delay_7_from_0_pointer] <= {in_cardinal_0, in_end};
         end
-        if (load_1) begin
-            delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_3) begin
-            delay_6_from_3[delay_6_from_3_pointer] <= add_55_d2;
-        end
-        if (load_3) begin
-            delay_6_from_3_out <= delay_6_from_3[delay_6_from_3_pointer];
+        if (load_0) begin
+            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
         end
     end
-    always @(posedge clk) begin
-        if (load_3) begin
-            delay_9_from_3[delay_9_from_3_pointer] <= {add_83_d1, add_75_d1, add_70_d1, add_65_d1};
-        end
-        if (load_3) begin
-            delay_9_from_3_out <= delay_9_from_3[delay_9_from_3_pointer];
-        end
-    end
-endmodule
-
-// Whether one floating-point number is less than another or equal.
-// stages = 1
-// format = f24-ftz
-module float_le (
-    input  wire clk,
-    input  wire rst,
-    input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
-    output reg  y
-);
-    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [22:0] joined_2 = {a[22:15], term_1};
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_4 = {b[22:15], term_3};
-    wire term_5 = {~a[23], joined_2 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
-
-    always @(posedge clk) begin
-        if (enable) begin
-            y <= (term_5 | ((joined_2 | joined_4) == 23'd0)) & ~((&a[22:15] & |term_1) | (&b[22:15] & |term_3));
-        end
-    end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Whether one floating-point number is less than another.
-// stages = 1
+// stages = 2
 // format = f24-ftz
 module float_lt (
     input  wire clk,
@@ -13724,15 +13933,21 @@ module float_lt (
     input  wire [23:0] b,
     output reg  y
 );
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
-    wire [22:0] joined_2 = {a[22:15], term_1};
-    wire [14:0] term_3 = b[14:0] & {15{|b[22:15]}};
-    wire [22:0] joined_4 = {b[22:15], term_3};
-    wire term_5 = {~a[23], joined_2 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] joined_3 = {a[22:15], term_1};
+    wire [22:0] joined_4 = {b[22:15], term_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= term_5 & ~((joined_2 | joined_4) == 23'd0) & ~((&a[22:15] & |term_1) | (&b[22:15] & |term_3));
+            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
+            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+            y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
 

@@ -2429,7 +2429,7 @@ endmodule
 
 // Blends samples into the pixels of the tile slots.
 // slots = 4
-// stages = 6
+// stages = 7
 module core_a_accumulator (
     input  wire clk,
     input  wire rst,
@@ -2545,6 +2545,11 @@ module core_a_accumulator (
     reg last_7;
     reg [1:0] slot_7;
     reg [5:0] pixel_7;
+    reg valid_8;
+    reg inside_8;
+    reg last_8;
+    reg [1:0] slot_8;
+    reg [5:0] pixel_8;
     reg head_valid;
     reg head_end;
     reg head_last;
@@ -2569,11 +2574,15 @@ module core_a_accumulator (
     reg [15:0] head_attribute_11;
     reg [15:0] head_attribute_12;
     reg [15:0] head_cardinal_0;
-    reg [6:0] collisions;
+    reg [7:0] collisions;
     reg [319:0] slot_0_read;
+    reg [319:0] slot_0_pixel;
     reg [319:0] slot_1_read;
+    reg [319:0] slot_1_pixel;
     reg [319:0] slot_2_read;
+    reg [319:0] slot_2_pixel;
     reg [319:0] slot_3_read;
+    reg [319:0] slot_3_pixel;
     reg [319:0] stored;
     reg [1:0] drained_slot;
     reg [15:0] sample_1_weight;
@@ -2612,115 +2621,133 @@ module core_a_accumulator (
     reg [15:0] sample_2_attribute_11;
     reg [15:0] sample_2_attribute_12;
     reg [15:0] sample_2_cardinal_0;
-    reg late_fail_3;
+    reg [15:0] sample_3_weight;
+    reg [39:0] sample_3_weighted_depth;
+    reg [23:0] sample_3_depth_low;
+    reg [23:0] sample_3_depth_high;
+    reg [15:0] sample_3_attribute_0;
+    reg [15:0] sample_3_attribute_1;
+    reg [15:0] sample_3_attribute_2;
+    reg [15:0] sample_3_attribute_3;
+    reg [15:0] sample_3_attribute_4;
+    reg [15:0] sample_3_attribute_5;
+    reg [15:0] sample_3_attribute_6;
+    reg [15:0] sample_3_attribute_7;
+    reg [15:0] sample_3_attribute_8;
+    reg [15:0] sample_3_attribute_9;
+    reg [15:0] sample_3_attribute_10;
+    reg [15:0] sample_3_attribute_11;
+    reg [15:0] sample_3_attribute_12;
+    reg [15:0] sample_3_cardinal_0;
     reg late_fail_4;
-    reg late_pass_3;
+    reg late_fail_5;
     reg late_pass_4;
-    reg [28:0] weight_sum_3;
+    reg late_pass_5;
     reg [28:0] weight_sum_4;
     reg [28:0] weight_sum_5;
     reg [28:0] weight_sum_6;
     reg [28:0] weight_sum_7;
-    reg [15:0] weight_3;
+    reg [28:0] weight_sum_8;
     reg [15:0] weight_4;
     reg [15:0] weight_5;
     reg [15:0] weight_6;
     reg [15:0] weight_7;
-    reg [51:0] depth_sum_3;
+    reg [15:0] weight_8;
     reg [51:0] depth_sum_4;
     reg [51:0] depth_sum_5;
     reg [51:0] depth_sum_6;
     reg [51:0] depth_sum_7;
-    reg [39:0] depth_3;
+    reg [51:0] depth_sum_8;
     reg [39:0] depth_4;
     reg [39:0] depth_5;
     reg [39:0] depth_6;
     reg [39:0] depth_7;
-    reg stronger_3;
+    reg [39:0] depth_8;
     reg stronger_4;
     reg stronger_5;
     reg stronger_6;
     reg stronger_7;
-    reg [15:0] peak_3;
+    reg stronger_8;
     reg [15:0] peak_4;
     reg [15:0] peak_5;
     reg [15:0] peak_6;
     reg [15:0] peak_7;
-    reg [15:0] attribute_0_3;
+    reg [15:0] peak_8;
     reg [15:0] attribute_0_4;
     reg [15:0] attribute_0_5;
     reg [15:0] attribute_0_6;
     reg [15:0] attribute_0_7;
-    reg [15:0] attribute_1_3;
+    reg [15:0] attribute_0_8;
     reg [15:0] attribute_1_4;
     reg [15:0] attribute_1_5;
     reg [15:0] attribute_1_6;
     reg [15:0] attribute_1_7;
-    reg [15:0] attribute_2_3;
+    reg [15:0] attribute_1_8;
     reg [15:0] attribute_2_4;
     reg [15:0] attribute_2_5;
     reg [15:0] attribute_2_6;
     reg [15:0] attribute_2_7;
-    reg [15:0] attribute_3_3;
+    reg [15:0] attribute_2_8;
     reg [15:0] attribute_3_4;
     reg [15:0] attribute_3_5;
     reg [15:0] attribute_3_6;
     reg [15:0] attribute_3_7;
-    reg [15:0] attribute_4_3;
+    reg [15:0] attribute_3_8;
     reg [15:0] attribute_4_4;
     reg [15:0] attribute_4_5;
     reg [15:0] attribute_4_6;
     reg [15:0] attribute_4_7;
-    reg [15:0] attribute_5_3;
+    reg [15:0] attribute_4_8;
     reg [15:0] attribute_5_4;
     reg [15:0] attribute_5_5;
     reg [15:0] attribute_5_6;
     reg [15:0] attribute_5_7;
-    reg [15:0] attribute_6_3;
+    reg [15:0] attribute_5_8;
     reg [15:0] attribute_6_4;
     reg [15:0] attribute_6_5;
     reg [15:0] attribute_6_6;
     reg [15:0] attribute_6_7;
-    reg [15:0] attribute_7_3;
+    reg [15:0] attribute_6_8;
     reg [15:0] attribute_7_4;
     reg [15:0] attribute_7_5;
     reg [15:0] attribute_7_6;
     reg [15:0] attribute_7_7;
-    reg [15:0] attribute_8_3;
+    reg [15:0] attribute_7_8;
     reg [15:0] attribute_8_4;
     reg [15:0] attribute_8_5;
     reg [15:0] attribute_8_6;
     reg [15:0] attribute_8_7;
-    reg [15:0] attribute_9_3;
+    reg [15:0] attribute_8_8;
     reg [15:0] attribute_9_4;
     reg [15:0] attribute_9_5;
     reg [15:0] attribute_9_6;
     reg [15:0] attribute_9_7;
-    reg [15:0] attribute_10_3;
+    reg [15:0] attribute_9_8;
     reg [15:0] attribute_10_4;
     reg [15:0] attribute_10_5;
     reg [15:0] attribute_10_6;
     reg [15:0] attribute_10_7;
-    reg [15:0] attribute_11_3;
+    reg [15:0] attribute_10_8;
     reg [15:0] attribute_11_4;
     reg [15:0] attribute_11_5;
     reg [15:0] attribute_11_6;
     reg [15:0] attribute_11_7;
-    reg [15:0] attribute_12_3;
+    reg [15:0] attribute_11_8;
     reg [15:0] attribute_12_4;
     reg [15:0] attribute_12_5;
     reg [15:0] attribute_12_6;
     reg [15:0] attribute_12_7;
-    reg [15:0] cardinal_0_3;
+    reg [15:0] attribute_12_8;
     reg [15:0] cardinal_0_4;
     reg [15:0] cardinal_0_5;
     reg [15:0] cardinal_0_6;
     reg [15:0] cardinal_0_7;
-    reg [15:0] stored_cardinal_0_3;
+    reg [15:0] cardinal_0_8;
     reg [15:0] stored_cardinal_0_4;
     reg [15:0] stored_cardinal_0_5;
     reg [15:0] stored_cardinal_0_6;
     reg [15:0] stored_cardinal_0_7;
+    reg [15:0] stored_cardinal_0_8;
 
     wire places_in_ready;
     wire places_out_valid;
@@ -2766,7 +2793,7 @@ module core_a_accumulator (
     wire [15:0] add_attribute_12_y;
 
     assign in_ready = places_in_ready;
-    wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_read : slot_2_read) : drained_slot[0] ? slot_1_read : slot_0_read;
+    wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
     wire [3:0] shifted_2 = slot_ready >> head_slot;
@@ -2776,23 +2803,37 @@ module core_a_accumulator (
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = term_1 & ~(slot_wait | hazard);
     wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_3 | valid_7);
+    wire issue_end = head_valid & head_end & ~(term_3 | valid_7 | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire queue_ready = head_takes;
     wire places_out_ready = queue_ready;
     wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [6:0] joined_11 = {term_4, term_5, term_6, term_7, term_8, term_9, head_valid & (head_inside & ~head_end) & term_10};
+    wire term_4 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
+    wire term_5 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_6 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_7 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_8 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_9 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_10 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_11 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [7:0] joined_12 = {
+        term_4,
+        term_5,
+        term_6,
+        term_7,
+        term_8,
+        term_9,
+        term_10,
+        head_valid & (head_inside & ~head_end) & term_11
+    };
+    wire term_13 = drain_enable & (drain_slot == 2'd0);
+    wire term_14 = drain_enable & (drain_slot == 2'd1);
+    wire term_15 = drain_enable & (drain_slot == 2'd2);
+    wire term_16 = drain_enable & (drain_slot == 2'd3);
     wire filling_0 = fill_valid & (fill_slot == 2'd0);
-    wire writes = inside_7 & (~late_fail_4 & (late_pass_4 | ~weight_sum_7[28]));
-    wire [319:0] joined_12 = {
+    wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
+    wire [319:0] joined_17 = {
         fill_weight,
         fill_depth,
         fill_peak,
@@ -2811,25 +2852,64 @@ module core_a_accumulator (
         fill_attribute_12,
         fill_cardinal_0
     };
-    wire selected = late_pass_4 | stronger_7;
+    wire selected = late_pass_5 | stronger_8;
+    wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
+    wire [14:0] choice_18 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_19 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_18};
+    wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
+    wire [14:0] choice_20 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_21 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_20};
+    wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
+    wire [14:0] choice_22 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_23 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_22};
+    wire overflow_of_attribute_3 = &add_attribute_3_y[14:10];
+    wire [14:0] choice_24 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
+    wire [15:0] choice_25 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_24};
+    wire overflow_of_attribute_4 = &add_attribute_4_y[14:10];
+    wire [14:0] choice_26 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
+    wire [15:0] choice_27 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_26};
+    wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
+    wire [14:0] choice_28 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
+    wire [15:0] choice_29 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_28};
+    wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
+    wire [14:0] choice_30 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
+    wire [15:0] choice_31 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_30};
+    wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
+    wire [14:0] choice_32 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
+    wire [15:0] choice_33 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_32};
+    wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
+    wire [14:0] choice_34 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
+    wire [15:0] choice_35 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_34};
+    wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
+    wire [14:0] choice_36 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
+    wire [15:0] choice_37 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_36};
+    wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
+    wire [14:0] choice_38 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
+    wire [15:0] choice_39 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_38};
+    wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
+    wire [14:0] choice_40 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
+    wire [15:0] choice_41 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_40};
+    wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
+    wire [14:0] choice_42 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
+    wire [15:0] choice_43 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_42};
     wire [319:0] result = {
-        late_pass_4 ? {12'd0, weight_7} : weight_sum_7[27:0],
-        late_pass_4 ? {12'd0, depth_7} : depth_sum_7,
-        selected ? weight_7 : peak_7,
-        late_pass_4 ? attribute_0_7 : add_attribute_0_y,
-        late_pass_4 ? attribute_1_7 : add_attribute_1_y,
-        late_pass_4 ? attribute_2_7 : add_attribute_2_y,
-        late_pass_4 ? attribute_3_7 : add_attribute_3_y,
-        late_pass_4 ? attribute_4_7 : add_attribute_4_y,
-        late_pass_4 ? attribute_5_7 : add_attribute_5_y,
-        late_pass_4 ? attribute_6_7 : add_attribute_6_y,
-        late_pass_4 ? attribute_7_7 : add_attribute_7_y,
-        late_pass_4 ? attribute_8_7 : add_attribute_8_y,
-        late_pass_4 ? attribute_9_7 : add_attribute_9_y,
-        late_pass_4 ? attribute_10_7 : add_attribute_10_y,
-        late_pass_4 ? attribute_11_7 : add_attribute_11_y,
-        late_pass_4 ? attribute_12_7 : add_attribute_12_y,
-        selected ? cardinal_0_7 : stored_cardinal_0_7
+        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
+        late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
+        selected ? weight_8 : peak_8,
+        choice_19,
+        choice_21,
+        choice_23,
+        choice_25,
+        choice_27,
+        choice_29,
+        choice_31,
+        choice_33,
+        choice_35,
+        choice_37,
+        choice_39,
+        choice_41,
+        choice_43,
+        selected ? cardinal_0_8 : stored_cardinal_0_8
     };
     wire filling_1 = fill_valid & (fill_slot == 2'd1);
     wire filling_2 = fill_valid & (fill_slot == 2'd2);
@@ -2922,8 +3002,8 @@ module core_a_accumulator (
         .rst(rst),
         .weight(stored[319:292]),
         .depth(stored[291:240]),
-        .depth_low(sample_2_depth_low),
-        .depth_high(sample_2_depth_high),
+        .depth_low(sample_3_depth_low),
+        .depth_high(sample_3_depth_high),
         .fail(depth_test_fail),
         .pass(depth_test_pass)
     );
@@ -2933,7 +3013,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[223:208]),
-        .b(sample_2_attribute_0),
+        .b(sample_3_attribute_0),
         .y(add_attribute_0_y)
     );
 
@@ -2942,7 +3022,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[207:192]),
-        .b(sample_2_attribute_1),
+        .b(sample_3_attribute_1),
         .y(add_attribute_1_y)
     );
 
@@ -2951,7 +3031,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[191:176]),
-        .b(sample_2_attribute_2),
+        .b(sample_3_attribute_2),
         .y(add_attribute_2_y)
     );
 
@@ -2960,7 +3040,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[175:160]),
-        .b(sample_2_attribute_3),
+        .b(sample_3_attribute_3),
         .y(add_attribute_3_y)
     );
 
@@ -2969,7 +3049,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[159:144]),
-        .b(sample_2_attribute_4),
+        .b(sample_3_attribute_4),
         .y(add_attribute_4_y)
     );
 
@@ -2978,7 +3058,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[143:128]),
-        .b(sample_2_attribute_5),
+        .b(sample_3_attribute_5),
         .y(add_attribute_5_y)
     );
 
@@ -2987,7 +3067,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[127:112]),
-        .b(sample_2_attribute_6),
+        .b(sample_3_attribute_6),
         .y(add_attribute_6_y)
     );
 
@@ -2996,7 +3076,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[111:96]),
-        .b(sample_2_attribute_7),
+        .b(sample_3_attribute_7),
         .y(add_attribute_7_y)
     );
 
@@ -3005,7 +3085,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[95:80]),
-        .b(sample_2_attribute_8),
+        .b(sample_3_attribute_8),
         .y(add_attribute_8_y)
     );
 
@@ -3014,7 +3094,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[79:64]),
-        .b(sample_2_attribute_9),
+        .b(sample_3_attribute_9),
         .y(add_attribute_9_y)
     );
 
@@ -3023,7 +3103,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[63:48]),
-        .b(sample_2_attribute_10),
+        .b(sample_3_attribute_10),
         .y(add_attribute_10_y)
     );
 
@@ -3032,7 +3112,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[47:32]),
-        .b(sample_2_attribute_11),
+        .b(sample_3_attribute_11),
         .y(add_attribute_11_y)
     );
 
@@ -3041,7 +3121,7 @@ module core_a_accumulator (
         .rst(rst),
         .enable(1'd1),
         .a(stored[31:16]),
-        .b(sample_2_attribute_12),
+        .b(sample_3_attribute_12),
         .y(add_attribute_12_y)
     );
 
@@ -3063,12 +3143,14 @@ module core_a_accumulator (
             inside_6 <= 1'd0;
             valid_7 <= 1'd0;
             inside_7 <= 1'd0;
+            valid_8 <= 1'd0;
+            inside_8 <= 1'd0;
             head_valid <= 1'd0;
             event_accumulate <= 1'd0;
             event_hazard <= 1'd0;
             event_slot_wait <= 1'd0;
         end else begin
-            retire_valid <= valid_7 & last_7;
+            retire_valid <= valid_8 & last_8;
             frame_end <= issue_end;
             valid_1 <= issue;
             inside_1 <= issue_inside;
@@ -3084,6 +3166,8 @@ module core_a_accumulator (
             inside_6 <= inside_5;
             valid_7 <= valid_6;
             inside_7 <= inside_6;
+            valid_8 <= valid_7;
+            inside_8 <= inside_7;
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
@@ -3093,7 +3177,7 @@ module core_a_accumulator (
         end
     end
     always @(posedge clk) begin
-        retire_slot <= slot_7;
+        retire_slot <= slot_8;
         last_1 <= head_last;
         slot_1 <= head_slot;
         pixel_1 <= head_pixel;
@@ -3115,8 +3199,11 @@ module core_a_accumulator (
         last_7 <= last_6;
         slot_7 <= slot_6;
         pixel_7 <= pixel_6;
-        collisions <= head_takes ? joined_11 : (collisions << 1);
-        stored <= slot_1[1] ? (slot_1[0] ? slot_3_read : slot_2_read) : slot_1[0] ? slot_1_read : slot_0_read;
+        last_8 <= last_7;
+        slot_8 <= slot_7;
+        pixel_8 <= pixel_7;
+        collisions <= head_takes ? joined_12 : (collisions << 1);
+        stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -3153,115 +3240,133 @@ module core_a_accumulator (
         sample_2_attribute_11 <= sample_1_attribute_11;
         sample_2_attribute_12 <= sample_1_attribute_12;
         sample_2_cardinal_0 <= sample_1_cardinal_0;
-        late_fail_3 <= depth_test_fail;
-        late_fail_4 <= late_fail_3;
-        late_pass_3 <= depth_test_pass;
-        late_pass_4 <= late_pass_3;
-        weight_sum_3 <= {1'd0, stored[319:292]} + {13'd0, sample_2_weight};
-        weight_sum_4 <= weight_sum_3;
+        sample_3_weight <= sample_2_weight;
+        sample_3_weighted_depth <= sample_2_weighted_depth;
+        sample_3_depth_low <= sample_2_depth_low;
+        sample_3_depth_high <= sample_2_depth_high;
+        sample_3_attribute_0 <= sample_2_attribute_0;
+        sample_3_attribute_1 <= sample_2_attribute_1;
+        sample_3_attribute_2 <= sample_2_attribute_2;
+        sample_3_attribute_3 <= sample_2_attribute_3;
+        sample_3_attribute_4 <= sample_2_attribute_4;
+        sample_3_attribute_5 <= sample_2_attribute_5;
+        sample_3_attribute_6 <= sample_2_attribute_6;
+        sample_3_attribute_7 <= sample_2_attribute_7;
+        sample_3_attribute_8 <= sample_2_attribute_8;
+        sample_3_attribute_9 <= sample_2_attribute_9;
+        sample_3_attribute_10 <= sample_2_attribute_10;
+        sample_3_attribute_11 <= sample_2_attribute_11;
+        sample_3_attribute_12 <= sample_2_attribute_12;
+        sample_3_cardinal_0 <= sample_2_cardinal_0;
+        late_fail_4 <= depth_test_fail;
+        late_fail_5 <= late_fail_4;
+        late_pass_4 <= depth_test_pass;
+        late_pass_5 <= late_pass_4;
+        weight_sum_4 <= {1'd0, stored[319:292]} + {13'd0, sample_3_weight};
         weight_sum_5 <= weight_sum_4;
         weight_sum_6 <= weight_sum_5;
         weight_sum_7 <= weight_sum_6;
-        weight_3 <= sample_2_weight;
-        weight_4 <= weight_3;
+        weight_sum_8 <= weight_sum_7;
+        weight_4 <= sample_3_weight;
         weight_5 <= weight_4;
         weight_6 <= weight_5;
         weight_7 <= weight_6;
-        depth_sum_3 <= stored[291:240] + {12'd0, sample_2_weighted_depth};
-        depth_sum_4 <= depth_sum_3;
+        weight_8 <= weight_7;
+        depth_sum_4 <= stored[291:240] + {12'd0, sample_3_weighted_depth};
         depth_sum_5 <= depth_sum_4;
         depth_sum_6 <= depth_sum_5;
         depth_sum_7 <= depth_sum_6;
-        depth_3 <= sample_2_weighted_depth;
-        depth_4 <= depth_3;
+        depth_sum_8 <= depth_sum_7;
+        depth_4 <= sample_3_weighted_depth;
         depth_5 <= depth_4;
         depth_6 <= depth_5;
         depth_7 <= depth_6;
-        stronger_3 <= stored[239:224] < sample_2_weight;
-        stronger_4 <= stronger_3;
+        depth_8 <= depth_7;
+        stronger_4 <= stored[239:224] < sample_3_weight;
         stronger_5 <= stronger_4;
         stronger_6 <= stronger_5;
         stronger_7 <= stronger_6;
-        peak_3 <= stored[239:224];
-        peak_4 <= peak_3;
+        stronger_8 <= stronger_7;
+        peak_4 <= stored[239:224];
         peak_5 <= peak_4;
         peak_6 <= peak_5;
         peak_7 <= peak_6;
-        attribute_0_3 <= sample_2_attribute_0;
-        attribute_0_4 <= attribute_0_3;
+        peak_8 <= peak_7;
+        attribute_0_4 <= sample_3_attribute_0;
         attribute_0_5 <= attribute_0_4;
         attribute_0_6 <= attribute_0_5;
         attribute_0_7 <= attribute_0_6;
-        attribute_1_3 <= sample_2_attribute_1;
-        attribute_1_4 <= attribute_1_3;
+        attribute_0_8 <= attribute_0_7;
+        attribute_1_4 <= sample_3_attribute_1;
         attribute_1_5 <= attribute_1_4;
         attribute_1_6 <= attribute_1_5;
         attribute_1_7 <= attribute_1_6;
-        attribute_2_3 <= sample_2_attribute_2;
-        attribute_2_4 <= attribute_2_3;
+        attribute_1_8 <= attribute_1_7;
+        attribute_2_4 <= sample_3_attribute_2;
         attribute_2_5 <= attribute_2_4;
         attribute_2_6 <= attribute_2_5;
         attribute_2_7 <= attribute_2_6;
-        attribute_3_3 <= sample_2_attribute_3;
-        attribute_3_4 <= attribute_3_3;
+        attribute_2_8 <= attribute_2_7;
+        attribute_3_4 <= sample_3_attribute_3;
         attribute_3_5 <= attribute_3_4;
         attribute_3_6 <= attribute_3_5;
         attribute_3_7 <= attribute_3_6;
-        attribute_4_3 <= sample_2_attribute_4;
-        attribute_4_4 <= attribute_4_3;
+        attribute_3_8 <= attribute_3_7;
+        attribute_4_4 <= sample_3_attribute_4;
         attribute_4_5 <= attribute_4_4;
         attribute_4_6 <= attribute_4_5;
         attribute_4_7 <= attribute_4_6;
-        attribute_5_3 <= sample_2_attribute_5;
-        attribute_5_4 <= attribute_5_3;
+        attribute_4_8 <= attribute_4_7;
+        attribute_5_4 <= sample_3_attribute_5;
         attribute_5_5 <= attribute_5_4;
         attribute_5_6 <= attribute_5_5;
         attribute_5_7 <= attribute_5_6;
-        attribute_6_3 <= sample_2_attribute_6;
-        attribute_6_4 <= attribute_6_3;
+        attribute_5_8 <= attribute_5_7;
+        attribute_6_4 <= sample_3_attribute_6;
         attribute_6_5 <= attribute_6_4;
         attribute_6_6 <= attribute_6_5;
         attribute_6_7 <= attribute_6_6;
-        attribute_7_3 <= sample_2_attribute_7;
-        attribute_7_4 <= attribute_7_3;
+        attribute_6_8 <= attribute_6_7;
+        attribute_7_4 <= sample_3_attribute_7;
         attribute_7_5 <= attribute_7_4;
         attribute_7_6 <= attribute_7_5;
         attribute_7_7 <= attribute_7_6;
-        attribute_8_3 <= sample_2_attribute_8;
-        attribute_8_4 <= attribute_8_3;
+        attribute_7_8 <= attribute_7_7;
+        attribute_8_4 <= sample_3_attribute_8;
         attribute_8_5 <= attribute_8_4;
         attribute_8_6 <= attribute_8_5;
         attribute_8_7 <= attribute_8_6;
-        attribute_9_3 <= sample_2_attribute_9;
-        attribute_9_4 <= attribute_9_3;
+        attribute_8_8 <= attribute_8_7;
+        attribute_9_4 <= sample_3_attribute_9;
         attribute_9_5 <= attribute_9_4;
         attribute_9_6 <= attribute_9_5;
         attribute_9_7 <= attribute_9_6;
-        attribute_10_3 <= sample_2_attribute_10;
-        attribute_10_4 <= attribute_10_3;
+        attribute_9_8 <= attribute_9_7;
+        attribute_10_4 <= sample_3_attribute_10;
         attribute_10_5 <= attribute_10_4;
         attribute_10_6 <= attribute_10_5;
         attribute_10_7 <= attribute_10_6;
-        attribute_11_3 <= sample_2_attribute_11;
-        attribute_11_4 <= attribute_11_3;
+        attribute_10_8 <= attribute_10_7;
+        attribute_11_4 <= sample_3_attribute_11;
         attribute_11_5 <= attribute_11_4;
         attribute_11_6 <= attribute_11_5;
         attribute_11_7 <= attribute_11_6;
-        attribute_12_3 <= sample_2_attribute_12;
-        attribute_12_4 <= attribute_12_3;
+        attribute_11_8 <= attribute_11_7;
+        attribute_12_4 <= sample_3_attribute_12;
         attribute_12_5 <= attribute_12_4;
         attribute_12_6 <= attribute_12_5;
         attribute_12_7 <= attribute_12_6;
-        cardinal_0_3 <= sample_2_cardinal_0;
-        cardinal_0_4 <= cardinal_0_3;
+        attribute_12_8 <= attribute_12_7;
+        cardinal_0_4 <= sample_3_cardinal_0;
         cardinal_0_5 <= cardinal_0_4;
         cardinal_0_6 <= cardinal_0_5;
         cardinal_0_7 <= cardinal_0_6;
-        stored_cardinal_0_3 <= stored[15:0];
-        stored_cardinal_0_4 <= stored_cardinal_0_3;
+        cardinal_0_8 <= cardinal_0_7;
+        stored_cardinal_0_4 <= stored[15:0];
         stored_cardinal_0_5 <= stored_cardinal_0_4;
         stored_cardinal_0_6 <= stored_cardinal_0_5;
         stored_cardinal_0_7 <= stored_cardinal_0_6;
+        stored_cardinal_0_8 <= stored_cardinal_0_7;
         if (head_takes) begin
             head_end <= places_out_end;
             head_last <= places_out_last;
@@ -3287,39 +3392,51 @@ module core_a_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
+        if (slot_ready[0] | term_13) begin
+            slot_0_pixel <= slot_0_read;
+        end
+        if (slot_ready[1] | term_14) begin
+            slot_1_pixel <= slot_1_read;
+        end
+        if (slot_ready[2] | term_15) begin
+            slot_2_pixel <= slot_2_read;
+        end
+        if (slot_ready[3] | term_16) begin
+            slot_3_pixel <= slot_3_read;
+        end
         if (drain_enable) begin
             drained_slot <= drain_slot;
         end
     end
     always @(posedge clk) begin
-        if (filling_0 | (writes & (slot_7 == 2'd0))) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_7] <= filling_0 ? joined_12 : result;
+        if (filling_0 | (writes & (slot_8 == 2'd0))) begin
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_17 : result;
         end
-        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : (drain_enable & (drain_slot == 2'd0))) begin
+        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_13) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_1 | (writes & (slot_7 == 2'd1))) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_7] <= filling_1 ? joined_12 : result;
+        if (filling_1 | (writes & (slot_8 == 2'd1))) begin
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_17 : result;
         end
-        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : (drain_enable & (drain_slot == 2'd1))) begin
+        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_14) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_2 | (writes & (slot_7 == 2'd2))) begin
-            slot_2_pixels[filling_2 ? fill_pixel : pixel_7] <= filling_2 ? joined_12 : result;
+        if (filling_2 | (writes & (slot_8 == 2'd2))) begin
+            slot_2_pixels[filling_2 ? fill_pixel : pixel_8] <= filling_2 ? joined_17 : result;
         end
-        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : (drain_enable & (drain_slot == 2'd2))) begin
+        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_15) begin
             slot_2_read <= slot_2_pixels[slot_ready[2] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_3 | (writes & (slot_7 == 2'd3))) begin
-            slot_3_pixels[filling_3 ? fill_pixel : pixel_7] <= filling_3 ? joined_12 : result;
+        if (filling_3 | (writes & (slot_8 == 2'd3))) begin
+            slot_3_pixels[filling_3 ? fill_pixel : pixel_8] <= filling_3 ? joined_17 : result;
         end
-        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : (drain_enable & (drain_slot == 2'd3))) begin
+        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_16) begin
             slot_3_read <= slot_3_pixels[slot_ready[3] ? head_pixel : drain_pixel];
         end
     end
@@ -5033,7 +5150,7 @@ module stream_fifo_d64_w296 (
 endmodule
 
 // Distance of a sample from its splat's centre, and its kernel weight.
-// latency = 66
+// latency = 68
 // initiation_interval = 1
 module core_a_evaluation (
     input  wire clk,
@@ -5079,10 +5196,10 @@ module core_a_evaluation (
     (* ram_style = "distributed" *)
     reg [31:0] delay_34_from_0 [0:32];
     (* ram_style = "distributed" *)
-    reg delay_60_from_0 [0:58];
+    reg delay_62_from_0 [0:60];
     (* ram_style = "distributed" *)
-    reg delay_61_from_0 [0:59];
-    reg [7:0] delay_66_from_0 [0:64];
+    reg delay_63_from_0 [0:61];
+    reg [7:0] delay_68_from_0 [0:66];
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
@@ -5097,13 +5214,13 @@ module core_a_evaluation (
     reg delay_33_from_0_out;
     reg [5:0] delay_34_from_0_pointer;
     reg [31:0] delay_34_from_0_out;
-    reg [5:0] delay_60_from_0_pointer;
-    reg delay_60_from_0_out;
-    reg [5:0] delay_61_from_0_pointer;
-    reg delay_61_from_0_out;
-    reg [6:0] delay_66_from_0_pointer;
-    reg [7:0] delay_66_from_0_out;
-    reg end_d61;
+    reg [5:0] delay_62_from_0_pointer;
+    reg delay_62_from_0_out;
+    reg [5:0] delay_63_from_0_pointer;
+    reg delay_63_from_0_out;
+    reg [6:0] delay_68_from_0_pointer;
+    reg [7:0] delay_68_from_0_out;
+    reg end_d63;
     reg [31:0] neg_18_d1;
     reg [31:0] neg_18_d2;
     reg [31:0] neg_18_d3;
@@ -5177,6 +5294,8 @@ module core_a_evaluation (
     reg valid_d64;
     reg valid_d65;
     reg valid_d66;
+    reg valid_d67;
+    reg valid_d68;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -5217,10 +5336,10 @@ module core_a_evaluation (
     assign in_ready = queue_in_ready;
     wire queue_out_ready = out_ready;
     wire [31:0] select_53 = delay_33_from_0_out ? 32'h7f800000 : div_f32_ftz_unit_y;
-    wire not_62 = ~delay_60_from_0_out;
+    wire not_62 = ~delay_62_from_0_out;
     wire and_63 = lt_f32_ftz_unit_y & not_62_d1;
-    wire or_64 = delay_61_from_0_out | and_63;
-    wire or_65 = end_d61 | or_64;
+    wire or_64 = delay_63_from_0_out | and_63;
+    wire or_65 = end_d63 | or_64;
     wire xor_51 = add_f32_ftz_unit_copy6_y[31] ^ delay_12_from_0_out;
 
     assign out_valid = queue_out_valid;
@@ -5234,13 +5353,13 @@ module core_a_evaluation (
     stream_skid_w27 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d66 & delay_5_from_0_out[3]),
+        .in_valid(valid_d68 & delay_5_from_0_out[3]),
         .in_ready(queue_in_ready),
         .in_end(delay_5_from_0_out[0]),
         .in_last(delay_5_from_0_out[1]),
         .in_inside(delay_5_from_0_out[2]),
-        .in_slot(delay_66_from_0_out[1:0]),
-        .in_pixel(delay_66_from_0_out[7:2]),
+        .in_slot(delay_68_from_0_out[1:0]),
+        .in_pixel(delay_68_from_0_out[7:2]),
         .in_weight(interpolate_8_8_16_unit_y),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
@@ -5500,9 +5619,9 @@ module core_a_evaluation (
             delay_14_from_0_pointer <= 4'd0;
             delay_33_from_0_pointer <= 5'd0;
             delay_34_from_0_pointer <= 6'd0;
-            delay_60_from_0_pointer <= 6'd0;
-            delay_61_from_0_pointer <= 6'd0;
-            delay_66_from_0_pointer <= 7'd0;
+            delay_62_from_0_pointer <= 6'd0;
+            delay_63_from_0_pointer <= 6'd0;
+            delay_68_from_0_pointer <= 7'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -5569,6 +5688,8 @@ module core_a_evaluation (
             valid_d64 <= 1'd0;
             valid_d65 <= 1'd0;
             valid_d66 <= 1'd0;
+            valid_d67 <= 1'd0;
+            valid_d68 <= 1'd0;
         end else if (queue_in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
@@ -5577,9 +5698,9 @@ module core_a_evaluation (
             delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
             delay_33_from_0_pointer <= (delay_33_from_0_pointer == 5'd31) ? (delay_33_from_0_pointer - 5'd31) : (delay_33_from_0_pointer + 5'd1);
             delay_34_from_0_pointer <= (delay_34_from_0_pointer == 6'd32) ? (delay_34_from_0_pointer - 6'd32) : (delay_34_from_0_pointer + 6'd1);
-            delay_60_from_0_pointer <= (delay_60_from_0_pointer == 6'd58) ? (delay_60_from_0_pointer - 6'd58) : (delay_60_from_0_pointer + 6'd1);
-            delay_61_from_0_pointer <= (delay_61_from_0_pointer == 6'd59) ? (delay_61_from_0_pointer - 6'd59) : (delay_61_from_0_pointer + 6'd1);
-            delay_66_from_0_pointer <= (delay_66_from_0_pointer == 7'd64) ? (delay_66_from_0_pointer - 7'd64) : (delay_66_from_0_pointer + 7'd1);
+            delay_62_from_0_pointer <= (delay_62_from_0_pointer == 6'd60) ? (delay_62_from_0_pointer - 6'd60) : (delay_62_from_0_pointer + 6'd1);
+            delay_63_from_0_pointer <= (delay_63_from_0_pointer == 6'd61) ? (delay_63_from_0_pointer - 6'd61) : (delay_63_from_0_pointer + 6'd1);
+            delay_68_from_0_pointer <= (delay_68_from_0_pointer == 7'd66) ? (delay_68_from_0_pointer - 7'd66) : (delay_68_from_0_pointer + 7'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
             valid_d3 <= valid_d2;
@@ -5646,11 +5767,13 @@ module core_a_evaluation (
             valid_d64 <= valid_d63;
             valid_d65 <= valid_d64;
             valid_d66 <= valid_d65;
+            valid_d67 <= valid_d66;
+            valid_d68 <= valid_d67;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            end_d61 <= delay_60_from_0_out;
+            end_d63 <= delay_62_from_0_out;
             neg_18_d1 <= {~in_center_x[31], in_center_x[30:0]};
             neg_18_d2 <= neg_18_d1;
             neg_18_d3 <= neg_18_d2;
@@ -5662,7 +5785,7 @@ module core_a_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_61_from_0_out, end_d61};
+            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_63_from_0_out, end_d63};
         end
         if (queue_in_ready) begin
             delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
@@ -5718,32 +5841,32 @@ module core_a_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_60_from_0[delay_60_from_0_pointer] <= in_end;
+            delay_62_from_0[delay_62_from_0_pointer] <= in_end;
         end
         if (queue_in_ready) begin
-            delay_60_from_0_out <= delay_60_from_0[delay_60_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_61_from_0[delay_61_from_0_pointer] <= in_last;
-        end
-        if (queue_in_ready) begin
-            delay_61_from_0_out <= delay_61_from_0[delay_61_from_0_pointer];
+            delay_62_from_0_out <= delay_62_from_0[delay_62_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_66_from_0[delay_66_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+            delay_63_from_0[delay_63_from_0_pointer] <= in_last;
         end
         if (queue_in_ready) begin
-            delay_66_from_0_out <= delay_66_from_0[delay_66_from_0_pointer];
+            delay_63_from_0_out <= delay_63_from_0[delay_63_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_68_from_0[delay_68_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        end
+        if (queue_in_ready) begin
+            delay_68_from_0_out <= delay_68_from_0[delay_68_from_0_pointer];
         end
     end
 endmodule
 
 // Sampled function, interpolated linearly.
-// stages = 3
+// stages = 4
 // index_bits = 8
 // fraction_bits = 8
 module float_table (
@@ -5753,11 +5876,13 @@ module float_table (
     input  wire [15:0] a,
     output reg  [15:0] y
 );
-    reg [16:0] slope_s1;
+    reg [32:0] entry_s1;
     reg [7:0] fraction_s1;
-    reg [15:0] rise_s2;
-    reg [15:0] start_s1;
+    reg [16:0] slope_s2;
+    reg [7:0] fraction_s2;
+    reg [15:0] rise_s3;
     reg [15:0] start_s2;
+    reg [15:0] start_s3;
 
     reg [32:0] samples;
     always @(*) begin
@@ -6020,17 +6145,19 @@ module float_table (
             default: samples = 33'h45d7ffba;
         endcase
     end
-    wire [8:0] joined_1 = {1'd0, fraction_s1};
-    wire [25:0] product_2 = $signed({{9{slope_s1[16]}}, slope_s1}) * $signed({{17{joined_1[8]}}, joined_1});
+    wire [8:0] joined_1 = {1'd0, fraction_s2};
+    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
 
     always @(posedge clk) begin
         if (enable) begin
-            slope_s1 <= samples[16:0];
+            entry_s1 <= samples;
             fraction_s1 <= a[7:0];
-            rise_s2 <= product_2[23:8];
-            start_s1 <= samples[32:17];
-            start_s2 <= start_s1;
-            y <= start_s2 + rise_s2;
+            slope_s2 <= entry_s1[16:0];
+            fraction_s2 <= fraction_s1;
+            rise_s3 <= product_2[23:8];
+            start_s2 <= entry_s1[32:17];
+            start_s3 <= start_s2;
+            y <= start_s3 + rise_s3;
         end
     end
 
@@ -7021,23 +7148,6 @@ module core_a_tile_cache (
     reg is_of_code_3;
     reg stored_touched;
     reg touched;
-    reg [27:0] held_weight;
-    reg [51:0] held_depth;
-    reg [15:0] held_peak;
-    reg [15:0] held_attribute_0;
-    reg [15:0] held_attribute_1;
-    reg [15:0] held_attribute_2;
-    reg [15:0] held_attribute_3;
-    reg [15:0] held_attribute_4;
-    reg [15:0] held_attribute_5;
-    reg [15:0] held_attribute_6;
-    reg [15:0] held_attribute_7;
-    reg [15:0] held_attribute_8;
-    reg [15:0] held_attribute_9;
-    reg [15:0] held_attribute_10;
-    reg [15:0] held_attribute_11;
-    reg [15:0] held_attribute_12;
-    reg [15:0] held_cardinal_0;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
@@ -7161,7 +7271,6 @@ module core_a_tile_cache (
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
-    wire drain_next = drain_step & ~drained[6];
     wire head_waits = (mode == 3'd1) & head_valid;
     wire term_4 = head_waits & ~head_end;
     wire term_5 = resident_0 & is_of_copy_0;
@@ -7183,7 +7292,7 @@ module core_a_tile_cache (
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
     wire term_12 = term_1 & beat;
-    wire [27:0] choice_13 = term_2 ? held_weight : data_weight;
+    wire [27:0] choice_13 = term_2 ? drain_weight : data_weight;
     wire visible = |choice_13;
     wire pixel_queue_out_ready = pixel_ready;
     wire term_14 = mode == 3'd0;
@@ -7216,6 +7325,7 @@ module core_a_tile_cache (
     wire term_34 = (term_25 & resident_0) | (term_26 & resident_1) | (term_28 & resident_2);
     wire [11:0] term_35 = ({12{term_25}} & tile_0) | ({12{term_26}} & tile_1) | ({12{term_28}} & tile_2);
     wire term_36 = looked | term_19;
+    wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
     wire term_37 = start & term_25;
     wire term_38 = done & (slot == 2'd0);
@@ -7311,7 +7421,7 @@ module core_a_tile_cache (
     assign pixel_cardinal_0 = pixel_queue_out_cardinal_0;
     assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
     assign fill_slot = slot;
-    assign drain_enable = drain_next;
+    assign drain_enable = drain_step;
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
@@ -7470,23 +7580,23 @@ module core_a_tile_cache (
         .in_ready(write_queue_in_ready),
         .in_tile(evict_tile),
         .in_pixel(held_pixel),
-        .in_weight(held_weight),
-        .in_depth(held_depth),
-        .in_peak(held_peak),
-        .in_attribute_0(held_attribute_0),
-        .in_attribute_1(held_attribute_1),
-        .in_attribute_2(held_attribute_2),
-        .in_attribute_3(held_attribute_3),
-        .in_attribute_4(held_attribute_4),
-        .in_attribute_5(held_attribute_5),
-        .in_attribute_6(held_attribute_6),
-        .in_attribute_7(held_attribute_7),
-        .in_attribute_8(held_attribute_8),
-        .in_attribute_9(held_attribute_9),
-        .in_attribute_10(held_attribute_10),
-        .in_attribute_11(held_attribute_11),
-        .in_attribute_12(held_attribute_12),
-        .in_cardinal_0(held_cardinal_0),
+        .in_weight(drain_weight),
+        .in_depth(drain_depth),
+        .in_peak(drain_peak),
+        .in_attribute_0(drain_attribute_0),
+        .in_attribute_1(drain_attribute_1),
+        .in_attribute_2(drain_attribute_2),
+        .in_attribute_3(drain_attribute_3),
+        .in_attribute_4(drain_attribute_4),
+        .in_attribute_5(drain_attribute_5),
+        .in_attribute_6(drain_attribute_6),
+        .in_attribute_7(drain_attribute_7),
+        .in_attribute_8(drain_attribute_8),
+        .in_attribute_9(drain_attribute_9),
+        .in_attribute_10(drain_attribute_10),
+        .in_attribute_11(drain_attribute_11),
+        .in_attribute_12(drain_attribute_12),
+        .in_cardinal_0(drain_cardinal_0),
         .out_valid(write_queue_out_valid),
         .out_ready(write_queue_out_ready),
         .out_tile(write_queue_out_tile),
@@ -7519,22 +7629,22 @@ module core_a_tile_cache (
         .in_tile(code),
         .in_pixel(term_2 ? held_pixel : drained[5:0]),
         .in_weight(choice_13),
-        .in_depth(term_2 ? held_depth : data_depth),
-        .in_peak(term_2 ? held_peak : data_peak),
-        .in_attribute_0(term_2 ? held_attribute_0 : data_attribute_0),
-        .in_attribute_1(term_2 ? held_attribute_1 : data_attribute_1),
-        .in_attribute_2(term_2 ? held_attribute_2 : data_attribute_2),
-        .in_attribute_3(term_2 ? held_attribute_3 : data_attribute_3),
-        .in_attribute_4(term_2 ? held_attribute_4 : data_attribute_4),
-        .in_attribute_5(term_2 ? held_attribute_5 : data_attribute_5),
-        .in_attribute_6(term_2 ? held_attribute_6 : data_attribute_6),
-        .in_attribute_7(term_2 ? held_attribute_7 : data_attribute_7),
-        .in_attribute_8(term_2 ? held_attribute_8 : data_attribute_8),
-        .in_attribute_9(term_2 ? held_attribute_9 : data_attribute_9),
-        .in_attribute_10(term_2 ? held_attribute_10 : data_attribute_10),
-        .in_attribute_11(term_2 ? held_attribute_11 : data_attribute_11),
-        .in_attribute_12(term_2 ? held_attribute_12 : data_attribute_12),
-        .in_cardinal_0(term_2 ? held_cardinal_0 : data_cardinal_0),
+        .in_depth(term_2 ? drain_depth : data_depth),
+        .in_peak(term_2 ? drain_peak : data_peak),
+        .in_attribute_0(term_2 ? drain_attribute_0 : data_attribute_0),
+        .in_attribute_1(term_2 ? drain_attribute_1 : data_attribute_1),
+        .in_attribute_2(term_2 ? drain_attribute_2 : data_attribute_2),
+        .in_attribute_3(term_2 ? drain_attribute_3 : data_attribute_3),
+        .in_attribute_4(term_2 ? drain_attribute_4 : data_attribute_4),
+        .in_attribute_5(term_2 ? drain_attribute_5 : data_attribute_5),
+        .in_attribute_6(term_2 ? drain_attribute_6 : data_attribute_6),
+        .in_attribute_7(term_2 ? drain_attribute_7 : data_attribute_7),
+        .in_attribute_8(term_2 ? drain_attribute_8 : data_attribute_8),
+        .in_attribute_9(term_2 ? drain_attribute_9 : data_attribute_9),
+        .in_attribute_10(term_2 ? drain_attribute_10 : data_attribute_10),
+        .in_attribute_11(term_2 ? drain_attribute_11 : data_attribute_11),
+        .in_attribute_12(term_2 ? drain_attribute_12 : data_attribute_12),
+        .in_cardinal_0(term_2 ? drain_cardinal_0 : data_cardinal_0),
         .out_valid(pixel_queue_out_valid),
         .out_ready(pixel_queue_out_ready),
         .out_end(pixel_queue_out_end),
@@ -7706,23 +7816,6 @@ module core_a_tile_cache (
         end
         if (drain_step) begin
             held_pixel <= shown_pixel;
-            held_weight <= drain_weight;
-            held_depth <= drain_depth;
-            held_peak <= drain_peak;
-            held_attribute_0 <= drain_attribute_0;
-            held_attribute_1 <= drain_attribute_1;
-            held_attribute_2 <= drain_attribute_2;
-            held_attribute_3 <= drain_attribute_3;
-            held_attribute_4 <= drain_attribute_4;
-            held_attribute_5 <= drain_attribute_5;
-            held_attribute_6 <= drain_attribute_6;
-            held_attribute_7 <= drain_attribute_7;
-            held_attribute_8 <= drain_attribute_8;
-            held_attribute_9 <= drain_attribute_9;
-            held_attribute_10 <= drain_attribute_10;
-            held_attribute_11 <= drain_attribute_11;
-            held_attribute_12 <= drain_attribute_12;
-            held_cardinal_0 <= drain_cardinal_0;
         end
         if (term_36 | fill) begin
             filled <= term_36 ? 7'd0 : (filled + 7'd1);
@@ -10933,7 +11026,7 @@ module stream_skid_w609 (
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
-// latency = 136
+// latency = 158
 // initiation_interval = 2
 module core_a_setup (
     input  wire clk,
@@ -11008,129 +11101,257 @@ module core_a_setup (
     output wire [8:0] out_bottom
 );
     (* ram_style = "distributed" *)
-    reg [47:0] delay_5_from_0 [0:3];
+    reg [31:0] delay_5_from_0 [0:3];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_6_from_0 [0:4];
+    reg [31:0] delay_10_from_0 [0:8];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_7_from_0 [0:5];
+    reg [63:0] delay_11_from_0 [0:9];
     (* ram_style = "distributed" *)
-    reg [127:0] delay_10_from_0 [0:8];
+    reg [63:0] delay_12_from_0 [0:10];
     (* ram_style = "distributed" *)
-    reg [287:0] delay_14_from_0 [0:12];
+    reg [31:0] delay_14_from_0 [0:12];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_16_from_0 [0:14];
+    reg [255:0] delay_15_from_0 [0:13];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_19_from_0 [0:17];
+    reg [87:0] delay_17_from_0 [0:15];
+    (* ram_style = "distributed" *)
+    reg delay_19_from_0 [0:17];
     (* ram_style = "distributed" *)
     reg [63:0] delay_20_from_0 [0:18];
-    reg [224:0] delay_68_from_0 [0:66];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_7_from_1 [0:5];
+    reg [63:0] delay_22_from_0 [0:20];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_8_from_1 [0:6];
+    reg [31:0] delay_28_from_0 [0:26];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_15_from_1 [0:13];
+    reg delay_42_from_0 [0:40];
+    (* ram_style = "distributed" *)
+    reg [96:0] delay_43_from_0 [0:41];
+    reg [224:0] delay_79_from_0 [0:77];
+    (* ram_style = "distributed" *)
+    reg [31:0] delay_5_from_1 [0:3];
+    (* ram_style = "distributed" *)
+    reg [79:0] delay_7_from_1 [0:5];
+    (* ram_style = "distributed" *)
+    reg [159:0] delay_8_from_1 [0:6];
     (* ram_style = "distributed" *)
     reg delay_17_from_1 [0:15];
     (* ram_style = "distributed" *)
-    reg [32:0] delay_25_from_1 [0:23];
+    reg delay_29_from_1 [0:27];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_38_from_1 [0:36];
-    (* ram_style = "distributed" *)
-    reg [127:0] delay_43_from_1 [0:41];
+    reg [127:0] delay_50_from_1 [0:48];
     reg phase;
     reg [1:0] delay_5_from_0_pointer;
-    reg [47:0] delay_5_from_0_out;
-    reg [2:0] delay_6_from_0_pointer;
-    reg [31:0] delay_6_from_0_out;
-    reg [2:0] delay_7_from_0_pointer;
-    reg [63:0] delay_7_from_0_out;
+    reg [31:0] delay_5_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
-    reg [127:0] delay_10_from_0_out;
+    reg [31:0] delay_10_from_0_out;
+    reg [3:0] delay_11_from_0_pointer;
+    reg [63:0] delay_11_from_0_out;
+    reg [3:0] delay_12_from_0_pointer;
+    reg [63:0] delay_12_from_0_out;
     reg [3:0] delay_14_from_0_pointer;
-    reg [287:0] delay_14_from_0_out;
-    reg [3:0] delay_16_from_0_pointer;
-    reg [63:0] delay_16_from_0_out;
+    reg [31:0] delay_14_from_0_out;
+    reg [3:0] delay_15_from_0_pointer;
+    reg [255:0] delay_15_from_0_out;
+    reg [3:0] delay_17_from_0_pointer;
+    reg [87:0] delay_17_from_0_out;
     reg [4:0] delay_19_from_0_pointer;
-    reg [63:0] delay_19_from_0_out;
+    reg delay_19_from_0_out;
     reg [4:0] delay_20_from_0_pointer;
     reg [63:0] delay_20_from_0_out;
-    reg [6:0] delay_68_from_0_pointer;
-    reg [224:0] delay_68_from_0_out;
+    reg [4:0] delay_22_from_0_pointer;
+    reg [63:0] delay_22_from_0_out;
+    reg [4:0] delay_28_from_0_pointer;
+    reg [31:0] delay_28_from_0_out;
+    reg [5:0] delay_42_from_0_pointer;
+    reg delay_42_from_0_out;
+    reg [5:0] delay_43_from_0_pointer;
+    reg [96:0] delay_43_from_0_out;
+    reg [6:0] delay_79_from_0_pointer;
+    reg [224:0] delay_79_from_0_out;
+    reg [1:0] delay_5_from_1_pointer;
+    reg [31:0] delay_5_from_1_out;
     reg [2:0] delay_7_from_1_pointer;
-    reg [31:0] delay_7_from_1_out;
+    reg [79:0] delay_7_from_1_out;
     reg [2:0] delay_8_from_1_pointer;
-    reg [95:0] delay_8_from_1_out;
-    reg [3:0] delay_15_from_1_pointer;
-    reg [24:0] delay_15_from_1_out;
+    reg [159:0] delay_8_from_1_out;
     reg [3:0] delay_17_from_1_pointer;
     reg delay_17_from_1_out;
-    reg [4:0] delay_25_from_1_pointer;
-    reg [32:0] delay_25_from_1_out;
-    reg [5:0] delay_38_from_1_pointer;
-    reg [95:0] delay_38_from_1_out;
-    reg [5:0] delay_43_from_1_pointer;
-    reg [127:0] delay_43_from_1_out;
-    reg [31:0] mul_28_d9;
-    reg [31:0] mul_30_d9;
+    reg [4:0] delay_29_from_1_pointer;
+    reg delay_29_from_1_out;
+    reg [5:0] delay_50_from_1_pointer;
+    reg [127:0] delay_50_from_1_out;
     reg [31:0] add_33_d1;
     reg [31:0] add_33_d2;
     reg [31:0] add_33_d3;
     reg [31:0] add_33_d4;
-    reg [31:0] add_35_d1;
-    reg whole_d41;
+    reg whole_d47;
+    reg whole_d48;
+    reg whole_d49;
     reg [31:0] mul_44_d1;
     reg [31:0] mul_44_d2;
     reg [31:0] mul_44_d3;
+    reg [31:0] mul_44_d4;
     reg [31:0] mul_48_d1;
     reg [31:0] mul_50_d1;
     reg [31:0] mul_50_d2;
     reg [31:0] mul_50_d3;
+    reg [31:0] mul_50_d4;
     reg [31:0] mul_54_d1;
     reg [31:0] mul_66_d1;
     reg [31:0] mul_66_d2;
     reg [31:0] mul_66_d3;
+    reg [31:0] mul_66_d4;
     reg [21:0] shr_93_d1;
     reg [21:0] select_96_d1;
     reg [21:0] select_96_d2;
+    reg [21:0] select_96_d3;
     reg [21:0] min_97_d1;
+    reg [8:0] resize_101_d1;
     reg [8:0] resize_102_d1;
     reg lt_103_d1;
-    reg [31:0] mul_108_d1;
-    reg [31:0] mul_108_d2;
-    reg [31:0] mul_108_d3;
-    reg [31:0] mul_112_d1;
-    reg [31:0] mul_114_d1;
-    reg [31:0] mul_114_d2;
-    reg [31:0] mul_114_d3;
-    reg [31:0] mul_118_d1;
-    reg [31:0] mul_130_d1;
-    reg [31:0] mul_130_d2;
-    reg [31:0] mul_130_d3;
-    reg [21:0] shr_152_d1;
-    reg [21:0] select_153_d1;
-    reg [21:0] select_153_d2;
-    reg [21:0] min_154_d1;
+    reg [31:0] mul_109_d1;
+    reg [31:0] mul_109_d2;
+    reg [31:0] mul_109_d3;
+    reg [31:0] mul_109_d4;
+    reg [31:0] mul_113_d1;
+    reg [31:0] mul_115_d1;
+    reg [31:0] mul_115_d2;
+    reg [31:0] mul_115_d3;
+    reg [31:0] mul_115_d4;
+    reg [31:0] mul_119_d1;
+    reg [31:0] mul_131_d1;
+    reg [31:0] mul_131_d2;
+    reg [31:0] mul_131_d3;
+    reg [31:0] mul_131_d4;
+    reg [31:0] add_139_d1;
+    reg [21:0] shr_153_d1;
+    reg [21:0] select_154_d1;
+    reg [21:0] select_154_d2;
+    reg [21:0] select_154_d3;
+    reg [21:0] min_155_d1;
     reg [8:0] resize_158_d1;
-    reg lt_159_d1;
-    reg [31:0] mul_173_d26;
-    reg [31:0] add_178_d1;
-    reg [31:0] add_178_d2;
-    reg [31:0] add_178_d3;
-    reg [31:0] add_178_d4;
-    reg [31:0] abs_179_d1;
-    reg [31:0] sqrt_180_d1;
-    reg [31:0] mul_182_d1;
-    reg [31:0] mul_182_d2;
-    reg [31:0] mul_182_d3;
-    reg [31:0] mul_182_d4;
-    reg [31:0] mul_182_d5;
-    reg [31:0] mul_182_d6;
-    reg [31:0] mul_182_d7;
-    reg [31:0] select_187_d1;
-    reg [31:0] select_189_d1;
-    reg [31:0] add_193_d1;
-    reg [31:0] add_201_d1;
+    reg [8:0] resize_159_d1;
+    reg lt_160_d1;
+    reg [31:0] mul_162_d1;
+    reg equal_171_d1;
+    reg [7:0] bits_172_d1;
+    reg [7:0] bits_172_d2;
+    reg [7:0] bits_172_d3;
+    reg lt_174_d1;
+    reg [31:0] mul_185_d29;
+    reg [31:0] add_187_d1;
+    reg [31:0] abs_191_d1;
+    reg [31:0] sqrt_192_d1;
+    reg [31:0] mul_194_d1;
+    reg [31:0] mul_194_d2;
+    reg [31:0] mul_194_d3;
+    reg [31:0] mul_194_d4;
+    reg and_213_d1;
+    reg [31:0] recip_f32_ftz_unit_a;
+    reg [31:0] mul_f32_ftz_unit_a;
+    reg [31:0] mul_f32_ftz_unit_b;
+    reg [31:0] mul_f32_ftz_unit_copy2_a;
+    reg [31:0] mul_f32_ftz_unit_copy2_b;
+    reg [31:0] mul_f32_ftz_unit_copy3_a;
+    reg [31:0] mul_f32_ftz_unit_copy3_b;
+    reg [31:0] mul_f32_ftz_unit_copy4_a;
+    reg [31:0] mul_f32_ftz_unit_copy4_b;
+    reg [31:0] mul_f32_ftz_unit_copy5_a;
+    reg [31:0] mul_f32_ftz_unit_copy5_b;
+    reg [31:0] mul_f32_ftz_unit_copy6_a;
+    reg [31:0] mul_f32_ftz_unit_copy6_b;
+    reg [31:0] mul_f32_ftz_unit_copy7_a;
+    reg [31:0] mul_f32_ftz_unit_copy7_b;
+    reg [31:0] mul_f32_ftz_unit_copy8_a;
+    reg [31:0] mul_f32_ftz_unit_copy8_b;
+    reg [31:0] mul_f32_ftz_unit_copy9_a;
+    reg [31:0] mul_f32_ftz_unit_copy9_b;
+    reg [31:0] mul_f32_ftz_unit_copy10_a;
+    reg [31:0] mul_f32_ftz_unit_copy10_b;
+    reg [31:0] mul_f32_ftz_unit_copy11_a;
+    reg [31:0] mul_f32_ftz_unit_copy11_b;
+    reg [31:0] mul_f32_ftz_unit_copy12_a;
+    reg [31:0] mul_f32_ftz_unit_copy12_b;
+    reg [31:0] mul_f32_ftz_unit_copy13_a;
+    reg [31:0] mul_f32_ftz_unit_copy13_b;
+    reg [31:0] mul_f32_ftz_unit_copy14_a;
+    reg [31:0] mul_f32_ftz_unit_copy14_b;
+    reg [31:0] mul_f32_ftz_unit_copy15_a;
+    reg [31:0] mul_f32_ftz_unit_copy15_b;
+    reg [31:0] mul_f32_ftz_unit_copy16_a;
+    reg [31:0] mul_f32_ftz_unit_copy16_b;
+    reg [31:0] mul_f32_ftz_unit_copy17_a;
+    reg [31:0] mul_f32_ftz_unit_copy17_b;
+    reg [31:0] mul_f32_ftz_unit_copy18_a;
+    reg [31:0] mul_f32_ftz_unit_copy18_b;
+    reg [31:0] mul_f32_ftz_unit_copy19_a;
+    reg [31:0] mul_f32_ftz_unit_copy19_b;
+    reg [31:0] mul_f32_ftz_unit_copy20_a;
+    reg [31:0] mul_f32_ftz_unit_copy20_b;
+    reg [31:0] mul_f32_ftz_unit_copy21_a;
+    reg [31:0] mul_f32_ftz_unit_copy21_b;
+    reg [31:0] mul_f32_ftz_unit_copy22_a;
+    reg [31:0] mul_f32_ftz_unit_copy22_b;
+    reg [31:0] mul_f32_ftz_unit_copy23_a;
+    reg [31:0] mul_f32_ftz_unit_copy23_b;
+    reg [31:0] add_f32_ftz_unit_a;
+    reg [31:0] add_f32_ftz_unit_b;
+    reg [31:0] add_f32_ftz_unit_copy2_a;
+    reg [31:0] add_f32_ftz_unit_copy2_b;
+    reg [31:0] add_f32_ftz_unit_copy3_a;
+    reg [31:0] add_f32_ftz_unit_copy3_b;
+    reg [31:0] add_f32_ftz_unit_copy4_a;
+    reg [31:0] add_f32_ftz_unit_copy4_b;
+    reg [31:0] add_f32_ftz_unit_copy5_a;
+    reg [31:0] add_f32_ftz_unit_copy5_b;
+    reg [31:0] add_f32_ftz_unit_copy6_a;
+    reg [31:0] add_f32_ftz_unit_copy6_b;
+    reg [31:0] add_f32_ftz_unit_copy7_a;
+    reg [31:0] add_f32_ftz_unit_copy7_b;
+    reg [31:0] add_f32_ftz_unit_copy8_a;
+    reg [31:0] add_f32_ftz_unit_copy8_b;
+    reg [31:0] add_f32_ftz_unit_copy9_a;
+    reg [31:0] add_f32_ftz_unit_copy9_b;
+    reg [31:0] add_f32_ftz_unit_copy10_a;
+    reg [31:0] add_f32_ftz_unit_copy10_b;
+    reg [31:0] add_f32_ftz_unit_copy11_a;
+    reg [31:0] add_f32_ftz_unit_copy11_b;
+    reg [31:0] add_f32_ftz_unit_copy12_a;
+    reg [31:0] add_f32_ftz_unit_copy12_b;
+    reg [31:0] add_f32_ftz_unit_copy13_a;
+    reg [31:0] add_f32_ftz_unit_copy13_b;
+    reg [31:0] add_f32_ftz_unit_copy14_a;
+    reg [31:0] add_f32_ftz_unit_copy14_b;
+    reg [31:0] add_f32_ftz_unit_copy15_a;
+    reg [31:0] add_f32_ftz_unit_copy15_b;
+    reg [31:0] add_f32_ftz_unit_copy16_a;
+    reg [31:0] add_f32_ftz_unit_copy16_b;
+    reg [31:0] add_f32_ftz_unit_copy17_a;
+    reg [31:0] add_f32_ftz_unit_copy17_b;
+    reg [31:0] sqrt_f32_ftz_unit_a;
+    reg [31:0] sqrt_f32_ftz_unit_copy2_a;
+    reg [31:0] min_f32_ftz_unit_a;
+    reg [31:0] min_f32_ftz_unit_b;
+    reg [31:0] min_f32_ftz_unit_copy2_a;
+    reg [31:0] min_f32_ftz_unit_copy2_b;
+    reg [31:0] min_f32_ftz_unit_copy3_a;
+    reg [31:0] min_f32_ftz_unit_copy3_b;
+    reg [31:0] max_f32_ftz_unit_a;
+    reg [31:0] max_f32_ftz_unit_b;
+    reg [31:0] max_f32_ftz_unit_copy2_a;
+    reg [31:0] max_f32_ftz_unit_copy2_b;
+    reg [31:0] max_f32_ftz_unit_copy3_a;
+    reg [31:0] max_f32_ftz_unit_copy3_b;
+    reg [31:0] max_f32_ftz_unit_copy4_a;
+    reg [31:0] max_f32_ftz_unit_copy4_b;
+    reg [31:0] max_f32_ftz_unit_copy5_a;
+    reg [31:0] max_f32_ftz_unit_copy5_b;
+    reg [31:0] to_fixed_f32_ftz_u21q8_unit_a;
+    reg [31:0] to_fixed_f32_ftz_u21q8_unit_copy2_a;
+    reg [31:0] le_f32_ftz_unit_a;
+    reg [31:0] le_f32_ftz_unit_b;
+    reg [31:0] to_fixed_f32_ftz_u24q24_unit_a;
+    reg [31:0] to_fixed_f32_ftz_u24q24_unit_copy2_a;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
@@ -11199,6 +11420,17 @@ module core_a_setup (
     reg valid_d66;
     reg valid_d67;
     reg valid_d68;
+    reg valid_d69;
+    reg valid_d70;
+    reg valid_d71;
+    reg valid_d72;
+    reg valid_d73;
+    reg valid_d74;
+    reg valid_d75;
+    reg valid_d76;
+    reg valid_d77;
+    reg valid_d78;
+    reg valid_d79;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -11293,43 +11525,53 @@ module core_a_setup (
 
     wire load_0 = queue_in_ready & ~phase;
     assign in_ready = load_0;
-    wire and_195 = lt_103_d1 & delay_17_from_1_out;
-    wire and_196 = lt_159_d1 & and_195;
-    wire or_197 = delay_68_from_0_out[0] | and_196;
+    wire or_215 = delay_79_from_0_out[0] | and_213_d1;
+    wire [31:0] select_216 = delay_42_from_0_out ? 32'h7fc00000 : delay_43_from_0_out[31:0];
     wire queue_out_ready = out_ready;
-    wire [31:0] choice_1 = phase ? mul_f32_ftz_unit_y : recip_f32_ftz_unit_y;
-    wire [31:0] choice_2 = phase ? mul_f32_ftz_unit_copy2_y : recip_f32_ftz_unit_y;
-    wire [31:0] choice_3 = phase ? mul_f32_ftz_unit_copy11_y : mul_118_d1;
-    wire [31:0] choice_4 = phase ? recip_f32_ftz_unit_y : mul_30_d9;
-    wire [31:0] joined_5 = {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]};
-    wire [31:0] joined_6 = {~filter_radius[31], filter_radius[30:0]};
-    wire [31:0] joined_7 = {~mul_f32_ftz_unit_copy4_y[31], mul_f32_ftz_unit_copy4_y[30:0]};
-    wire [31:0] joined_8 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
-    wire [31:0] joined_9 = {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]};
-    wire [31:0] joined_10 = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
-    wire [31:0] joined_11 = {~mul_f32_ftz_unit_copy13_y[31], mul_f32_ftz_unit_copy13_y[30:0]};
-    wire [31:0] joined_12 = {~mul_f32_ftz_unit_copy16_y[31], mul_f32_ftz_unit_copy16_y[30:0]};
-    wire [31:0] joined_13 = {~mul_f32_ftz_unit_copy18_y[31], mul_f32_ftz_unit_copy18_y[30:0]};
-    wire [31:0] joined_14 = {~mul_f32_ftz_unit_copy20_y[31], mul_f32_ftz_unit_copy20_y[30:0]};
-    wire [31:0] joined_15 = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
     wire load_1 = queue_in_ready & phase;
     wire [21:0] add_92 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_84 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] select_96 = delay_15_from_1_out[0] ? (add_84 >> 8) : 22'd0;
+    wire [21:0] select_96 = delay_17_from_1_out ? (add_84 >> 8) : 22'd0;
     wire [21:0] min_97 = (22'd512 < shr_93_d1) ? 22'd512 : shr_93_d1;
-    wire [21:0] select_98 = whole_d41 ? min_97_d1 : 22'd512;
+    wire [21:0] select_98 = whole_d49 ? min_97_d1 : 22'd512;
     wire [21:0] sub_100 = select_98 - 22'd1;
-    wire lt_103 = select_96_d2 < select_98;
-    wire [21:0] add_151 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
-    wire [21:0] add_145 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
-    wire [21:0] select_153 = delay_15_from_1_out[0] ? (add_145 >> 8) : 22'd0;
-    wire [21:0] min_154 = (shr_152_d1 < 22'd512) ? shr_152_d1 : 22'd512;
-    wire [21:0] select_155 = whole_d41 ? min_154_d1 : 22'd512;
-    wire [21:0] sub_156 = select_155 - 22'd1;
-    wire lt_159 = select_153_d2 < select_155;
-    wire beyond_near = delay_25_from_1_out[0] & le_f32_ftz_unit_y;
-    wire [31:0] select_187 = beyond_near ? add_178_d4 : delay_7_from_1_out;
-    wire [31:0] select_189 = beyond_near ? mul_182_d7 : min_f32_ftz_unit_copy3_y;
+    wire lt_103 = select_96_d3 < select_98;
+    wire [21:0] add_152 = 22'd130 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
+    wire [21:0] add_146 = 22'd126 + {1'd0, to_fixed_f32_ftz_u21q8_unit_copy2_y};
+    wire [21:0] select_154 = delay_17_from_1_out ? (add_146 >> 8) : 22'd0;
+    wire [21:0] min_155 = (shr_153_d1 < 22'd512) ? shr_153_d1 : 22'd512;
+    wire [21:0] select_156 = whole_d49 ? min_155_d1 : 22'd512;
+    wire [21:0] sub_157 = select_156 - 22'd1;
+    wire lt_160 = select_154_d3 < select_156;
+    wire [8:0] joined_1 = {1'd0, add_f32_ftz_unit_copy11_y[30:23]};
+    wire equal_171 = joined_1 == 9'd0;
+    wire [8:0] add_169 = joined_1 + 9'd20;
+    wire lt_174 = add_169 < {1'd0, bits_172_d3};
+    wire and_207 = lt_103_d1 & delay_19_from_0_out;
+    wire and_208 = lt_160_d1 & and_207;
+    wire or_212 = delay_42_from_0_out | delay_43_from_0_out[96];
+    wire and_213 = and_208 & or_212;
+    wire [31:0] choice_2 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
+    wire [31:0] choice_3 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
+    wire [31:0] choice_4 = phase ? recip_f32_ftz_unit_y : scale_y;
+    wire beyond_near = delay_29_from_1_out & le_f32_ftz_unit_y;
+    wire [31:0] select_201 = beyond_near ? delay_5_from_0_out : min_f32_ftz_unit_copy3_y;
+    wire [31:0] joined_5 = {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]};
+    wire [31:0] joined_6 = {~mul_f32_ftz_unit_copy5_y[31], mul_f32_ftz_unit_copy5_y[30:0]};
+    wire [31:0] joined_7 = {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]};
+    wire [31:0] joined_8 = {~mul_f32_ftz_unit_copy10_y[31], mul_f32_ftz_unit_copy10_y[30:0]};
+    wire [31:0] joined_9 = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
+    wire [31:0] joined_10 = {~filter_radius[31], filter_radius[30:0]};
+    wire [31:0] joined_11 = {~mul_f32_ftz_unit_copy15_y[31], mul_f32_ftz_unit_copy15_y[30:0]};
+    wire [31:0] joined_12 = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
+    wire [31:0] joined_13 = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
+    wire [31:0] joined_14 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+    wire [31:0] joined_15 = {~mul_f32_ftz_unit_copy21_y[31], mul_f32_ftz_unit_copy21_y[30:0]};
+    wire [31:0] joined_16 = {~add_f32_ftz_unit_copy17_y[31], add_f32_ftz_unit_copy17_y[30:0]};
+    wire [31:0] select_199 = beyond_near ? delay_5_from_1_out : delay_8_from_1_out[159:128];
+    wire edge_on = equal_171_d1 | lt_174_d1;
+    wire xor_210 = scale_x[31] ^ scale_y[31];
+    wire xor_211 = add_f32_ftz_unit_copy11_y[31] ^ xor_210;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -11367,39 +11609,39 @@ module core_a_setup (
     stream_skid_w621 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d68 & or_197 & ~phase),
+        .in_valid(valid_d79 & or_215 & ~phase),
         .in_ready(queue_in_ready),
-        .in_end(delay_68_from_0_out[0]),
-        .in_center_x(delay_7_from_0_out[31:0]),
-        .in_center_y(delay_7_from_0_out[63:32]),
-        .in_ax(delay_43_from_1_out[31:0]),
-        .in_bx(delay_43_from_1_out[63:32]),
-        .in_ay(delay_43_from_1_out[95:64]),
-        .in_by(delay_43_from_1_out[127:96]),
-        .in_delta(delay_38_from_1_out[31:0]),
-        .in_mx(delay_38_from_1_out[63:32]),
-        .in_my(delay_38_from_1_out[95:64]),
-        .in_depth(delay_15_from_1_out[24:1]),
-        .in_depth_low(delay_5_from_0_out[23:0]),
-        .in_depth_high(delay_5_from_0_out[47:24]),
-        .in_attribute_0(delay_68_from_0_out[16:1]),
-        .in_attribute_1(delay_68_from_0_out[32:17]),
-        .in_attribute_2(delay_68_from_0_out[48:33]),
-        .in_attribute_3(delay_68_from_0_out[64:49]),
-        .in_attribute_4(delay_68_from_0_out[80:65]),
-        .in_attribute_5(delay_68_from_0_out[96:81]),
-        .in_attribute_6(delay_68_from_0_out[112:97]),
-        .in_attribute_7(delay_68_from_0_out[128:113]),
-        .in_attribute_8(delay_68_from_0_out[144:129]),
-        .in_attribute_9(delay_68_from_0_out[160:145]),
-        .in_attribute_10(delay_68_from_0_out[176:161]),
-        .in_attribute_11(delay_68_from_0_out[192:177]),
-        .in_attribute_12(delay_68_from_0_out[208:193]),
-        .in_cardinal_0(delay_68_from_0_out[224:209]),
-        .in_left(select_96_d2[8:0]),
+        .in_end(delay_79_from_0_out[0]),
+        .in_center_x(delay_12_from_0_out[31:0]),
+        .in_center_y(delay_12_from_0_out[63:32]),
+        .in_ax(delay_50_from_1_out[31:0]),
+        .in_bx(delay_50_from_1_out[63:32]),
+        .in_ay(delay_50_from_1_out[95:64]),
+        .in_by(delay_50_from_1_out[127:96]),
+        .in_delta(select_216),
+        .in_mx(delay_43_from_0_out[63:32]),
+        .in_my(delay_43_from_0_out[95:64]),
+        .in_depth(delay_17_from_0_out[87:64]),
+        .in_depth_low(delay_7_from_1_out[55:32]),
+        .in_depth_high(delay_7_from_1_out[79:56]),
+        .in_attribute_0(delay_79_from_0_out[16:1]),
+        .in_attribute_1(delay_79_from_0_out[32:17]),
+        .in_attribute_2(delay_79_from_0_out[48:33]),
+        .in_attribute_3(delay_79_from_0_out[64:49]),
+        .in_attribute_4(delay_79_from_0_out[80:65]),
+        .in_attribute_5(delay_79_from_0_out[96:81]),
+        .in_attribute_6(delay_79_from_0_out[112:97]),
+        .in_attribute_7(delay_79_from_0_out[128:113]),
+        .in_attribute_8(delay_79_from_0_out[144:129]),
+        .in_attribute_9(delay_79_from_0_out[160:145]),
+        .in_attribute_10(delay_79_from_0_out[176:161]),
+        .in_attribute_11(delay_79_from_0_out[192:177]),
+        .in_attribute_12(delay_79_from_0_out[208:193]),
+        .in_cardinal_0(delay_79_from_0_out[224:209]),
+        .in_left(resize_101_d1),
         .in_right(resize_102_d1),
-        .in_top(select_153_d2[8:0]),
-        .in_bottom(resize_158_d1),
+        .in_top(resize_158_d1),
+        .in_bottom(resize_159_d1),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -11439,214 +11681,214 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? add_35_d1 : in_center_z),
+        .a(recip_f32_ftz_unit_a),
         .y(recip_f32_ftz_unit_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(choice_1),
-        .b(phase ? mul_f32_ftz_unit_y : delay_14_from_0_out[31:0]),
+        .a(mul_f32_ftz_unit_a),
+        .b(mul_f32_ftz_unit_b),
         .y(mul_f32_ftz_unit_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy2 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(choice_2),
-        .b(phase ? mul_f32_ftz_unit_copy2_y : delay_14_from_0_out[63:32]),
+        .a(mul_f32_ftz_unit_copy2_a),
+        .b(mul_f32_ftz_unit_copy2_b),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy3 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(choice_1),
-        .b(phase ? mul_f32_ftz_unit_copy3_y : delay_14_from_0_out[127:96]),
+        .a(mul_f32_ftz_unit_copy3_a),
+        .b(mul_f32_ftz_unit_copy3_b),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy4 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(choice_2),
-        .b(phase ? mul_f32_ftz_unit_copy3_y : delay_14_from_0_out[159:128]),
+        .a(mul_f32_ftz_unit_copy4_a),
+        .b(mul_f32_ftz_unit_copy4_b),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy5 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy5 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(scale_x),
-        .b(phase ? mul_f32_ftz_unit_copy3_y : add_f32_ftz_unit_copy3_y),
+        .a(mul_f32_ftz_unit_copy5_a),
+        .b(mul_f32_ftz_unit_copy5_b),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy6 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy6 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_8_from_1_out[31:0] : recip_f32_ftz_unit_y),
-        .b(phase ? mul_f32_ftz_unit_copy5_y : delay_14_from_0_out[191:160]),
+        .a(mul_f32_ftz_unit_copy6_a),
+        .b(mul_f32_ftz_unit_copy6_b),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy7 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy7 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_8_from_1_out[63:32] : scale_x),
-        .b(phase ? mul_f32_ftz_unit_copy7_y : add_f32_ftz_unit_copy4_y),
+        .a(mul_f32_ftz_unit_copy7_a),
+        .b(mul_f32_ftz_unit_copy7_b),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy8 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy8 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy8_y),
-        .b(phase ? delay_10_from_0_out[31:0] : mul_f32_ftz_unit_copy8_y),
+        .a(mul_f32_ftz_unit_copy8_a),
+        .b(mul_f32_ftz_unit_copy8_b),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy9 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy9 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy5_y : recip_f32_ftz_unit_y),
-        .b(phase ? mul_f32_ftz_unit_copy5_y : delay_14_from_0_out[223:192]),
+        .a(mul_f32_ftz_unit_copy9_a),
+        .b(mul_f32_ftz_unit_copy9_b),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy10 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy10 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy7_y : recip_f32_ftz_unit_y),
-        .b(phase ? mul_f32_ftz_unit_copy7_y : delay_14_from_0_out[255:224]),
+        .a(mul_f32_ftz_unit_copy10_a),
+        .b(mul_f32_ftz_unit_copy10_b),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy11 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy11 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? recip_f32_ftz_unit_y : scale_y),
-        .b(phase ? delay_10_from_0_out[63:32] : add_f32_ftz_unit_copy9_y),
+        .a(mul_f32_ftz_unit_copy11_a),
+        .b(mul_f32_ftz_unit_copy11_b),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy12 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy12 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(choice_1),
-        .b(phase ? mul_f32_ftz_unit_copy9_y : delay_14_from_0_out[287:256]),
+        .a(mul_f32_ftz_unit_copy12_a),
+        .b(mul_f32_ftz_unit_copy12_b),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy13 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy13 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy2_y : scale_y),
-        .b(phase ? mul_f32_ftz_unit_copy9_y : add_f32_ftz_unit_copy10_y),
+        .a(mul_f32_ftz_unit_copy13_a),
+        .b(mul_f32_ftz_unit_copy13_b),
         .y(mul_f32_ftz_unit_copy13_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy14 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy14 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? scale_y : mul_f32_ftz_unit_copy17_y),
-        .b(phase ? mul_f32_ftz_unit_copy9_y : mul_f32_ftz_unit_copy17_y),
+        .a(mul_f32_ftz_unit_copy14_a),
+        .b(mul_f32_ftz_unit_copy14_b),
         .y(mul_f32_ftz_unit_copy14_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy15 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy15 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_8_from_1_out[31:0] : mul_48_d1),
-        .b(choice_3),
+        .a(mul_f32_ftz_unit_copy15_a),
+        .b(mul_f32_ftz_unit_copy15_b),
         .y(mul_f32_ftz_unit_copy15_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy16 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy16 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_8_from_1_out[63:32] : mul_54_d1),
-        .b(phase ? mul_f32_ftz_unit_copy13_y : mul_112_d1),
+        .a(mul_f32_ftz_unit_copy16_a),
+        .b(mul_f32_ftz_unit_copy16_b),
         .y(mul_f32_ftz_unit_copy16_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy17 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy17 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(choice_4),
-        .b(phase ? delay_10_from_0_out[95:64] : mul_112_d1),
+        .a(mul_f32_ftz_unit_copy17_a),
+        .b(mul_f32_ftz_unit_copy17_b),
         .y(mul_f32_ftz_unit_copy17_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy18 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy18 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy11_y : mul_28_d9),
-        .b(choice_3),
+        .a(mul_f32_ftz_unit_copy18_a),
+        .b(mul_f32_ftz_unit_copy18_b),
         .y(mul_f32_ftz_unit_copy18_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy19 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy19 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy13_y : mul_28_d9),
-        .b(phase ? mul_f32_ftz_unit_copy13_y : mul_54_d1),
+        .a(mul_f32_ftz_unit_copy19_a),
+        .b(mul_f32_ftz_unit_copy19_b),
         .y(mul_f32_ftz_unit_copy19_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy20 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy20 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(choice_4),
-        .b(phase ? delay_10_from_0_out[127:96] : mul_48_d1),
+        .a(mul_f32_ftz_unit_copy20_a),
+        .b(mul_f32_ftz_unit_copy20_b),
         .y(mul_f32_ftz_unit_copy20_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy21 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy21 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_14_from_0_out[95:64] : recip_f32_ftz_unit_y),
-        .b(phase ? recip_f32_ftz_unit_y : depth_b),
+        .a(mul_f32_ftz_unit_copy21_a),
+        .b(mul_f32_ftz_unit_copy21_b),
         .y(mul_f32_ftz_unit_copy21_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy22 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy22 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? recip_f32_ftz_unit_y : mul_173_d26),
-        .b(phase ? sqrt_180_d1 : mul_f32_ftz_unit_copy21_y),
+        .a(mul_f32_ftz_unit_copy22_a),
+        .b(mul_f32_ftz_unit_copy22_b),
         .y(mul_f32_ftz_unit_copy22_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy23 (
+    float_mul_s6_ff32ftz mul_f32_ftz_unit_copy23 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? select_189_d1 : abs_179_d1),
-        .b(phase ? epsilon_scale : mul_f32_ftz_unit_copy22_y),
+        .a(mul_f32_ftz_unit_copy23_a),
+        .b(mul_f32_ftz_unit_copy23_b),
         .y(mul_f32_ftz_unit_copy23_y)
     );
 
@@ -11654,8 +11896,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy8_y : mul_f32_ftz_unit_y),
-        .b(phase ? mul_66_d3 : mul_f32_ftz_unit_copy2_y),
+        .a(add_f32_ftz_unit_a),
+        .b(add_f32_ftz_unit_b),
         .y(add_f32_ftz_unit_y)
     );
 
@@ -11663,8 +11905,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_16_from_0_out[31:0] : 32'h3f800000),
-        .b(phase ? {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]} : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]}),
+        .a(add_f32_ftz_unit_copy2_a),
+        .b(add_f32_ftz_unit_copy2_b),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
@@ -11672,8 +11914,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? sqrt_f32_ftz_unit_y : mul_44_d3),
-        .b(phase ? delay_16_from_0_out[31:0] : joined_5),
+        .a(add_f32_ftz_unit_copy3_a),
+        .b(add_f32_ftz_unit_copy3_b),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
@@ -11681,8 +11923,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_19_from_0_out[31:0] : mul_50_d3),
-        .b(phase ? joined_6 : joined_7),
+        .a(add_f32_ftz_unit_copy4_a),
+        .b(add_f32_ftz_unit_copy4_b),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
@@ -11690,8 +11932,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? filter_radius : mul_f32_ftz_unit_copy5_y),
-        .b(phase ? delay_19_from_0_out[31:0] : origin_x),
+        .a(add_f32_ftz_unit_copy5_a),
+        .b(add_f32_ftz_unit_copy5_b),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
@@ -11699,8 +11941,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy14_y : mul_f32_ftz_unit_copy6_y),
-        .b(phase ? mul_130_d3 : mul_f32_ftz_unit_copy7_y),
+        .a(add_f32_ftz_unit_copy6_a),
+        .b(add_f32_ftz_unit_copy6_b),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
@@ -11708,8 +11950,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_16_from_0_out[63:32] : mul_f32_ftz_unit_copy9_y),
-        .b(phase ? joined_8 : mul_f32_ftz_unit_copy10_y),
+        .a(add_f32_ftz_unit_copy7_a),
+        .b(add_f32_ftz_unit_copy7_b),
         .y(add_f32_ftz_unit_copy7_y)
     );
 
@@ -11717,8 +11959,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? sqrt_f32_ftz_unit_copy2_y : delay_20_from_0_out[31:0]),
-        .b(phase ? delay_16_from_0_out[63:32] : joined_9),
+        .a(add_f32_ftz_unit_copy8_a),
+        .b(add_f32_ftz_unit_copy8_b),
         .y(add_f32_ftz_unit_copy8_y)
     );
 
@@ -11726,8 +11968,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? joined_6 : mul_108_d3),
-        .b(phase ? delay_19_from_0_out[63:32] : joined_10),
+        .a(add_f32_ftz_unit_copy9_a),
+        .b(add_f32_ftz_unit_copy9_b),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
@@ -11735,8 +11977,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? filter_radius : mul_114_d3),
-        .b(phase ? delay_19_from_0_out[63:32] : joined_11),
+        .a(add_f32_ftz_unit_copy10_a),
+        .b(add_f32_ftz_unit_copy10_b),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
@@ -11744,8 +11986,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy15_y : mul_f32_ftz_unit_copy14_y),
-        .b(phase ? joined_12 : origin_y),
+        .a(add_f32_ftz_unit_copy11_a),
+        .b(add_f32_ftz_unit_copy11_b),
         .y(add_f32_ftz_unit_copy11_y)
     );
 
@@ -11753,8 +11995,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy17_y : mul_f32_ftz_unit_copy15_y),
-        .b(phase ? joined_13 : mul_f32_ftz_unit_copy16_y),
+        .a(add_f32_ftz_unit_copy12_a),
+        .b(add_f32_ftz_unit_copy12_b),
         .y(add_f32_ftz_unit_copy12_y)
     );
 
@@ -11762,8 +12004,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? mul_f32_ftz_unit_copy19_y : mul_f32_ftz_unit_copy18_y),
-        .b(phase ? joined_14 : mul_f32_ftz_unit_copy19_y),
+        .a(add_f32_ftz_unit_copy13_a),
+        .b(add_f32_ftz_unit_copy13_b),
         .y(add_f32_ftz_unit_copy13_y)
     );
 
@@ -11771,8 +12013,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? delay_25_from_1_out[32:1] : delay_20_from_0_out[63:32]),
-        .b(phase ? depth_a : joined_15),
+        .a(add_f32_ftz_unit_copy14_a),
+        .b(add_f32_ftz_unit_copy14_b),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
@@ -11780,8 +12022,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? add_f32_ftz_unit_copy14_y : mul_f32_ftz_unit_copy23_y),
-        .b(phase ? mul_f32_ftz_unit_copy22_y : epsilon_bias),
+        .a(add_f32_ftz_unit_copy15_a),
+        .b(add_f32_ftz_unit_copy15_b),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
@@ -11789,8 +12031,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy15_y),
-        .b({~mul_182_d3[31], mul_182_d3[30:0]}),
+        .a(add_f32_ftz_unit_copy16_a),
+        .b(add_f32_ftz_unit_copy16_b),
         .y(add_f32_ftz_unit_copy16_y)
     );
 
@@ -11798,8 +12040,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(delay_6_from_0_out),
-        .b(phase ? {~add_193_d1[31], add_193_d1[30:0]} : add_193_d1),
+        .a(add_f32_ftz_unit_copy17_a),
+        .b(add_f32_ftz_unit_copy17_b),
         .y(add_f32_ftz_unit_copy17_y)
     );
 
@@ -11808,7 +12050,7 @@ module core_a_setup (
         .rst(rst),
         .enable(queue_in_ready),
         .a(32'h39800000),
-        .b(add_35_d1),
+        .b(add_f32_ftz_unit_y),
         .y(lt_f32_ftz_unit_y)
     );
 
@@ -11816,7 +12058,7 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? add_f32_ftz_unit_y : add_33_d4),
+        .a(sqrt_f32_ftz_unit_a),
         .y(sqrt_f32_ftz_unit_y)
     );
 
@@ -11824,7 +12066,7 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy6_y),
+        .a(sqrt_f32_ftz_unit_copy2_a),
         .y(sqrt_f32_ftz_unit_copy2_y)
     );
 
@@ -11832,8 +12074,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? add_f32_ftz_unit_copy2_y : max_f32_ftz_unit_y),
-        .b(phase ? add_f32_ftz_unit_copy4_y : 32'h45fff800),
+        .a(min_f32_ftz_unit_a),
+        .b(min_f32_ftz_unit_b),
         .y(min_f32_ftz_unit_y)
     );
 
@@ -11841,8 +12083,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? add_f32_ftz_unit_copy7_y : 32'h45fff800),
-        .b(phase ? add_f32_ftz_unit_copy9_y : max_f32_ftz_unit_copy3_y),
+        .a(min_f32_ftz_unit_copy2_a),
+        .b(min_f32_ftz_unit_copy2_b),
         .y(min_f32_ftz_unit_copy2_y)
     );
 
@@ -11850,8 +12092,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(32'h3f800000),
-        .b(delay_8_from_1_out[95:64]),
+        .a(min_f32_ftz_unit_copy3_a),
+        .b(min_f32_ftz_unit_copy3_b),
         .y(min_f32_ftz_unit_copy3_y)
     );
 
@@ -11859,8 +12101,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? add_f32_ftz_unit_copy3_y : min_f32_ftz_unit_y),
-        .b(phase ? add_f32_ftz_unit_copy5_y : 32'd0),
+        .a(max_f32_ftz_unit_a),
+        .b(max_f32_ftz_unit_b),
         .y(max_f32_ftz_unit_y)
     );
 
@@ -11868,8 +12110,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(32'd0),
-        .b(phase ? min_f32_ftz_unit_y : min_f32_ftz_unit_copy2_y),
+        .a(max_f32_ftz_unit_copy2_a),
+        .b(max_f32_ftz_unit_copy2_b),
         .y(max_f32_ftz_unit_copy2_y)
     );
 
@@ -11877,8 +12119,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy8_y),
-        .b(add_f32_ftz_unit_copy10_y),
+        .a(max_f32_ftz_unit_copy3_a),
+        .b(max_f32_ftz_unit_copy3_b),
         .y(max_f32_ftz_unit_copy3_y)
     );
 
@@ -11886,8 +12128,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(32'd0),
-        .b(phase ? min_f32_ftz_unit_copy2_y : add_201_d1),
+        .a(max_f32_ftz_unit_copy4_a),
+        .b(max_f32_ftz_unit_copy4_b),
         .y(max_f32_ftz_unit_copy4_y)
     );
 
@@ -11895,8 +12137,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(32'd0),
-        .b(phase ? select_187_d1 : add_f32_ftz_unit_copy17_y),
+        .a(max_f32_ftz_unit_copy5_a),
+        .b(max_f32_ftz_unit_copy5_b),
         .y(max_f32_ftz_unit_copy5_y)
     );
 
@@ -11904,7 +12146,7 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? max_f32_ftz_unit_y : max_f32_ftz_unit_copy2_y),
+        .a(to_fixed_f32_ftz_u21q8_unit_a),
         .y(to_fixed_f32_ftz_u21q8_unit_y)
     );
 
@@ -11912,7 +12154,7 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? max_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy4_y),
+        .a(to_fixed_f32_ftz_u21q8_unit_copy2_a),
         .y(to_fixed_f32_ftz_u21q8_unit_copy2_y)
     );
 
@@ -11920,8 +12162,8 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? 32'd0 : delay_7_from_1_out),
-        .b(phase ? add_f32_ftz_unit_copy16_y : 32'h3f800000),
+        .a(le_f32_ftz_unit_a),
+        .b(le_f32_ftz_unit_b),
         .y(le_f32_ftz_unit_y)
     );
 
@@ -11929,7 +12171,7 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(phase ? max_f32_ftz_unit_copy4_y : max_f32_ftz_unit_copy5_y),
+        .a(to_fixed_f32_ftz_u24q24_unit_a),
         .y(to_fixed_f32_ftz_u24q24_unit_y)
     );
 
@@ -11937,7 +12179,7 @@ module core_a_setup (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(max_f32_ftz_unit_copy5_y),
+        .a(to_fixed_f32_ftz_u24q24_unit_copy2_a),
         .y(to_fixed_f32_ftz_u24q24_unit_copy2_y)
     );
 
@@ -11945,21 +12187,25 @@ module core_a_setup (
         if (rst) begin
             phase <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
-            delay_6_from_0_pointer <= 3'd0;
-            delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
+            delay_11_from_0_pointer <= 4'd0;
+            delay_12_from_0_pointer <= 4'd0;
             delay_14_from_0_pointer <= 4'd0;
-            delay_16_from_0_pointer <= 4'd0;
+            delay_15_from_0_pointer <= 4'd0;
+            delay_17_from_0_pointer <= 4'd0;
             delay_19_from_0_pointer <= 5'd0;
             delay_20_from_0_pointer <= 5'd0;
-            delay_68_from_0_pointer <= 7'd0;
+            delay_22_from_0_pointer <= 5'd0;
+            delay_28_from_0_pointer <= 5'd0;
+            delay_42_from_0_pointer <= 6'd0;
+            delay_43_from_0_pointer <= 6'd0;
+            delay_79_from_0_pointer <= 7'd0;
+            delay_5_from_1_pointer <= 2'd0;
             delay_7_from_1_pointer <= 3'd0;
             delay_8_from_1_pointer <= 3'd0;
-            delay_15_from_1_pointer <= 4'd0;
             delay_17_from_1_pointer <= 4'd0;
-            delay_25_from_1_pointer <= 5'd0;
-            delay_38_from_1_pointer <= 6'd0;
-            delay_43_from_1_pointer <= 6'd0;
+            delay_29_from_1_pointer <= 5'd0;
+            delay_50_from_1_pointer <= 6'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -12028,20 +12274,36 @@ module core_a_setup (
             valid_d66 <= 1'd0;
             valid_d67 <= 1'd0;
             valid_d68 <= 1'd0;
+            valid_d69 <= 1'd0;
+            valid_d70 <= 1'd0;
+            valid_d71 <= 1'd0;
+            valid_d72 <= 1'd0;
+            valid_d73 <= 1'd0;
+            valid_d74 <= 1'd0;
+            valid_d75 <= 1'd0;
+            valid_d76 <= 1'd0;
+            valid_d77 <= 1'd0;
+            valid_d78 <= 1'd0;
+            valid_d79 <= 1'd0;
         end else begin
             if (queue_in_ready) begin
                 phase <= phase ? (phase - 1'd1) : (phase + 1'd1);
             end
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
-                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
                 delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+                delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+                delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
                 delay_14_from_0_pointer <= (delay_14_from_0_pointer == 4'd12) ? (delay_14_from_0_pointer - 4'd12) : (delay_14_from_0_pointer + 4'd1);
-                delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
+                delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
+                delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
                 delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
                 delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
-                delay_68_from_0_pointer <= (delay_68_from_0_pointer == 7'd66) ? (delay_68_from_0_pointer - 7'd66) : (delay_68_from_0_pointer + 7'd1);
+                delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
+                delay_28_from_0_pointer <= (delay_28_from_0_pointer == 5'd26) ? (delay_28_from_0_pointer - 5'd26) : (delay_28_from_0_pointer + 5'd1);
+                delay_42_from_0_pointer <= (delay_42_from_0_pointer == 6'd40) ? (delay_42_from_0_pointer - 6'd40) : (delay_42_from_0_pointer + 6'd1);
+                delay_43_from_0_pointer <= (delay_43_from_0_pointer == 6'd41) ? (delay_43_from_0_pointer - 6'd41) : (delay_43_from_0_pointer + 6'd1);
+                delay_79_from_0_pointer <= (delay_79_from_0_pointer == 7'd77) ? (delay_79_from_0_pointer - 7'd77) : (delay_79_from_0_pointer + 7'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
@@ -12110,87 +12372,211 @@ module core_a_setup (
                 valid_d66 <= valid_d65;
                 valid_d67 <= valid_d66;
                 valid_d68 <= valid_d67;
+                valid_d69 <= valid_d68;
+                valid_d70 <= valid_d69;
+                valid_d71 <= valid_d70;
+                valid_d72 <= valid_d71;
+                valid_d73 <= valid_d72;
+                valid_d74 <= valid_d73;
+                valid_d75 <= valid_d74;
+                valid_d76 <= valid_d75;
+                valid_d77 <= valid_d76;
+                valid_d78 <= valid_d77;
+                valid_d79 <= valid_d78;
             end
             if (load_1) begin
+                delay_5_from_1_pointer <= (delay_5_from_1_pointer == 2'd3) ? (delay_5_from_1_pointer - 2'd3) : (delay_5_from_1_pointer + 2'd1);
                 delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
                 delay_8_from_1_pointer <= (delay_8_from_1_pointer == 3'd6) ? (delay_8_from_1_pointer - 3'd6) : (delay_8_from_1_pointer + 3'd1);
-                delay_15_from_1_pointer <= (delay_15_from_1_pointer == 4'd13) ? (delay_15_from_1_pointer - 4'd13) : (delay_15_from_1_pointer + 4'd1);
                 delay_17_from_1_pointer <= (delay_17_from_1_pointer == 4'd15) ? (delay_17_from_1_pointer - 4'd15) : (delay_17_from_1_pointer + 4'd1);
-                delay_25_from_1_pointer <= (delay_25_from_1_pointer == 5'd23) ? (delay_25_from_1_pointer - 5'd23) : (delay_25_from_1_pointer + 5'd1);
-                delay_38_from_1_pointer <= (delay_38_from_1_pointer == 6'd36) ? (delay_38_from_1_pointer - 6'd36) : (delay_38_from_1_pointer + 6'd1);
-                delay_43_from_1_pointer <= (delay_43_from_1_pointer == 6'd41) ? (delay_43_from_1_pointer - 6'd41) : (delay_43_from_1_pointer + 6'd1);
+                delay_29_from_1_pointer <= (delay_29_from_1_pointer == 5'd27) ? (delay_29_from_1_pointer - 5'd27) : (delay_29_from_1_pointer + 5'd1);
+                delay_50_from_1_pointer <= (delay_50_from_1_pointer == 6'd48) ? (delay_50_from_1_pointer - 6'd48) : (delay_50_from_1_pointer + 6'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            mul_28_d9 <= delay_8_from_1_out[31:0];
-            mul_30_d9 <= delay_8_from_1_out[63:32];
-            whole_d41 <= delay_15_from_1_out[0];
-            mul_44_d1 <= mul_f32_ftz_unit_copy4_y;
-            mul_44_d2 <= mul_44_d1;
-            mul_44_d3 <= mul_44_d2;
-            mul_48_d1 <= mul_f32_ftz_unit_copy5_y;
-            mul_50_d1 <= mul_f32_ftz_unit_copy6_y;
-            mul_50_d2 <= mul_50_d1;
-            mul_50_d3 <= mul_50_d2;
-            mul_54_d1 <= mul_f32_ftz_unit_copy7_y;
-            shr_93_d1 <= add_92 >> 8;
-            resize_102_d1 <= sub_100[8:0];
-            lt_103_d1 <= lt_103;
-            mul_108_d1 <= mul_f32_ftz_unit_copy10_y;
-            mul_108_d2 <= mul_108_d1;
-            mul_108_d3 <= mul_108_d2;
-            mul_112_d1 <= mul_f32_ftz_unit_copy11_y;
-            mul_114_d1 <= mul_f32_ftz_unit_copy12_y;
-            mul_114_d2 <= mul_114_d1;
-            mul_114_d3 <= mul_114_d2;
-            mul_118_d1 <= mul_f32_ftz_unit_copy13_y;
-            shr_152_d1 <= add_151 >> 8;
-            resize_158_d1 <= sub_156[8:0];
-            lt_159_d1 <= lt_159;
-            mul_173_d26 <= delay_25_from_1_out[32:1];
-            add_178_d1 <= add_f32_ftz_unit_copy15_y;
-            add_178_d2 <= add_178_d1;
-            add_178_d3 <= add_178_d2;
-            add_178_d4 <= add_178_d3;
-            abs_179_d1 <= {1'd0, delay_25_from_1_out[31:1]};
-            mul_182_d1 <= mul_f32_ftz_unit_copy23_y;
-            mul_182_d2 <= mul_182_d1;
-            mul_182_d3 <= mul_182_d2;
-            mul_182_d4 <= mul_182_d3;
-            mul_182_d5 <= mul_182_d4;
-            mul_182_d6 <= mul_182_d5;
-            mul_182_d7 <= mul_182_d6;
-            add_201_d1 <= add_f32_ftz_unit_copy17_y;
-        end
         if (load_0) begin
             add_33_d1 <= add_f32_ftz_unit_y;
             add_33_d2 <= add_33_d1;
             add_33_d3 <= add_33_d2;
             add_33_d4 <= add_33_d3;
-            add_35_d1 <= add_f32_ftz_unit_copy2_y;
-            mul_66_d1 <= mul_f32_ftz_unit_copy11_y;
+            mul_44_d1 <= mul_f32_ftz_unit_copy4_y;
+            mul_44_d2 <= mul_44_d1;
+            mul_44_d3 <= mul_44_d2;
+            mul_44_d4 <= mul_44_d3;
+            mul_50_d1 <= mul_f32_ftz_unit_copy5_y;
+            mul_50_d2 <= mul_50_d1;
+            mul_50_d3 <= mul_50_d2;
+            mul_50_d4 <= mul_50_d3;
+            shr_93_d1 <= add_92 >> 8;
+            resize_101_d1 <= select_96_d3[8:0];
+            resize_102_d1 <= sub_100[8:0];
+            lt_103_d1 <= lt_103;
+            mul_109_d1 <= mul_f32_ftz_unit_copy12_y;
+            mul_109_d2 <= mul_109_d1;
+            mul_109_d3 <= mul_109_d2;
+            mul_109_d4 <= mul_109_d3;
+            mul_115_d1 <= mul_f32_ftz_unit_copy13_y;
+            mul_115_d2 <= mul_115_d1;
+            mul_115_d3 <= mul_115_d2;
+            mul_115_d4 <= mul_115_d3;
+            add_139_d1 <= add_f32_ftz_unit_copy10_y;
+            shr_153_d1 <= add_152 >> 8;
+            resize_158_d1 <= select_154_d3[8:0];
+            resize_159_d1 <= sub_157[8:0];
+            lt_160_d1 <= lt_160;
+            mul_162_d1 <= mul_f32_ftz_unit_copy19_y;
+            equal_171_d1 <= equal_171;
+            bits_172_d1 <= mul_162_d1[30:23];
+            bits_172_d2 <= bits_172_d1;
+            bits_172_d3 <= bits_172_d2;
+            lt_174_d1 <= lt_174;
+            mul_185_d29 <= delay_28_from_0_out;
+            abs_191_d1 <= {1'd0, delay_28_from_0_out[30:0]};
+            mul_194_d1 <= mul_f32_ftz_unit_copy22_y;
+            mul_194_d2 <= mul_194_d1;
+            mul_194_d3 <= mul_194_d2;
+            mul_194_d4 <= mul_194_d3;
+        end
+        if (load_1) begin
+            whole_d47 <= delay_17_from_1_out;
+            whole_d48 <= whole_d47;
+            whole_d49 <= whole_d48;
+            mul_48_d1 <= mul_f32_ftz_unit_copy4_y;
+            mul_54_d1 <= mul_f32_ftz_unit_copy6_y;
+            mul_66_d1 <= mul_f32_ftz_unit_copy9_y;
             mul_66_d2 <= mul_66_d1;
             mul_66_d3 <= mul_66_d2;
+            mul_66_d4 <= mul_66_d3;
             select_96_d1 <= select_96;
             select_96_d2 <= select_96_d1;
+            select_96_d3 <= select_96_d2;
             min_97_d1 <= min_97;
-            mul_130_d1 <= mul_f32_ftz_unit_copy20_y;
-            mul_130_d2 <= mul_130_d1;
-            mul_130_d3 <= mul_130_d2;
-            select_153_d1 <= select_153;
-            select_153_d2 <= select_153_d1;
-            min_154_d1 <= min_154;
-            sqrt_180_d1 <= sqrt_f32_ftz_unit_y;
-            select_187_d1 <= select_187;
-            select_189_d1 <= select_189;
-            add_193_d1 <= add_f32_ftz_unit_copy15_y;
+            mul_113_d1 <= mul_f32_ftz_unit_copy11_y;
+            mul_119_d1 <= mul_f32_ftz_unit_copy13_y;
+            mul_131_d1 <= mul_f32_ftz_unit_copy16_y;
+            mul_131_d2 <= mul_131_d1;
+            mul_131_d3 <= mul_131_d2;
+            mul_131_d4 <= mul_131_d3;
+            select_154_d1 <= select_154;
+            select_154_d2 <= select_154_d1;
+            select_154_d3 <= select_154_d2;
+            min_155_d1 <= min_155;
+            add_187_d1 <= add_f32_ftz_unit_copy15_y;
+            sqrt_192_d1 <= sqrt_f32_ftz_unit_y;
+            and_213_d1 <= and_213;
+        end
+        if (queue_in_ready) begin
+            recip_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_y : in_center_z;
+            mul_f32_ftz_unit_a <= choice_2;
+            mul_f32_ftz_unit_b <= phase ? delay_15_from_0_out[31:0] : mul_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy2_a <= choice_3;
+            mul_f32_ftz_unit_copy2_b <= phase ? delay_15_from_0_out[63:32] : mul_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy3_a <= choice_2;
+            mul_f32_ftz_unit_copy3_b <= phase ? delay_15_from_0_out[95:64] : mul_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_copy4_a <= phase ? recip_f32_ftz_unit_y : scale_x;
+            mul_f32_ftz_unit_copy4_b <= phase ? delay_15_from_0_out[127:96] : add_f32_ftz_unit_copy2_y;
+            mul_f32_ftz_unit_copy5_a <= choice_3;
+            mul_f32_ftz_unit_copy5_b <= phase ? delay_15_from_0_out[159:128] : mul_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_copy6_a <= phase ? delay_11_from_0_out[31:0] : scale_x;
+            mul_f32_ftz_unit_copy6_b <= phase ? mul_f32_ftz_unit_copy4_y : add_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_copy7_a <= phase ? delay_11_from_0_out[63:32] : scale_x;
+            mul_f32_ftz_unit_copy7_b <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_copy3_y;
+            mul_f32_ftz_unit_copy8_a <= phase ? mul_f32_ftz_unit_copy8_y : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy8_b <= phase ? mul_f32_ftz_unit_copy8_y : delay_8_from_1_out[31:0];
+            mul_f32_ftz_unit_copy9_a <= phase ? mul_f32_ftz_unit_copy4_y : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy9_b <= phase ? mul_f32_ftz_unit_copy4_y : delay_8_from_1_out[63:32];
+            mul_f32_ftz_unit_copy10_a <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy10_b <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_copy11_y;
+            mul_f32_ftz_unit_copy11_a <= choice_4;
+            mul_f32_ftz_unit_copy11_b <= phase ? delay_15_from_0_out[191:160] : add_f32_ftz_unit_copy6_y;
+            mul_f32_ftz_unit_copy12_a <= choice_3;
+            mul_f32_ftz_unit_copy12_b <= phase ? delay_15_from_0_out[223:192] : mul_f32_ftz_unit_copy11_y;
+            mul_f32_ftz_unit_copy13_a <= choice_4;
+            mul_f32_ftz_unit_copy13_b <= phase ? delay_15_from_0_out[255:224] : add_f32_ftz_unit_copy7_y;
+            mul_f32_ftz_unit_copy14_a <= phase ? delay_11_from_0_out[31:0] : scale_y;
+            mul_f32_ftz_unit_copy14_b <= mul_f32_ftz_unit_copy11_y;
+            mul_f32_ftz_unit_copy15_a <= phase ? delay_11_from_0_out[63:32] : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy15_b <= phase ? mul_f32_ftz_unit_copy13_y : delay_8_from_1_out[95:64];
+            mul_f32_ftz_unit_copy16_a <= phase ? mul_f32_ftz_unit_copy15_y : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy16_b <= phase ? mul_f32_ftz_unit_copy15_y : delay_8_from_1_out[127:96];
+            mul_f32_ftz_unit_copy17_a <= phase ? mul_f32_ftz_unit_copy11_y : mul_54_d1;
+            mul_f32_ftz_unit_copy17_b <= phase ? mul_f32_ftz_unit_copy11_y : mul_113_d1;
+            mul_f32_ftz_unit_copy18_a <= phase ? mul_f32_ftz_unit_copy13_y : delay_11_from_0_out[63:32];
+            mul_f32_ftz_unit_copy18_b <= phase ? mul_f32_ftz_unit_copy13_y : mul_113_d1;
+            mul_f32_ftz_unit_copy19_a <= phase ? mul_f32_ftz_unit_copy4_y : delay_11_from_0_out[31:0];
+            mul_f32_ftz_unit_copy19_b <= phase ? mul_f32_ftz_unit_copy13_y : mul_119_d1;
+            mul_f32_ftz_unit_copy20_a <= phase ? recip_f32_ftz_unit_y : delay_11_from_0_out[31:0];
+            mul_f32_ftz_unit_copy20_b <= phase ? depth_b : mul_54_d1;
+            mul_f32_ftz_unit_copy21_a <= phase ? mul_185_d29 : delay_11_from_0_out[63:32];
+            mul_f32_ftz_unit_copy21_b <= phase ? mul_f32_ftz_unit_copy22_y : mul_48_d1;
+            mul_f32_ftz_unit_copy22_a <= phase ? abs_191_d1 : delay_14_from_0_out;
+            mul_f32_ftz_unit_copy22_b <= phase ? mul_f32_ftz_unit_copy23_y : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy23_a <= phase ? select_201 : recip_f32_ftz_unit_y;
+            mul_f32_ftz_unit_copy23_b <= phase ? epsilon_scale : sqrt_192_d1;
+            add_f32_ftz_unit_a <= phase ? mul_f32_ftz_unit_y : 32'h3f800000;
+            add_f32_ftz_unit_b <= phase ? mul_f32_ftz_unit_copy2_y : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
+            add_f32_ftz_unit_copy2_a <= phase ? mul_44_d4 : mul_f32_ftz_unit_copy6_y;
+            add_f32_ftz_unit_copy2_b <= phase ? joined_5 : mul_f32_ftz_unit_copy7_y;
+            add_f32_ftz_unit_copy3_a <= phase ? mul_50_d4 : mul_f32_ftz_unit_copy9_y;
+            add_f32_ftz_unit_copy3_b <= phase ? joined_6 : mul_f32_ftz_unit_copy10_y;
+            add_f32_ftz_unit_copy4_a <= phase ? mul_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy8_y;
+            add_f32_ftz_unit_copy4_b <= phase ? origin_x : mul_66_d4;
+            add_f32_ftz_unit_copy5_a <= phase ? delay_22_from_0_out[31:0] : delay_17_from_0_out[31:0];
+            add_f32_ftz_unit_copy5_b <= phase ? joined_7 : {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
+            add_f32_ftz_unit_copy6_a <= phase ? mul_109_d4 : sqrt_f32_ftz_unit_y;
+            add_f32_ftz_unit_copy6_b <= phase ? joined_8 : delay_17_from_0_out[31:0];
+            add_f32_ftz_unit_copy7_a <= phase ? mul_115_d4 : delay_20_from_0_out[31:0];
+            add_f32_ftz_unit_copy7_b <= phase ? joined_9 : joined_10;
+            add_f32_ftz_unit_copy8_a <= phase ? mul_f32_ftz_unit_copy14_y : filter_radius;
+            add_f32_ftz_unit_copy8_b <= phase ? origin_y : delay_20_from_0_out[31:0];
+            add_f32_ftz_unit_copy9_a <= phase ? delay_22_from_0_out[63:32] : mul_f32_ftz_unit_copy14_y;
+            add_f32_ftz_unit_copy9_b <= phase ? joined_11 : mul_f32_ftz_unit_copy15_y;
+            add_f32_ftz_unit_copy10_a <= phase ? joined_10 : mul_f32_ftz_unit_copy17_y;
+            add_f32_ftz_unit_copy10_b <= phase ? delay_20_from_0_out[63:32] : mul_f32_ftz_unit_copy18_y;
+            add_f32_ftz_unit_copy11_a <= phase ? mul_162_d1 : mul_f32_ftz_unit_copy16_y;
+            add_f32_ftz_unit_copy11_b <= phase ? joined_12 : mul_131_d4;
+            add_f32_ftz_unit_copy12_a <= phase ? mul_f32_ftz_unit_copy18_y : delay_17_from_0_out[63:32];
+            add_f32_ftz_unit_copy12_b <= phase ? joined_13 : joined_14;
+            add_f32_ftz_unit_copy13_a <= phase ? mul_f32_ftz_unit_copy20_y : sqrt_f32_ftz_unit_copy2_y;
+            add_f32_ftz_unit_copy13_b <= phase ? joined_15 : delay_17_from_0_out[63:32];
+            add_f32_ftz_unit_copy14_a <= phase ? add_f32_ftz_unit_copy16_y : filter_radius;
+            add_f32_ftz_unit_copy14_b <= phase ? {~mul_194_d4[31], mul_194_d4[30:0]} : delay_20_from_0_out[63:32];
+            add_f32_ftz_unit_copy15_a <= phase ? delay_7_from_1_out[31:0] : delay_28_from_0_out;
+            add_f32_ftz_unit_copy15_b <= phase ? joined_16 : depth_a;
+            add_f32_ftz_unit_copy16_a <= phase ? delay_7_from_1_out[31:0] : add_187_d1;
+            add_f32_ftz_unit_copy16_b <= phase ? add_f32_ftz_unit_copy17_y : mul_f32_ftz_unit_copy21_y;
+            add_f32_ftz_unit_copy17_a <= mul_f32_ftz_unit_copy23_y;
+            add_f32_ftz_unit_copy17_b <= epsilon_bias;
+            sqrt_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy4_y : add_33_d4;
+            sqrt_f32_ftz_unit_copy2_a <= add_f32_ftz_unit_copy11_y;
+            min_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy5_y : max_f32_ftz_unit_y;
+            min_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy7_y : 32'h45fff800;
+            min_f32_ftz_unit_copy2_a <= phase ? add_f32_ftz_unit_copy12_y : 32'h45fff800;
+            min_f32_ftz_unit_copy2_b <= phase ? add_139_d1 : max_f32_ftz_unit_copy3_y;
+            min_f32_ftz_unit_copy3_a <= 32'h3f800000;
+            min_f32_ftz_unit_copy3_b <= delay_10_from_0_out;
+            max_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_copy6_y : min_f32_ftz_unit_y;
+            max_f32_ftz_unit_b <= phase ? add_f32_ftz_unit_copy8_y : 32'd0;
+            max_f32_ftz_unit_copy2_a <= 32'd0;
+            max_f32_ftz_unit_copy2_b <= phase ? min_f32_ftz_unit_y : min_f32_ftz_unit_copy2_y;
+            max_f32_ftz_unit_copy3_a <= add_f32_ftz_unit_copy13_y;
+            max_f32_ftz_unit_copy3_b <= add_f32_ftz_unit_copy14_y;
+            max_f32_ftz_unit_copy4_a <= 32'd0;
+            max_f32_ftz_unit_copy4_b <= phase ? min_f32_ftz_unit_copy2_y : add_f32_ftz_unit_copy15_y;
+            max_f32_ftz_unit_copy5_a <= 32'd0;
+            max_f32_ftz_unit_copy5_b <= phase ? select_199 : add_f32_ftz_unit_copy16_y;
+            to_fixed_f32_ftz_u21q8_unit_a <= phase ? max_f32_ftz_unit_y : max_f32_ftz_unit_copy2_y;
+            to_fixed_f32_ftz_u21q8_unit_copy2_a <= phase ? max_f32_ftz_unit_copy2_y : max_f32_ftz_unit_copy4_y;
+            le_f32_ftz_unit_a <= phase ? delay_8_from_1_out[159:128] : 32'd0;
+            le_f32_ftz_unit_b <= phase ? 32'h3f800000 : add_f32_ftz_unit_copy14_y;
+            to_fixed_f32_ftz_u24q24_unit_a <= phase ? max_f32_ftz_unit_copy4_y : max_f32_ftz_unit_copy5_y;
+            to_fixed_f32_ftz_u24q24_unit_copy2_a <= max_f32_ftz_unit_copy5_y;
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, to_fixed_f32_ftz_u24q24_unit_y};
+            delay_5_from_0[delay_5_from_0_pointer] <= mul_194_d4;
         end
         if (load_0) begin
             delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
@@ -12198,28 +12584,7 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= select_187_d1;
-        end
-        if (load_0) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= delay_19_from_0_out;
-        end
-        if (load_0) begin
-            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {
-                add_f32_ftz_unit_copy13_y,
-                add_f32_ftz_unit_copy12_y,
-                add_f32_ftz_unit_copy7_y,
-                add_f32_ftz_unit_copy6_y
-            };
+            delay_10_from_0[delay_10_from_0_pointer] <= abs_191_d1;
         end
         if (load_0) begin
             delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
@@ -12227,17 +12592,23 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_14_from_0[delay_14_from_0_pointer] <= {
-                in_tangent2_y,
-                in_tangent1_y,
-                in_center_y,
-                in_tangent2_x,
-                in_tangent1_x,
-                in_center_x,
-                add_33_d4,
-                in_tangent2_z,
-                in_tangent1_z
-            };
+            delay_11_from_0[delay_11_from_0_pointer] <= {mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y};
+        end
+        if (load_0) begin
+            delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_12_from_0[delay_12_from_0_pointer] <= delay_20_from_0_out;
+        end
+        if (load_0) begin
+            delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_14_from_0[delay_14_from_0_pointer] <= add_33_d4;
         end
         if (load_0) begin
             delay_14_from_0_out <= delay_14_from_0[delay_14_from_0_pointer];
@@ -12245,15 +12616,32 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_16_from_0[delay_16_from_0_pointer] <= {add_f32_ftz_unit_copy14_y, add_f32_ftz_unit_copy8_y};
+            delay_15_from_0[delay_15_from_0_pointer] <= {
+                in_tangent2_y,
+                in_tangent1_y,
+                in_center_y,
+                in_tangent2_x,
+                in_tangent1_x,
+                in_center_x,
+                in_tangent2_z,
+                in_tangent1_z
+            };
         end
         if (load_0) begin
-            delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
+            delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_19_from_0[delay_19_from_0_pointer] <= delay_20_from_0_out;
+            delay_17_from_0[delay_17_from_0_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy5_y};
+        end
+        if (load_0) begin
+            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_19_from_0[delay_19_from_0_pointer] <= le_f32_ftz_unit_y;
         end
         if (load_0) begin
             delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
@@ -12261,7 +12649,7 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy5_y};
+            delay_20_from_0[delay_20_from_0_pointer] <= delay_22_from_0_out;
         end
         if (load_0) begin
             delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
@@ -12269,7 +12657,39 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_68_from_0[delay_68_from_0_pointer] <= {
+            delay_22_from_0[delay_22_from_0_pointer] <= {add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy4_y};
+        end
+        if (load_0) begin
+            delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_28_from_0[delay_28_from_0_pointer] <= mul_f32_ftz_unit_copy20_y;
+        end
+        if (load_0) begin
+            delay_28_from_0_out <= delay_28_from_0[delay_28_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_42_from_0[delay_42_from_0_pointer] <= edge_on;
+        end
+        if (load_0) begin
+            delay_42_from_0_out <= delay_42_from_0[delay_42_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_43_from_0[delay_43_from_0_pointer] <= {xor_211, add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy11_y};
+        end
+        if (load_0) begin
+            delay_43_from_0_out <= delay_43_from_0[delay_43_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_79_from_0[delay_79_from_0_pointer] <= {
                 in_cardinal_0,
                 in_attribute_12,
                 in_attribute_11,
@@ -12288,12 +12708,20 @@ module core_a_setup (
             };
         end
         if (load_0) begin
-            delay_68_from_0_out <= delay_68_from_0[delay_68_from_0_pointer];
+            delay_79_from_0_out <= delay_79_from_0[delay_79_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= add_f32_ftz_unit_copy14_y;
+            delay_5_from_1[delay_5_from_1_pointer] <= add_f32_ftz_unit_copy16_y;
+        end
+        if (load_1) begin
+            delay_5_from_1_out <= delay_5_from_1[delay_5_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_copy2_y, to_fixed_f32_ftz_u24q24_unit_y, select_199};
         end
         if (load_1) begin
             delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
@@ -12301,7 +12729,13 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_8_from_1[delay_8_from_1_pointer] <= {abs_179_d1, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y};
+            delay_8_from_1[delay_8_from_1_pointer] <= {
+                add_187_d1,
+                add_f32_ftz_unit_copy10_y,
+                add_f32_ftz_unit_copy9_y,
+                add_f32_ftz_unit_copy3_y,
+                add_f32_ftz_unit_copy2_y
+            };
         end
         if (load_1) begin
             delay_8_from_1_out <= delay_8_from_1[delay_8_from_1_pointer];
@@ -12309,15 +12743,7 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_15_from_1[delay_15_from_1_pointer] <= {to_fixed_f32_ftz_u24q24_unit_y, delay_25_from_1_out[0]};
-        end
-        if (load_1) begin
-            delay_15_from_1_out <= delay_15_from_1[delay_15_from_1_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_1) begin
-            delay_17_from_1[delay_17_from_1_pointer] <= le_f32_ftz_unit_y;
+            delay_17_from_1[delay_17_from_1_pointer] <= delay_29_from_1_out;
         end
         if (load_1) begin
             delay_17_from_1_out <= delay_17_from_1[delay_17_from_1_pointer];
@@ -12325,30 +12751,22 @@ module core_a_setup (
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_25_from_1[delay_25_from_1_pointer] <= {mul_f32_ftz_unit_copy21_y, lt_f32_ftz_unit_y};
+            delay_29_from_1[delay_29_from_1_pointer] <= lt_f32_ftz_unit_y;
         end
         if (load_1) begin
-            delay_25_from_1_out <= delay_25_from_1[delay_25_from_1_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_1) begin
-            delay_38_from_1[delay_38_from_1_pointer] <= {add_f32_ftz_unit_copy13_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy11_y};
-        end
-        if (load_1) begin
-            delay_38_from_1_out <= delay_38_from_1[delay_38_from_1_pointer];
+            delay_29_from_1_out <= delay_29_from_1[delay_29_from_1_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_43_from_1[delay_43_from_1_pointer] <= {mul_118_d1, mul_112_d1, mul_54_d1, mul_48_d1};
+            delay_50_from_1[delay_50_from_1_pointer] <= {mul_119_d1, mul_113_d1, mul_54_d1, mul_48_d1};
         end
         if (load_1) begin
-            delay_43_from_1_out <= delay_43_from_1[delay_43_from_1_pointer];
+            delay_50_from_1_out <= delay_50_from_1[delay_50_from_1_pointer];
         end
     end
 
-    wire _unused = &{1'b0, sub_100[21:9], sub_156[21:9]};
+    wire _unused = &{1'b0, sub_100[21:9], sub_157[21:9]};
 endmodule
 
 // Floating to fixed point.
@@ -12401,6 +12819,38 @@ module float_to_fixed_w24_fraction24 (
     end
 
     wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f32-ftz
+module float_le (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  y
+);
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
+    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
+    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] joined_3 = {a[30:23], term_1};
+    wire [30:0] joined_4 = {b[30:23], term_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[30:23] & |term_1) | (&b[30:23] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 31'd0;
+            compared_s1 <= {~a[31], joined_3 ^ {31{a[31]}}} <= {~b[31], joined_4 ^ {31{b[31]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating to fixed point.
@@ -12457,7 +12907,7 @@ module float_to_fixed_w21_fraction8 (
 endmodule
 
 // Greater of two floating-point numbers.
-// stages = 1
+// stages = 2
 // format = f32-ftz
 module float_max (
     input  wire clk,
@@ -12467,16 +12917,23 @@ module float_max (
     input  wire [31:0] b,
     output reg  [31:0] y
 );
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [31:0] a_s1;
+    reg [31:0] b_s1;
+
     wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire term_2 = &a[30:23] & |term_1;
-    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
-    wire term_4 = &b[30:23] & |term_3;
-    wire term_5 = {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_3} ^ {31{b[31]}}};
-    wire [31:0] choice_6 = (term_4 | (~term_2 & ~term_5)) ? {a[31:23], term_1} : {b[31:23], term_3};
+    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= (term_2 & term_4) ? 32'h7fc00000 : choice_6;
+            a_nan_s1 <= &a[30:23] & |term_1;
+            b_nan_s1 <= &b[30:23] & |term_2;
+            less_s1 <= {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_2} ^ {31{b[31]}}};
+            a_s1 <= {a[31:23], term_1};
+            b_s1 <= {b[31:23], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
 
@@ -12484,7 +12941,7 @@ module float_max (
 endmodule
 
 // Lesser of two floating-point numbers.
-// stages = 1
+// stages = 2
 // format = f32-ftz
 module float_min (
     input  wire clk,
@@ -12494,16 +12951,23 @@ module float_min (
     input  wire [31:0] b,
     output reg  [31:0] y
 );
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [31:0] a_s1;
+    reg [31:0] b_s1;
+
     wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire term_2 = &a[30:23] & |term_1;
-    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
-    wire term_4 = &b[30:23] & |term_3;
-    wire term_5 = {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_3} ^ {31{b[31]}}};
-    wire [31:0] choice_6 = (term_4 | (~term_2 & term_5)) ? {a[31:23], term_1} : {b[31:23], term_3};
+    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= (term_2 & term_4) ? 32'h7fc00000 : choice_6;
+            a_nan_s1 <= &a[30:23] & |term_1;
+            b_nan_s1 <= &b[30:23] & |term_2;
+            less_s1 <= {~a[31], {a[30:23], term_1} ^ {31{a[31]}}} < {~b[31], {b[30:23], term_2} ^ {31{b[31]}}};
+            a_s1 <= {a[31:23], term_1};
+            b_s1 <= {b[31:23], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 32'h7fc00000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
 
@@ -12963,6 +13427,109 @@ module float_sqrt (
         significand_s25[25],
         sum_28[0]
     };
+endmodule
+
+// Floating-point product.
+// stages = 6
+// format = f32-ftz
+module float_mul_s6_ff32ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [31:0] a,
+    input  wire [31:0] b,
+    output reg  [31:0] y
+);
+    reg [23:0] left_s1;
+    reg [23:0] right_s1;
+    reg [9:0] exponent_s1;
+    reg [23:0] partial_0_0_s2;
+    reg [23:0] partial_0_12_s2;
+    reg [23:0] partial_12_0_s2;
+    reg [23:0] partial_12_12_s2;
+    reg [47:0] product_s3;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s4;
+    reg [25:0] significand_s4;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg sign_s5;
+    reg nan_s5;
+    reg infinite_s5;
+    reg zero_s5;
+    reg [30:0] rounded_s5;
+
+    wire [7:0] a_field = a[30:23];
+    wire [22:0] a_fraction = a[22:0];
+    wire [7:0] b_field = b[30:23];
+    wire [22:0] b_fraction = b[22:0];
+    wire [47:0] term_1 = {24'd0, partial_0_0_s2} | ({24'd0, partial_12_12_s2} << 24);
+    wire [47:0] choice_2 = product_s3[47] ? product_s3 : (product_s3 << 1);
+    wire term_3 = &a_field & (a_fraction == 23'd0);
+    wire term_4 = ~(|b_field);
+    wire term_5 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_3 & term_4);
+    wire term_6 = ~(|a_field);
+    wire term_7 = &b_field & (b_fraction == 23'd0);
+    wire term_8 = (exponent_s4 == 10'd0) & ~(&significand_s4[24:2] & significand_s4[1]);
+    wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
+    wire [30:0] rounded = {exponent_s4[7:0], significand_s4[24:2]} + {30'd0, round_up};
+    wire [30:0] choice_9 = zero_s5 ? 31'd0 : infinite_s5 ? 31'h7f800000 : rounded_s5;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            left_s1 <= {|a_field, a_fraction & {23{|a_field}}};
+            right_s1 <= {|b_field, b_fraction & {23{|b_field}}};
+            exponent_s1 <= {2'd0, a_field} + {2'd0, b_field};
+            partial_0_0_s2 <= {12'd0, left_s1[11:0]} * {12'd0, right_s1[11:0]};
+            partial_0_12_s2 <= {12'd0, left_s1[11:0]} * {12'd0, right_s1[23:12]};
+            partial_12_0_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[11:0]};
+            partial_12_12_s2 <= {12'd0, left_s1[23:12]} * {12'd0, right_s1[23:12]};
+            product_s3 <= term_1 + ({24'd0, partial_0_12_s2} << 12) + ({24'd0, partial_12_0_s2} << 12);
+            exponent_s2 <= exponent_s1 - 10'd127;
+            exponent_s3 <= exponent_s2;
+            exponent_s4 <= exponent_s3 + {9'd0, product_s3[47]};
+            significand_s4 <= {choice_2[47:23], |choice_2[22:0]};
+            sign_s1 <= a[31] ^ b[31];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            nan_s1 <= term_5 | (term_6 & term_7);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            infinite_s1 <= term_3 | term_7;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            zero_s1 <= term_6 | term_4;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            sign_s5 <= sign_s4;
+            nan_s5 <= nan_s4;
+            infinite_s5 <= infinite_s4 | (~exponent_s4[9] & (10'd255 <= exponent_s4));
+            zero_s5 <= zero_s4 | ((exponent_s4[9] | term_8) & ~infinite_s4);
+            rounded_s5 <= rounded;
+            y <= nan_s5 ? 32'h7fc00000 : {sign_s5, choice_9};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s4[25]};
 endmodule
 
 // Floating-point reciprocal, correctly rounded.
@@ -13684,8 +14251,8 @@ module stream_skid_w621 (
 `endif
 endmodule
 
-// World space to camera space, with back-face culling.
-// latency = 46
+// World space to camera space.
+// latency = 25
 // initiation_interval = 1
 module core_a_transform (
     input  wire clk,
@@ -13757,30 +14324,66 @@ module core_a_transform (
     output wire [15:0] out_cardinal_0
 );
     (* ram_style = "distributed" *)
-    reg [95:0] delay_5_from_0 [0:3];
+    reg [287:0] delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [319:0] delay_6_from_0 [0:4];
+    reg [191:0] delay_8_from_0 [0:6];
     (* ram_style = "distributed" *)
-    reg [31:0] delay_17_from_0 [0:15];
+    reg [207:0] delay_24_from_0 [0:22];
     (* ram_style = "distributed" *)
-    reg [63:0] delay_18_from_0 [0:16];
-    (* ram_style = "distributed" *)
-    reg [191:0] delay_29_from_0 [0:27];
-    (* ram_style = "distributed" *)
-    reg [224:0] delay_46_from_0 [0:44];
-    reg [1:0] delay_5_from_0_pointer;
-    reg [95:0] delay_5_from_0_out;
+    reg [16:0] delay_25_from_0 [0:23];
     reg [2:0] delay_6_from_0_pointer;
-    reg [319:0] delay_6_from_0_out;
-    reg [3:0] delay_17_from_0_pointer;
-    reg [31:0] delay_17_from_0_out;
-    reg [4:0] delay_18_from_0_pointer;
-    reg [63:0] delay_18_from_0_out;
-    reg [4:0] delay_29_from_0_pointer;
-    reg [191:0] delay_29_from_0_out;
-    reg [5:0] delay_46_from_0_pointer;
-    reg [224:0] delay_46_from_0_out;
-    reg [31:0] add_57_d23;
+    reg [287:0] delay_6_from_0_out;
+    reg [2:0] delay_8_from_0_pointer;
+    reg [191:0] delay_8_from_0_out;
+    reg [4:0] delay_24_from_0_pointer;
+    reg [207:0] delay_24_from_0_out;
+    reg [4:0] delay_25_from_0_pointer;
+    reg [16:0] delay_25_from_0_out;
+    reg [15:0] attribute_0_d1;
+    reg [15:0] attribute_1_d1;
+    reg [15:0] attribute_2_d1;
+    reg [15:0] attribute_3_d1;
+    reg [15:0] attribute_4_d1;
+    reg [15:0] attribute_5_d1;
+    reg [15:0] attribute_6_d1;
+    reg [15:0] attribute_7_d1;
+    reg [15:0] attribute_8_d1;
+    reg [15:0] attribute_9_d1;
+    reg [15:0] attribute_10_d1;
+    reg [15:0] attribute_11_d1;
+    reg [15:0] attribute_12_d1;
+    reg [31:0] add_55_d1;
+    reg [31:0] add_55_d2;
+    reg [31:0] add_56_d1;
+    reg [31:0] add_56_d2;
+    reg [31:0] add_57_d1;
+    reg [31:0] add_57_d2;
+    reg equal_100_d1;
+    reg [15:0] select_106_d1;
+    reg equal_111_d1;
+    reg [15:0] select_114_d1;
+    reg equal_119_d1;
+    reg [15:0] select_122_d1;
+    reg equal_127_d1;
+    reg [15:0] select_130_d1;
+    reg equal_135_d1;
+    reg [15:0] select_138_d1;
+    reg equal_143_d1;
+    reg [15:0] select_146_d1;
+    reg equal_151_d1;
+    reg [15:0] select_154_d1;
+    reg equal_159_d1;
+    reg [15:0] select_162_d1;
+    reg equal_167_d1;
+    reg [15:0] select_170_d1;
+    reg equal_175_d1;
+    reg [15:0] select_178_d1;
+    reg equal_183_d1;
+    reg [15:0] select_186_d1;
+    reg equal_191_d1;
+    reg [15:0] select_194_d1;
+    reg equal_199_d1;
+    reg [15:0] select_202_d1;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
@@ -13806,27 +14409,6 @@ module core_a_transform (
     reg valid_d23;
     reg valid_d24;
     reg valid_d25;
-    reg valid_d26;
-    reg valid_d27;
-    reg valid_d28;
-    reg valid_d29;
-    reg valid_d30;
-    reg valid_d31;
-    reg valid_d32;
-    reg valid_d33;
-    reg valid_d34;
-    reg valid_d35;
-    reg valid_d36;
-    reg valid_d37;
-    reg valid_d38;
-    reg valid_d39;
-    reg valid_d40;
-    reg valid_d41;
-    reg valid_d42;
-    reg valid_d43;
-    reg valid_d44;
-    reg valid_d45;
-    reg valid_d46;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -13881,15 +14463,6 @@ module core_a_transform (
     wire [31:0] mul_f32_ftz_unit_copy25_y;
     wire [31:0] mul_f32_ftz_unit_copy26_y;
     wire [31:0] mul_f32_ftz_unit_copy27_y;
-    wire [31:0] mul_f32_ftz_unit_copy28_y;
-    wire [31:0] mul_f32_ftz_unit_copy29_y;
-    wire [31:0] mul_f32_ftz_unit_copy30_y;
-    wire [31:0] mul_f32_ftz_unit_copy31_y;
-    wire [31:0] mul_f32_ftz_unit_copy32_y;
-    wire [31:0] mul_f32_ftz_unit_copy33_y;
-    wire [31:0] mul_f32_ftz_unit_copy34_y;
-    wire [31:0] mul_f32_ftz_unit_copy35_y;
-    wire [31:0] mul_f32_ftz_unit_copy36_y;
     wire [31:0] add_f32_ftz_unit_y;
     wire [31:0] add_f32_ftz_unit_copy2_y;
     wire [31:0] add_f32_ftz_unit_copy3_y;
@@ -13911,18 +14484,63 @@ module core_a_transform (
     wire [31:0] add_f32_ftz_unit_copy19_y;
     wire [31:0] add_f32_ftz_unit_copy20_y;
     wire [31:0] add_f32_ftz_unit_copy21_y;
-    wire [31:0] add_f32_ftz_unit_copy22_y;
-    wire [31:0] add_f32_ftz_unit_copy23_y;
-    wire [31:0] add_f32_ftz_unit_copy24_y;
-    wire [31:0] add_f32_ftz_unit_copy25_y;
-    wire [31:0] add_f32_ftz_unit_copy26_y;
     wire lt_f32_ftz_unit_y;
-    wire le_f32_ftz_unit_y;
 
     assign in_ready = queue_in_ready;
-    wire and_114 = lt_f32_ftz_unit_y & le_f32_ftz_unit_y;
-    wire or_115 = delay_46_from_0_out[0] | and_114;
+    wire or_95 = delay_25_from_0_out[0] | lt_f32_ftz_unit_y;
     wire queue_out_ready = out_ready;
+    wire equal_100 = in_attribute_0[14:10] == 5'd31;
+    wire equal_102 = in_attribute_0[9:0] == 10'd0;
+    wire [15:0] select_106 = equal_102 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire equal_111 = 5'd31 == in_attribute_1[14:10];
+    wire equal_112 = 10'd0 == in_attribute_1[9:0];
+    wire [15:0] select_114 = equal_112 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire equal_119 = 5'd31 == in_attribute_2[14:10];
+    wire equal_120 = 10'd0 == in_attribute_2[9:0];
+    wire [15:0] select_122 = equal_120 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire equal_127 = 5'd31 == in_attribute_3[14:10];
+    wire equal_128 = 10'd0 == in_attribute_3[9:0];
+    wire [15:0] select_130 = equal_128 ? {in_attribute_3[15], 15'h7bff} : 16'd0;
+    wire equal_135 = 5'd31 == in_attribute_4[14:10];
+    wire equal_136 = 10'd0 == in_attribute_4[9:0];
+    wire [15:0] select_138 = equal_136 ? {in_attribute_4[15], 15'h7bff} : 16'd0;
+    wire equal_143 = 5'd31 == in_attribute_5[14:10];
+    wire equal_144 = 10'd0 == in_attribute_5[9:0];
+    wire [15:0] select_146 = equal_144 ? {in_attribute_5[15], 15'h7bff} : 16'd0;
+    wire equal_151 = 5'd31 == in_attribute_6[14:10];
+    wire equal_152 = 10'd0 == in_attribute_6[9:0];
+    wire [15:0] select_154 = equal_152 ? {in_attribute_6[15], 15'h7bff} : 16'd0;
+    wire equal_159 = 5'd31 == in_attribute_7[14:10];
+    wire equal_160 = 10'd0 == in_attribute_7[9:0];
+    wire [15:0] select_162 = equal_160 ? {in_attribute_7[15], 15'h7bff} : 16'd0;
+    wire equal_167 = 5'd31 == in_attribute_8[14:10];
+    wire equal_168 = 10'd0 == in_attribute_8[9:0];
+    wire [15:0] select_170 = equal_168 ? {in_attribute_8[15], 15'h7bff} : 16'd0;
+    wire equal_175 = 5'd31 == in_attribute_9[14:10];
+    wire equal_176 = 10'd0 == in_attribute_9[9:0];
+    wire [15:0] select_178 = equal_176 ? {in_attribute_9[15], 15'h7bff} : 16'd0;
+    wire equal_183 = 5'd31 == in_attribute_10[14:10];
+    wire equal_184 = 10'd0 == in_attribute_10[9:0];
+    wire [15:0] select_186 = equal_184 ? {in_attribute_10[15], 15'h7bff} : 16'd0;
+    wire equal_191 = 5'd31 == in_attribute_11[14:10];
+    wire equal_192 = 10'd0 == in_attribute_11[9:0];
+    wire [15:0] select_194 = equal_192 ? {in_attribute_11[15], 15'h7bff} : 16'd0;
+    wire equal_199 = 5'd31 == in_attribute_12[14:10];
+    wire equal_200 = 10'd0 == in_attribute_12[9:0];
+    wire [15:0] select_202 = equal_200 ? {in_attribute_12[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_203 = equal_199_d1 ? select_202_d1 : attribute_12_d1;
+    wire [15:0] select_195 = equal_191_d1 ? select_194_d1 : attribute_11_d1;
+    wire [15:0] select_187 = equal_183_d1 ? select_186_d1 : attribute_10_d1;
+    wire [15:0] select_179 = equal_175_d1 ? select_178_d1 : attribute_9_d1;
+    wire [15:0] select_171 = equal_167_d1 ? select_170_d1 : attribute_8_d1;
+    wire [15:0] select_163 = equal_159_d1 ? select_162_d1 : attribute_7_d1;
+    wire [15:0] select_155 = equal_151_d1 ? select_154_d1 : attribute_6_d1;
+    wire [15:0] select_147 = equal_143_d1 ? select_146_d1 : attribute_5_d1;
+    wire [15:0] select_139 = equal_135_d1 ? select_138_d1 : attribute_4_d1;
+    wire [15:0] select_131 = equal_127_d1 ? select_130_d1 : attribute_3_d1;
+    wire [15:0] select_123 = equal_119_d1 ? select_122_d1 : attribute_2_d1;
+    wire [15:0] select_115 = equal_111_d1 ? select_114_d1 : attribute_1_d1;
+    wire [15:0] select_107 = equal_100_d1 ? select_106_d1 : attribute_0_d1;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -13953,32 +14571,32 @@ module core_a_transform (
     stream_skid_w513 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d46 & or_115),
+        .in_valid(valid_d25 & or_95),
         .in_ready(queue_in_ready),
-        .in_end(delay_46_from_0_out[0]),
-        .in_center_x(delay_18_from_0_out[31:0]),
-        .in_center_y(delay_18_from_0_out[63:32]),
-        .in_center_z(add_57_d23),
-        .in_tangent1_x(delay_29_from_0_out[31:0]),
-        .in_tangent1_y(delay_29_from_0_out[63:32]),
-        .in_tangent1_z(delay_29_from_0_out[95:64]),
-        .in_tangent2_x(delay_29_from_0_out[127:96]),
-        .in_tangent2_y(delay_29_from_0_out[159:128]),
-        .in_tangent2_z(delay_29_from_0_out[191:160]),
-        .in_attribute_0(delay_46_from_0_out[16:1]),
-        .in_attribute_1(delay_46_from_0_out[32:17]),
-        .in_attribute_2(delay_46_from_0_out[48:33]),
-        .in_attribute_3(delay_46_from_0_out[64:49]),
-        .in_attribute_4(delay_46_from_0_out[80:65]),
-        .in_attribute_5(delay_46_from_0_out[96:81]),
-        .in_attribute_6(delay_46_from_0_out[112:97]),
-        .in_attribute_7(delay_46_from_0_out[128:113]),
-        .in_attribute_8(delay_46_from_0_out[144:129]),
-        .in_attribute_9(delay_46_from_0_out[160:145]),
-        .in_attribute_10(delay_46_from_0_out[176:161]),
-        .in_attribute_11(delay_46_from_0_out[192:177]),
-        .in_attribute_12(delay_46_from_0_out[208:193]),
-        .in_cardinal_0(delay_46_from_0_out[224:209]),
+        .in_end(delay_25_from_0_out[0]),
+        .in_center_x(add_55_d2),
+        .in_center_y(add_56_d2),
+        .in_center_z(add_57_d2),
+        .in_tangent1_x(delay_8_from_0_out[31:0]),
+        .in_tangent1_y(delay_8_from_0_out[63:32]),
+        .in_tangent1_z(delay_8_from_0_out[95:64]),
+        .in_tangent2_x(delay_8_from_0_out[127:96]),
+        .in_tangent2_y(delay_8_from_0_out[159:128]),
+        .in_tangent2_z(delay_8_from_0_out[191:160]),
+        .in_attribute_0(delay_24_from_0_out[15:0]),
+        .in_attribute_1(delay_24_from_0_out[31:16]),
+        .in_attribute_2(delay_24_from_0_out[47:32]),
+        .in_attribute_3(delay_24_from_0_out[63:48]),
+        .in_attribute_4(delay_24_from_0_out[79:64]),
+        .in_attribute_5(delay_24_from_0_out[95:80]),
+        .in_attribute_6(delay_24_from_0_out[111:96]),
+        .in_attribute_7(delay_24_from_0_out[127:112]),
+        .in_attribute_8(delay_24_from_0_out[143:128]),
+        .in_attribute_9(delay_24_from_0_out[159:144]),
+        .in_attribute_10(delay_24_from_0_out[175:160]),
+        .in_attribute_11(delay_24_from_0_out[191:176]),
+        .in_attribute_12(delay_24_from_0_out[207:192]),
+        .in_cardinal_0(delay_25_from_0_out[16:1]),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -14250,87 +14868,6 @@ module core_a_transform (
         .y(mul_f32_ftz_unit_copy27_y)
     );
 
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy28 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy13_y),
-        .b(add_f32_ftz_unit_copy21_y),
-        .y(mul_f32_ftz_unit_copy28_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy29 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy15_y),
-        .b(add_f32_ftz_unit_copy19_y),
-        .y(mul_f32_ftz_unit_copy29_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy30 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy15_y),
-        .b(add_f32_ftz_unit_copy17_y),
-        .y(mul_f32_ftz_unit_copy30_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy31 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy11_y),
-        .b(add_f32_ftz_unit_copy21_y),
-        .y(mul_f32_ftz_unit_copy31_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy32 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy11_y),
-        .b(add_f32_ftz_unit_copy19_y),
-        .y(mul_f32_ftz_unit_copy32_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy33 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy13_y),
-        .b(add_f32_ftz_unit_copy17_y),
-        .y(mul_f32_ftz_unit_copy33_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy34 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_5_from_0_out[31:0]),
-        .b(add_f32_ftz_unit_copy22_y),
-        .y(mul_f32_ftz_unit_copy34_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy35 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_5_from_0_out[63:32]),
-        .b(add_f32_ftz_unit_copy23_y),
-        .y(mul_f32_ftz_unit_copy35_y)
-    );
-
-    float_mul_s5_ff32ftz mul_f32_ftz_unit_copy36 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_5_from_0_out[95:64]),
-        .b(add_f32_ftz_unit_copy24_y),
-        .y(mul_f32_ftz_unit_copy36_y)
-    );
-
     float_add_s6_ff32ftz add_f32_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -14520,77 +15057,21 @@ module core_a_transform (
         .y(add_f32_ftz_unit_copy21_y)
     );
 
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy22 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy28_y),
-        .b({~mul_f32_ftz_unit_copy29_y[31], mul_f32_ftz_unit_copy29_y[30:0]}),
-        .y(add_f32_ftz_unit_copy22_y)
-    );
-
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy23 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy30_y),
-        .b({~mul_f32_ftz_unit_copy31_y[31], mul_f32_ftz_unit_copy31_y[30:0]}),
-        .y(add_f32_ftz_unit_copy23_y)
-    );
-
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy24 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy32_y),
-        .b({~mul_f32_ftz_unit_copy33_y[31], mul_f32_ftz_unit_copy33_y[30:0]}),
-        .y(add_f32_ftz_unit_copy24_y)
-    );
-
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy25 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy34_y),
-        .b(mul_f32_ftz_unit_copy35_y),
-        .y(add_f32_ftz_unit_copy25_y)
-    );
-
-    float_add_s6_ff32ftz add_f32_ftz_unit_copy26 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy25_y),
-        .b(delay_6_from_0_out[319:288]),
-        .y(add_f32_ftz_unit_copy26_y)
-    );
-
     float_lt lt_f32_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(near_plane),
-        .b(delay_17_from_0_out),
+        .b(add_f32_ftz_unit_copy9_y),
         .y(lt_f32_ftz_unit_y)
-    );
-
-    float_le le_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy26_y),
-        .b(32'd0),
-        .y(le_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
-            delay_17_from_0_pointer <= 4'd0;
-            delay_18_from_0_pointer <= 5'd0;
-            delay_29_from_0_pointer <= 5'd0;
-            delay_46_from_0_pointer <= 6'd0;
+            delay_8_from_0_pointer <= 3'd0;
+            delay_24_from_0_pointer <= 5'd0;
+            delay_25_from_0_pointer <= 5'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -14616,34 +15097,11 @@ module core_a_transform (
             valid_d23 <= 1'd0;
             valid_d24 <= 1'd0;
             valid_d25 <= 1'd0;
-            valid_d26 <= 1'd0;
-            valid_d27 <= 1'd0;
-            valid_d28 <= 1'd0;
-            valid_d29 <= 1'd0;
-            valid_d30 <= 1'd0;
-            valid_d31 <= 1'd0;
-            valid_d32 <= 1'd0;
-            valid_d33 <= 1'd0;
-            valid_d34 <= 1'd0;
-            valid_d35 <= 1'd0;
-            valid_d36 <= 1'd0;
-            valid_d37 <= 1'd0;
-            valid_d38 <= 1'd0;
-            valid_d39 <= 1'd0;
-            valid_d40 <= 1'd0;
-            valid_d41 <= 1'd0;
-            valid_d42 <= 1'd0;
-            valid_d43 <= 1'd0;
-            valid_d44 <= 1'd0;
-            valid_d45 <= 1'd0;
-            valid_d46 <= 1'd0;
         end else if (queue_in_ready) begin
-            delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
-            delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-            delay_18_from_0_pointer <= (delay_18_from_0_pointer == 5'd16) ? (delay_18_from_0_pointer - 5'd16) : (delay_18_from_0_pointer + 5'd1);
-            delay_29_from_0_pointer <= (delay_29_from_0_pointer == 5'd27) ? (delay_29_from_0_pointer - 5'd27) : (delay_29_from_0_pointer + 5'd1);
-            delay_46_from_0_pointer <= (delay_46_from_0_pointer == 6'd44) ? (delay_46_from_0_pointer - 6'd44) : (delay_46_from_0_pointer + 6'd1);
+            delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
+            delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
+            delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
             valid_d3 <= valid_d2;
@@ -14669,46 +15127,60 @@ module core_a_transform (
             valid_d23 <= valid_d22;
             valid_d24 <= valid_d23;
             valid_d25 <= valid_d24;
-            valid_d26 <= valid_d25;
-            valid_d27 <= valid_d26;
-            valid_d28 <= valid_d27;
-            valid_d29 <= valid_d28;
-            valid_d30 <= valid_d29;
-            valid_d31 <= valid_d30;
-            valid_d32 <= valid_d31;
-            valid_d33 <= valid_d32;
-            valid_d34 <= valid_d33;
-            valid_d35 <= valid_d34;
-            valid_d36 <= valid_d35;
-            valid_d37 <= valid_d36;
-            valid_d38 <= valid_d37;
-            valid_d39 <= valid_d38;
-            valid_d40 <= valid_d39;
-            valid_d41 <= valid_d40;
-            valid_d42 <= valid_d41;
-            valid_d43 <= valid_d42;
-            valid_d44 <= valid_d43;
-            valid_d45 <= valid_d44;
-            valid_d46 <= valid_d45;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            add_57_d23 <= delay_17_from_0_out;
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy7_y};
-        end
-        if (queue_in_ready) begin
-            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+            attribute_0_d1 <= in_attribute_0;
+            attribute_1_d1 <= in_attribute_1;
+            attribute_2_d1 <= in_attribute_2;
+            attribute_3_d1 <= in_attribute_3;
+            attribute_4_d1 <= in_attribute_4;
+            attribute_5_d1 <= in_attribute_5;
+            attribute_6_d1 <= in_attribute_6;
+            attribute_7_d1 <= in_attribute_7;
+            attribute_8_d1 <= in_attribute_8;
+            attribute_9_d1 <= in_attribute_9;
+            attribute_10_d1 <= in_attribute_10;
+            attribute_11_d1 <= in_attribute_11;
+            attribute_12_d1 <= in_attribute_12;
+            add_55_d1 <= add_f32_ftz_unit_copy7_y;
+            add_55_d2 <= add_55_d1;
+            add_56_d1 <= add_f32_ftz_unit_copy8_y;
+            add_56_d2 <= add_56_d1;
+            add_57_d1 <= add_f32_ftz_unit_copy9_y;
+            add_57_d2 <= add_57_d1;
+            equal_100_d1 <= equal_100;
+            select_106_d1 <= select_106;
+            equal_111_d1 <= equal_111;
+            select_114_d1 <= select_114;
+            equal_119_d1 <= equal_119;
+            select_122_d1 <= select_122;
+            equal_127_d1 <= equal_127;
+            select_130_d1 <= select_130;
+            equal_135_d1 <= equal_135;
+            select_138_d1 <= select_138;
+            equal_143_d1 <= equal_143;
+            select_146_d1 <= select_146;
+            equal_151_d1 <= equal_151;
+            select_154_d1 <= select_154;
+            equal_159_d1 <= equal_159;
+            select_162_d1 <= select_162;
+            equal_167_d1 <= equal_167;
+            select_170_d1 <= select_170;
+            equal_175_d1 <= equal_175;
+            select_178_d1 <= select_178;
+            equal_183_d1 <= equal_183;
+            select_186_d1 <= select_186;
+            equal_191_d1 <= equal_191;
+            select_194_d1 <= select_194;
+            equal_199_d1 <= equal_199;
+            select_202_d1 <= select_202;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f32_ftz_unit_copy36_y,
                 mul_f32_ftz_unit_copy27_y,
                 mul_f32_ftz_unit_copy24_y,
                 mul_f32_ftz_unit_copy21_y,
@@ -14726,23 +15198,7 @@ module core_a_transform (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= delay_5_from_0_out[95:64];
-        end
-        if (queue_in_ready) begin
-            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_18_from_0[delay_18_from_0_pointer] <= delay_5_from_0_out[63:0];
-        end
-        if (queue_in_ready) begin
-            delay_18_from_0_out <= delay_18_from_0[delay_18_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_29_from_0[delay_29_from_0_pointer] <= {
+            delay_8_from_0[delay_8_from_0_pointer] <= {
                 add_f32_ftz_unit_copy21_y,
                 add_f32_ftz_unit_copy19_y,
                 add_f32_ftz_unit_copy17_y,
@@ -14752,63 +15208,43 @@ module core_a_transform (
             };
         end
         if (queue_in_ready) begin
-            delay_29_from_0_out <= delay_29_from_0[delay_29_from_0_pointer];
+            delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_46_from_0[delay_46_from_0_pointer] <= {
-                in_cardinal_0,
-                in_attribute_12,
-                in_attribute_11,
-                in_attribute_10,
-                in_attribute_9,
-                in_attribute_8,
-                in_attribute_7,
-                in_attribute_6,
-                in_attribute_5,
-                in_attribute_4,
-                in_attribute_3,
-                in_attribute_2,
-                in_attribute_1,
-                in_attribute_0,
-                in_end
+            delay_24_from_0[delay_24_from_0_pointer] <= {
+                select_203,
+                select_195,
+                select_187,
+                select_179,
+                select_171,
+                select_163,
+                select_155,
+                select_147,
+                select_139,
+                select_131,
+                select_123,
+                select_115,
+                select_107
             };
         end
         if (queue_in_ready) begin
-            delay_46_from_0_out <= delay_46_from_0[delay_46_from_0_pointer];
+            delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
         end
     end
-endmodule
-
-// Whether one floating-point number is less than another or equal.
-// stages = 1
-// format = f32-ftz
-module float_le (
-    input  wire clk,
-    input  wire rst,
-    input  wire enable,
-    input  wire [31:0] a,
-    input  wire [31:0] b,
-    output reg  y
-);
-    wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [30:0] joined_2 = {a[30:23], term_1};
-    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] joined_4 = {b[30:23], term_3};
-    wire term_5 = {~a[31], joined_2 ^ {31{a[31]}}} <= {~b[31], joined_4 ^ {31{b[31]}}};
-
     always @(posedge clk) begin
-        if (enable) begin
-            y <= (term_5 | ((joined_2 | joined_4) == 31'd0)) & ~((&a[30:23] & |term_1) | (&b[30:23] & |term_3));
+        if (queue_in_ready) begin
+            delay_25_from_0[delay_25_from_0_pointer] <= {in_cardinal_0, in_end};
+        end
+        if (queue_in_ready) begin
+            delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Whether one floating-point number is less than another.
-// stages = 1
+// stages = 2
 // format = f32-ftz
 module float_lt (
     input  wire clk,
@@ -14818,15 +15254,21 @@ module float_lt (
     input  wire [31:0] b,
     output reg  y
 );
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
     wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
-    wire [30:0] joined_2 = {a[30:23], term_1};
-    wire [22:0] term_3 = b[22:0] & {23{|b[30:23]}};
-    wire [30:0] joined_4 = {b[30:23], term_3};
-    wire term_5 = {~a[31], joined_2 ^ {31{a[31]}}} < {~b[31], joined_4 ^ {31{b[31]}}};
+    wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
+    wire [30:0] joined_3 = {a[30:23], term_1};
+    wire [30:0] joined_4 = {b[30:23], term_2};
 
     always @(posedge clk) begin
         if (enable) begin
-            y <= term_5 & ~((joined_2 | joined_4) == 31'd0) & ~((&a[30:23] & |term_1) | (&b[30:23] & |term_3));
+            unordered_s1 <= (&a[30:23] & |term_1) | (&b[30:23] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 31'd0;
+            compared_s1 <= {~a[31], joined_3 ^ {31{a[31]}}} < {~b[31], joined_4 ^ {31{b[31]}}};
+            y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
 

@@ -1358,7 +1358,9 @@ module core_b_queue (
 );
     reg [1823:0] rows [0:15];
     reg [61:0] queries [0:15];
+    (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
+    (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg owned;
     reg [3:0] owner;
@@ -1394,10 +1396,8 @@ module core_b_queue (
     reg [3:0] readout_thread;
     reg [1823:0] stored;
     reg [61:0] query;
-    reg [31:0] query_radius2;
-    reg [31:0] leaf_radius2;
     reg [15:0] from_leaf;
-    reg is_from_leaf;
+    reg [31:0] radius2;
     reg item_found;
     reg [23:0] item_index;
     reg [31:0] item_distance2;
@@ -1465,13 +1465,12 @@ module core_b_queue (
     wire readout_reads = finish_queue_out_valid & ~(fetching | sending);
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire [31:0] choice_41 = is_from_leaf ? leaf_radius2 : query_radius2;
     wire farthest_is_known = farthest_valid & (farthest_thread == beat_thread) & ~(beat_reads | item_reads);
-    wire term_42 = (beat_distance3 < choice_41) & (~farthest_is_known | (beat_distance3 < farthest));
-    wire term_43 = (beat_distance2 < choice_41) & (~farthest_is_known | (beat_distance2 < farthest));
-    wire term_44 = (beat_distance1 < choice_41) & (~farthest_is_known | (beat_distance1 < farthest));
-    wire term_45 = (beat_distance0 < choice_41) & (~farthest_is_known | (beat_distance0 < farthest));
-    wire [3:0] candidate_lanes = beat_pending & {term_42, term_43, term_44, term_45};
+    wire term_41 = (beat_distance3 < radius2) & (~farthest_is_known | (beat_distance3 < farthest));
+    wire term_42 = (beat_distance2 < radius2) & (~farthest_is_known | (beat_distance2 < farthest));
+    wire term_43 = (beat_distance1 < radius2) & (~farthest_is_known | (beat_distance1 < farthest));
+    wire term_44 = (beat_distance0 < radius2) & (~farthest_is_known | (beat_distance0 < farthest));
+    wire [3:0] candidate_lanes = beat_pending & {term_41, term_42, term_43, term_44};
     wire [3:0] chosen = candidate_lanes & (4'd0 - candidate_lanes);
     wire [3:0] rest = candidate_lanes & ~chosen;
     wire stays = beat_valid & |rest;
@@ -1479,45 +1478,47 @@ module core_b_queue (
     wire [3:0] tail = item_valid ? item_thread : owner;
     wire follows_tail = (item_valid | owned) & (tail == candidates_queue_out_thread);
     wire follows_beat = beat_thread == candidates_queue_out_thread;
-    wire term_46 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = candidates_queue_out_valid & term_46;
+    wire term_45 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = candidates_queue_out_valid & term_45;
     wire candidates_queue_out_ready = take;
     wire write_back = item_reads & owned;
     wire readout_starts = readout_reads & ~(write_back & (owner == finish_queue_out_thread));
     wire finish_queue_out_ready = readout_starts;
-    wire term_47 = query[37:32] < 6'd1;
-    wire term_48 = query[37:32] < 6'd2;
-    wire term_49 = query[37:32] < 6'd3;
-    wire term_50 = query[37:32] < 6'd4;
-    wire term_51 = query[37:32] < 6'd5;
-    wire term_52 = query[37:32] < 6'd6;
-    wire term_53 = query[37:32] < 6'd7;
-    wire term_54 = query[37:32] < 6'd8;
-    wire term_55 = query[37:32] < 6'd9;
-    wire term_56 = query[37:32] < 6'd10;
-    wire term_57 = query[37:32] < 6'd11;
-    wire term_58 = query[37:32] < 6'd12;
-    wire term_59 = query[37:32] < 6'd13;
-    wire term_60 = query[37:32] < 6'd14;
-    wire term_61 = query[37:32] < 6'd15;
-    wire term_62 = query[37:32] < 6'd16;
-    wire term_63 = query[37:32] < 6'd17;
-    wire term_64 = query[37:32] < 6'd18;
-    wire term_65 = query[37:32] < 6'd19;
-    wire term_66 = query[37:32] < 6'd20;
-    wire term_67 = query[37:32] < 6'd21;
-    wire term_68 = query[37:32] < 6'd22;
-    wire term_69 = query[37:32] < 6'd23;
-    wire term_70 = query[37:32] < 6'd24;
-    wire term_71 = query[37:32] < 6'd25;
-    wire term_72 = query[37:32] < 6'd26;
-    wire term_73 = query[37:32] < 6'd27;
-    wire term_74 = query[37:32] < 6'd28;
-    wire term_75 = query[37:32] < 6'd29;
-    wire term_76 = query[37:32] < 6'd30;
-    wire term_77 = query[37:32] < 6'd31;
-    wire term_78 = query[37:32] < 6'd32;
+    wire term_46 = query[37:32] < 6'd1;
+    wire term_47 = query[37:32] < 6'd2;
+    wire term_48 = query[37:32] < 6'd3;
+    wire term_49 = query[37:32] < 6'd4;
+    wire term_50 = query[37:32] < 6'd5;
+    wire term_51 = query[37:32] < 6'd6;
+    wire term_52 = query[37:32] < 6'd7;
+    wire term_53 = query[37:32] < 6'd8;
+    wire term_54 = query[37:32] < 6'd9;
+    wire term_55 = query[37:32] < 6'd10;
+    wire term_56 = query[37:32] < 6'd11;
+    wire term_57 = query[37:32] < 6'd12;
+    wire term_58 = query[37:32] < 6'd13;
+    wire term_59 = query[37:32] < 6'd14;
+    wire term_60 = query[37:32] < 6'd15;
+    wire term_61 = query[37:32] < 6'd16;
+    wire term_62 = query[37:32] < 6'd17;
+    wire term_63 = query[37:32] < 6'd18;
+    wire term_64 = query[37:32] < 6'd19;
+    wire term_65 = query[37:32] < 6'd20;
+    wire term_66 = query[37:32] < 6'd21;
+    wire term_67 = query[37:32] < 6'd22;
+    wire term_68 = query[37:32] < 6'd23;
+    wire term_69 = query[37:32] < 6'd24;
+    wire term_70 = query[37:32] < 6'd25;
+    wire term_71 = query[37:32] < 6'd26;
+    wire term_72 = query[37:32] < 6'd27;
+    wire term_73 = query[37:32] < 6'd28;
+    wire term_74 = query[37:32] < 6'd29;
+    wire term_75 = query[37:32] < 6'd30;
+    wire term_76 = query[37:32] < 6'd31;
+    wire term_77 = query[37:32] < 6'd32;
     wire [1823:0] initial_row = {
+        25'd0,
+        term_46 ? 32'd0 : query[31:0],
         25'd0,
         term_47 ? 32'd0 : query[31:0],
         25'd0,
@@ -1579,104 +1580,103 @@ module core_b_queue (
         25'd0,
         term_76 ? 32'd0 : query[31:0],
         25'd0,
-        term_77 ? 32'd0 : query[31:0],
-        25'd0,
-        term_78 ? 32'd0 : query[31:0]
+        term_77 ? 32'd0 : query[31:0]
     };
-    wire choice_79 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
-    wire [23:0] choice_80 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] choice_81 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire choice_82 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
-    wire [23:0] choice_83 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] choice_84 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire choice_85 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
-    wire [23:0] choice_86 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] choice_87 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire choice_88 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
-    wire [23:0] choice_89 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] choice_90 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire choice_91 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
-    wire [23:0] choice_92 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] choice_93 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire choice_94 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
-    wire [23:0] choice_95 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] choice_96 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire choice_97 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
-    wire [23:0] choice_98 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] choice_99 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire choice_100 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
-    wire [23:0] choice_101 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] choice_102 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire choice_103 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
-    wire [23:0] choice_104 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] choice_105 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire choice_106 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
-    wire [23:0] choice_107 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] choice_108 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire choice_109 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
-    wire [23:0] choice_110 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] choice_111 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire choice_112 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
-    wire [23:0] choice_113 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] choice_114 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire choice_115 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
-    wire [23:0] choice_116 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] choice_117 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire choice_118 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
-    wire [23:0] choice_119 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] choice_120 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire choice_121 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
-    wire [23:0] choice_122 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] choice_123 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire choice_124 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
-    wire [23:0] choice_125 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] choice_126 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire choice_127 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
-    wire [23:0] choice_128 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] choice_129 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire choice_130 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
-    wire [23:0] choice_131 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] choice_132 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire choice_133 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
-    wire [23:0] choice_134 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] choice_135 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire choice_136 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
-    wire [23:0] choice_137 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] choice_138 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire choice_139 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
-    wire [23:0] choice_140 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] choice_141 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire choice_142 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
-    wire [23:0] choice_143 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] choice_144 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire choice_145 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
-    wire [23:0] choice_146 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] choice_147 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire choice_148 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
-    wire [23:0] choice_149 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] choice_150 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire choice_151 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
-    wire [23:0] choice_152 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] choice_153 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire choice_154 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
-    wire [23:0] choice_155 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] choice_156 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire choice_157 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
-    wire [23:0] choice_158 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] choice_159 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire choice_160 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
-    wire [23:0] choice_161 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] choice_162 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire choice_163 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
-    wire [23:0] choice_164 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] choice_165 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire choice_166 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
-    wire [23:0] choice_167 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] choice_168 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire choice_169 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
-    wire [23:0] choice_170 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] choice_171 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
+    wire choice_78 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
+    wire [23:0] choice_79 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
+    wire [31:0] choice_80 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
+    wire choice_81 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
+    wire [23:0] choice_82 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
+    wire [31:0] choice_83 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
+    wire choice_84 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
+    wire [23:0] choice_85 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
+    wire [31:0] choice_86 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
+    wire choice_87 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
+    wire [23:0] choice_88 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
+    wire [31:0] choice_89 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
+    wire choice_90 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
+    wire [23:0] choice_91 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
+    wire [31:0] choice_92 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
+    wire choice_93 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
+    wire [23:0] choice_94 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
+    wire [31:0] choice_95 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
+    wire choice_96 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
+    wire [23:0] choice_97 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
+    wire [31:0] choice_98 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
+    wire choice_99 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
+    wire [23:0] choice_100 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
+    wire [31:0] choice_101 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
+    wire choice_102 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
+    wire [23:0] choice_103 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
+    wire [31:0] choice_104 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
+    wire choice_105 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
+    wire [23:0] choice_106 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
+    wire [31:0] choice_107 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
+    wire choice_108 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
+    wire [23:0] choice_109 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
+    wire [31:0] choice_110 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
+    wire choice_111 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
+    wire [23:0] choice_112 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
+    wire [31:0] choice_113 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
+    wire choice_114 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
+    wire [23:0] choice_115 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
+    wire [31:0] choice_116 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
+    wire choice_117 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
+    wire [23:0] choice_118 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
+    wire [31:0] choice_119 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
+    wire choice_120 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
+    wire [23:0] choice_121 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
+    wire [31:0] choice_122 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
+    wire choice_123 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
+    wire [23:0] choice_124 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
+    wire [31:0] choice_125 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
+    wire choice_126 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
+    wire [23:0] choice_127 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
+    wire [31:0] choice_128 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
+    wire choice_129 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
+    wire [23:0] choice_130 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
+    wire [31:0] choice_131 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
+    wire choice_132 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
+    wire [23:0] choice_133 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
+    wire [31:0] choice_134 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
+    wire choice_135 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
+    wire [23:0] choice_136 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
+    wire [31:0] choice_137 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
+    wire choice_138 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
+    wire [23:0] choice_139 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
+    wire [31:0] choice_140 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
+    wire choice_141 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
+    wire [23:0] choice_142 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
+    wire [31:0] choice_143 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
+    wire choice_144 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
+    wire [23:0] choice_145 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
+    wire [31:0] choice_146 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
+    wire choice_147 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
+    wire [23:0] choice_148 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
+    wire [31:0] choice_149 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
+    wire choice_150 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
+    wire [23:0] choice_151 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
+    wire [31:0] choice_152 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
+    wire choice_153 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
+    wire [23:0] choice_154 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
+    wire [31:0] choice_155 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
+    wire choice_156 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
+    wire [23:0] choice_157 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
+    wire [31:0] choice_158 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
+    wire choice_159 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
+    wire [23:0] choice_160 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
+    wire [31:0] choice_161 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
+    wire choice_162 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
+    wire [23:0] choice_163 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
+    wire [31:0] choice_164 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
+    wire choice_165 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
+    wire [23:0] choice_166 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
+    wire [31:0] choice_167 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
+    wire choice_168 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
+    wire [23:0] choice_169 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
+    wire [31:0] choice_170 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
     wire [1823:0] inserted_row = {
+        choice_78,
         choice_79,
         choice_80,
         choice_81,
@@ -1769,13 +1769,12 @@ module core_b_queue (
         choice_168,
         choice_169,
         choice_170,
-        choice_171,
         nearer[0] ? new_found : working[56],
         nearer[0] ? new_index : working[55:32],
         nearer[0] ? new_distance2 : working[31:0]
     };
     wire reads = moves & beat_reads;
-    wire [15:0] joined_172 = {
+    wire [15:0] joined_171 = {
         reads & (beat_thread == 4'd15),
         reads & (beat_thread == 4'd14),
         reads & (beat_thread == 4'd13),
@@ -1811,10 +1810,11 @@ module core_b_queue (
         start_valid & (start_thread == 4'd1),
         start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] shifted_173 = fresh >> candidates_queue_out_thread;
-    wire is_fresh = shifted_173[0];
-    wire [15:0] shifted_174 = fresh >> beat_thread;
-    wire [31:0] joined_175 = {
+    wire [15:0] shifted_172 = fresh >> candidates_queue_out_thread;
+    wire is_fresh = shifted_172[0];
+    wire [15:0] shifted_173 = fresh >> beat_thread;
+    wire [31:0] joined_174 = {
+        ~term_46,
         ~term_47,
         ~term_48,
         ~term_49,
@@ -1845,43 +1845,43 @@ module core_b_queue (
         ~term_74,
         ~term_75,
         ~term_76,
-        ~term_77,
-        ~term_78
+        ~term_77
     };
     wire [1823:0] base = item_reads ? stored : working;
-    wire term_176 = item_distance2 < base[1798:1767];
-    wire term_177 = item_distance2 < base[1741:1710];
-    wire term_178 = item_distance2 < base[1684:1653];
-    wire term_179 = item_distance2 < base[1627:1596];
-    wire term_180 = item_distance2 < base[1570:1539];
-    wire term_181 = item_distance2 < base[1513:1482];
-    wire term_182 = item_distance2 < base[1456:1425];
-    wire term_183 = item_distance2 < base[1399:1368];
-    wire term_184 = item_distance2 < base[1342:1311];
-    wire term_185 = item_distance2 < base[1285:1254];
-    wire term_186 = item_distance2 < base[1228:1197];
-    wire term_187 = item_distance2 < base[1171:1140];
-    wire term_188 = item_distance2 < base[1114:1083];
-    wire term_189 = item_distance2 < base[1057:1026];
-    wire term_190 = item_distance2 < base[1000:969];
-    wire term_191 = item_distance2 < base[943:912];
-    wire term_192 = item_distance2 < base[886:855];
-    wire term_193 = item_distance2 < base[829:798];
-    wire term_194 = item_distance2 < base[772:741];
-    wire term_195 = item_distance2 < base[715:684];
-    wire term_196 = item_distance2 < base[658:627];
-    wire term_197 = item_distance2 < base[601:570];
-    wire term_198 = item_distance2 < base[544:513];
-    wire term_199 = item_distance2 < base[487:456];
-    wire term_200 = item_distance2 < base[430:399];
-    wire term_201 = item_distance2 < base[373:342];
-    wire term_202 = item_distance2 < base[316:285];
-    wire term_203 = item_distance2 < base[259:228];
-    wire term_204 = item_distance2 < base[202:171];
-    wire term_205 = item_distance2 < base[145:114];
-    wire term_206 = item_distance2 < base[88:57];
-    wire term_207 = item_distance2 < base[31:0];
-    wire [31:0] joined_208 = {
+    wire term_175 = item_distance2 < base[1798:1767];
+    wire term_176 = item_distance2 < base[1741:1710];
+    wire term_177 = item_distance2 < base[1684:1653];
+    wire term_178 = item_distance2 < base[1627:1596];
+    wire term_179 = item_distance2 < base[1570:1539];
+    wire term_180 = item_distance2 < base[1513:1482];
+    wire term_181 = item_distance2 < base[1456:1425];
+    wire term_182 = item_distance2 < base[1399:1368];
+    wire term_183 = item_distance2 < base[1342:1311];
+    wire term_184 = item_distance2 < base[1285:1254];
+    wire term_185 = item_distance2 < base[1228:1197];
+    wire term_186 = item_distance2 < base[1171:1140];
+    wire term_187 = item_distance2 < base[1114:1083];
+    wire term_188 = item_distance2 < base[1057:1026];
+    wire term_189 = item_distance2 < base[1000:969];
+    wire term_190 = item_distance2 < base[943:912];
+    wire term_191 = item_distance2 < base[886:855];
+    wire term_192 = item_distance2 < base[829:798];
+    wire term_193 = item_distance2 < base[772:741];
+    wire term_194 = item_distance2 < base[715:684];
+    wire term_195 = item_distance2 < base[658:627];
+    wire term_196 = item_distance2 < base[601:570];
+    wire term_197 = item_distance2 < base[544:513];
+    wire term_198 = item_distance2 < base[487:456];
+    wire term_199 = item_distance2 < base[430:399];
+    wire term_200 = item_distance2 < base[373:342];
+    wire term_201 = item_distance2 < base[316:285];
+    wire term_202 = item_distance2 < base[259:228];
+    wire term_203 = item_distance2 < base[202:171];
+    wire term_204 = item_distance2 < base[145:114];
+    wire term_205 = item_distance2 < base[88:57];
+    wire term_206 = item_distance2 < base[31:0];
+    wire [31:0] joined_207 = {
+        term_175,
         term_176,
         term_177,
         term_178,
@@ -1912,33 +1912,33 @@ module core_b_queue (
         term_203,
         term_204,
         term_205,
-        term_206,
-        term_207
+        term_206
     };
-    wire term_209 = item_distance2 < new_distance2;
-    wire choice_210 = nearer[31] ? (nearer[30] ? term_177 : term_209) : term_176;
-    wire choice_211 = nearer[30] ? (nearer[29] ? term_178 : term_209) : term_177;
-    wire choice_212 = nearer[29] ? (nearer[28] ? term_179 : term_209) : term_178;
-    wire choice_213 = nearer[28] ? (nearer[27] ? term_180 : term_209) : term_179;
-    wire choice_214 = nearer[27] ? (nearer[26] ? term_181 : term_209) : term_180;
-    wire choice_215 = nearer[26] ? (nearer[25] ? term_182 : term_209) : term_181;
-    wire choice_216 = nearer[25] ? (nearer[24] ? term_183 : term_209) : term_182;
-    wire choice_217 = nearer[24] ? (nearer[23] ? term_184 : term_209) : term_183;
-    wire choice_218 = nearer[23] ? (nearer[22] ? term_185 : term_209) : term_184;
-    wire choice_219 = nearer[22] ? (nearer[21] ? term_186 : term_209) : term_185;
-    wire choice_220 = nearer[21] ? (nearer[20] ? term_187 : term_209) : term_186;
-    wire choice_221 = nearer[20] ? (nearer[19] ? term_188 : term_209) : term_187;
-    wire choice_222 = nearer[19] ? (nearer[18] ? term_189 : term_209) : term_188;
-    wire choice_223 = nearer[18] ? (nearer[17] ? term_190 : term_209) : term_189;
-    wire choice_224 = nearer[17] ? (nearer[16] ? term_191 : term_209) : term_190;
-    wire choice_225 = nearer[16] ? (nearer[15] ? term_192 : term_209) : term_191;
-    wire choice_226 = nearer[15] ? (nearer[14] ? term_193 : term_209) : term_192;
-    wire choice_227 = nearer[14] ? (nearer[13] ? term_194 : term_209) : term_193;
-    wire choice_228 = nearer[13] ? (nearer[12] ? term_195 : term_209) : term_194;
-    wire choice_229 = nearer[12] ? (nearer[11] ? term_196 : term_209) : term_195;
-    wire choice_230 = nearer[11] ? (nearer[10] ? term_197 : term_209) : term_196;
-    wire choice_231 = nearer[10] ? (nearer[9] ? term_198 : term_209) : term_197;
-    wire [31:0] joined_232 = {
+    wire term_208 = item_distance2 < new_distance2;
+    wire choice_209 = nearer[31] ? (nearer[30] ? term_176 : term_208) : term_175;
+    wire choice_210 = nearer[30] ? (nearer[29] ? term_177 : term_208) : term_176;
+    wire choice_211 = nearer[29] ? (nearer[28] ? term_178 : term_208) : term_177;
+    wire choice_212 = nearer[28] ? (nearer[27] ? term_179 : term_208) : term_178;
+    wire choice_213 = nearer[27] ? (nearer[26] ? term_180 : term_208) : term_179;
+    wire choice_214 = nearer[26] ? (nearer[25] ? term_181 : term_208) : term_180;
+    wire choice_215 = nearer[25] ? (nearer[24] ? term_182 : term_208) : term_181;
+    wire choice_216 = nearer[24] ? (nearer[23] ? term_183 : term_208) : term_182;
+    wire choice_217 = nearer[23] ? (nearer[22] ? term_184 : term_208) : term_183;
+    wire choice_218 = nearer[22] ? (nearer[21] ? term_185 : term_208) : term_184;
+    wire choice_219 = nearer[21] ? (nearer[20] ? term_186 : term_208) : term_185;
+    wire choice_220 = nearer[20] ? (nearer[19] ? term_187 : term_208) : term_186;
+    wire choice_221 = nearer[19] ? (nearer[18] ? term_188 : term_208) : term_187;
+    wire choice_222 = nearer[18] ? (nearer[17] ? term_189 : term_208) : term_188;
+    wire choice_223 = nearer[17] ? (nearer[16] ? term_190 : term_208) : term_189;
+    wire choice_224 = nearer[16] ? (nearer[15] ? term_191 : term_208) : term_190;
+    wire choice_225 = nearer[15] ? (nearer[14] ? term_192 : term_208) : term_191;
+    wire choice_226 = nearer[14] ? (nearer[13] ? term_193 : term_208) : term_192;
+    wire choice_227 = nearer[13] ? (nearer[12] ? term_194 : term_208) : term_193;
+    wire choice_228 = nearer[12] ? (nearer[11] ? term_195 : term_208) : term_194;
+    wire choice_229 = nearer[11] ? (nearer[10] ? term_196 : term_208) : term_195;
+    wire choice_230 = nearer[10] ? (nearer[9] ? term_197 : term_208) : term_196;
+    wire [31:0] joined_231 = {
+        choice_209,
         choice_210,
         choice_211,
         choice_212,
@@ -1960,19 +1960,18 @@ module core_b_queue (
         choice_228,
         choice_229,
         choice_230,
-        choice_231,
-        nearer[9] ? (nearer[8] ? term_199 : term_209) : term_198,
-        nearer[8] ? (nearer[7] ? term_200 : term_209) : term_199,
-        nearer[7] ? (nearer[6] ? term_201 : term_209) : term_200,
-        nearer[6] ? (nearer[5] ? term_202 : term_209) : term_201,
-        nearer[5] ? (nearer[4] ? term_203 : term_209) : term_202,
-        nearer[4] ? (nearer[3] ? term_204 : term_209) : term_203,
-        nearer[3] ? (nearer[2] ? term_205 : term_209) : term_204,
-        nearer[2] ? (nearer[1] ? term_206 : term_209) : term_205,
-        nearer[1] ? (nearer[0] ? term_207 : term_209) : term_206,
-        nearer[0] ? term_209 : term_207
+        nearer[9] ? (nearer[8] ? term_198 : term_208) : term_197,
+        nearer[8] ? (nearer[7] ? term_199 : term_208) : term_198,
+        nearer[7] ? (nearer[6] ? term_200 : term_208) : term_199,
+        nearer[6] ? (nearer[5] ? term_201 : term_208) : term_200,
+        nearer[5] ? (nearer[4] ? term_202 : term_208) : term_201,
+        nearer[4] ? (nearer[3] ? term_203 : term_208) : term_202,
+        nearer[3] ? (nearer[2] ? term_204 : term_208) : term_203,
+        nearer[2] ? (nearer[1] ? term_205 : term_208) : term_204,
+        nearer[1] ? (nearer[0] ? term_206 : term_208) : term_205,
+        nearer[0] ? term_208 : term_206
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_175 : joined_208) : joined_232;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_174 : joined_207) : joined_231;
     wire result_transfer = sending & result_ready;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15),
@@ -1992,9 +1991,11 @@ module core_b_queue (
         radius_valid & (radius_thread == 4'd1),
         radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_233 = from_leaf >> candidates_queue_out_thread;
-    wire [31:0] choice_234 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
-    wire [15:0] shifted_235 = fresh >> readout_thread;
+    wire [15:0] shifted_232 = from_leaf >> candidates_queue_out_thread;
+    wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
+    wire [31:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire [31:0] choice_233 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [15:0] shifted_234 = fresh >> readout_thread;
     wire [3:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
     assign result_valid = sending;
@@ -2061,7 +2062,7 @@ module core_b_queue (
             event_insert_wait <= 1'd0;
         end else begin
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_172) | query_set;
+            fresh <= (fresh & ~joined_171) | query_set;
             beat_valid <= take | (stays | waits);
             beat_reads <= take ? (beat_valid ? ~follows_beat : (~follows_tail | is_fresh)) : (beat_reads & waits);
             item_valid <= moves;
@@ -2088,18 +2089,18 @@ module core_b_queue (
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
         beat_pending <= take ? 4'd15 : waits ? beat_pending : rest;
         item_thread <= beat_thread;
-        item_fresh <= shifted_174[0];
+        item_fresh <= shifted_173[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_81;
-        farthest <= choice_81;
+        radius_radius2 <= choice_80;
+        farthest <= choice_80;
         farthest_thread <= owner;
         item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : choice_234;
+        item_distance2 <= chosen[0] ? beat_distance0 : choice_233;
         released_thread <= readout_thread;
         if (take) begin
             beat_thread <= candidates_queue_out_thread;
@@ -2109,13 +2110,13 @@ module core_b_queue (
             beat_distance1 <= candidates_queue_out_distance1;
             beat_distance2 <= candidates_queue_out_distance2;
             beat_distance3 <= candidates_queue_out_distance3;
-            is_from_leaf <= shifted_233[0];
+            radius2 <= shifted_232[0] ? leaf_radius2 : query_radius2;
         end
         if (readout_starts) begin
             readout_thread <= finish_queue_out_thread;
         end
         if (fetching) begin
-            sent_row <= shifted_235[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
+            sent_row <= shifted_234[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
             sent_number <= query[61:38];
         end
         if (fetching | result_transfer) begin
@@ -2138,16 +2139,10 @@ module core_b_queue (
         if (start_valid) begin
             query_radii[start_thread] <= start_radius2;
         end
-        if (take) begin
-            query_radius2 <= query_radii[candidates_queue_out_thread];
-        end
     end
     always @(posedge clk) begin
         if (radius_valid) begin
             leaf_radii[radius_thread] <= radius_radius2;
-        end
-        if (take) begin
-            leaf_radius2 <= leaf_radii[candidates_queue_out_thread];
         end
     end
 
@@ -2185,10 +2180,10 @@ module core_b_queue (
         base[1709:1685],
         base[1766:1742],
         base[1823:1799],
+        shifted_172[15:1],
         shifted_173[15:1],
-        shifted_174[15:1],
-        shifted_233[15:1],
-        shifted_235[15:1],
+        shifted_232[15:1],
+        shifted_234[15:1],
         start_x,
         start_y,
         start_z
@@ -2234,7 +2229,9 @@ module core_b_sieve (
     output reg  skipped_valid,
     output reg  [3:0] skipped_thread
 );
+    (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
+    (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg s1_valid;
     reg [3:0] s1_thread;
@@ -2244,10 +2241,17 @@ module core_b_sieve (
     reg [31:0] s1_distance1;
     reg [31:0] s1_distance2;
     reg [31:0] s1_distance3;
-    reg [31:0] query_radius2;
-    reg [31:0] leaf_radius2;
     reg [15:0] from_leaf;
-    reg is_from_leaf;
+    reg [31:0] radius2;
+    reg s2_valid;
+    reg s2_survives;
+    reg [3:0] s2_thread;
+    reg [21:0] s2_address;
+    reg s2_last;
+    reg [31:0] s2_distance0;
+    reg [31:0] s2_distance1;
+    reg [31:0] s2_distance2;
+    reg [31:0] s2_distance3;
     reg held_valid;
     reg held_last;
     reg [3:0] held_thread;
@@ -2278,12 +2282,11 @@ module core_b_sieve (
 
     assign candidates_ready = candidates_queue_in_ready;
     wire closed = held_valid & held_last;
-    wire [31:0] choice_1 = is_from_leaf ? leaf_radius2 : query_radius2;
-    wire [3:0] joined_2 = {s1_distance3 < choice_1, s1_distance2 < choice_1, s1_distance1 < choice_1, s1_distance0 < choice_1};
-    wire near = s1_valid & |joined_2;
+    wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
     wire proceeds = ~displaced | kept_queue_in_ready;
-    wire advance = ~s1_valid | proceeds;
+    wire decides = ~s2_valid | proceeds;
+    wire advance = ~s1_valid | decides;
     wire candidates_queue_out_ready = advance;
     wire leaves = displaced & kept_queue_in_ready;
     wire kept_queue_out_ready = kept_ready;
@@ -2323,9 +2326,12 @@ module core_b_sieve (
         radius_valid & (radius_thread == 4'd1),
         radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_3 = from_leaf >> candidates_queue_out_thread;
+    wire [15:0] shifted_1 = from_leaf >> candidates_queue_out_thread;
+    wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
+    wire [31:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire [3:0] joined_2 = {s1_distance3 < radius2, s1_distance2 < radius2, s1_distance1 < radius2, s1_distance0 < radius2};
     wire keep = near & proceeds;
-    wire ends = s1_valid & s1_last & (~near & proceeds);
+    wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
     assign kept_valid = kept_queue_out_valid;
@@ -2387,6 +2393,7 @@ module core_b_sieve (
         if (rst) begin
             s1_valid <= 1'd0;
             from_leaf <= 16'd0;
+            s2_valid <= 1'd0;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
@@ -2396,6 +2403,9 @@ module core_b_sieve (
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
+            if (decides) begin
+                s2_valid <= s1_valid;
+            end
         end
     end
     always @(posedge clk) begin
@@ -2407,39 +2417,43 @@ module core_b_sieve (
             s1_distance1 <= candidates_queue_out_distance1;
             s1_distance2 <= candidates_queue_out_distance2;
             s1_distance3 <= candidates_queue_out_distance3;
-            is_from_leaf <= shifted_3[0];
+            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
+        end
+        if (decides) begin
+            s2_survives <= |joined_2;
+            s2_thread <= s1_thread;
+            s2_address <= s1_address;
+            s2_last <= s1_last;
+            s2_distance0 <= s1_distance0;
+            s2_distance1 <= s1_distance1;
+            s2_distance2 <= s1_distance2;
+            s2_distance3 <= s1_distance3;
         end
         if (keep | closes) begin
-            held_last <= s1_last;
+            held_last <= s2_last;
         end
         if (keep) begin
-            held_thread <= s1_thread;
-            held_address <= s1_address;
-            held_distance0 <= s1_distance0;
-            held_distance1 <= s1_distance1;
-            held_distance2 <= s1_distance2;
-            held_distance3 <= s1_distance3;
+            held_thread <= s2_thread;
+            held_address <= s2_address;
+            held_distance0 <= s2_distance0;
+            held_distance1 <= s2_distance1;
+            held_distance2 <= s2_distance2;
+            held_distance3 <= s2_distance3;
         end
-        skipped_thread <= s1_thread;
+        skipped_thread <= s2_thread;
     end
     always @(posedge clk) begin
         if (start_valid) begin
             query_radii[start_thread] <= start_radius2;
-        end
-        if (advance) begin
-            query_radius2 <= query_radii[candidates_queue_out_thread];
         end
     end
     always @(posedge clk) begin
         if (radius_valid) begin
             leaf_radii[radius_thread] <= radius_radius2;
         end
-        if (advance) begin
-            leaf_radius2 <= leaf_radii[candidates_queue_out_thread];
-        end
     end
 
-    wire _unused = &{1'b0, shifted_3[15:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, shifted_1[15:1], start_k, start_number, start_x, start_y, start_z};
 endmodule
 
 // Queue in a memory with a registered output.
@@ -2599,13 +2613,61 @@ module core_b_leaf (
     output wire [31:0] candidates_distance2,
     output wire [31:0] candidates_distance3
 );
-    reg [24:0] leaves [0:16383];
+    reg leaves_0 [0:16383];
+    reg leaves_1 [0:16383];
+    reg leaves_2 [0:16383];
+    reg leaves_3 [0:16383];
+    reg leaves_4 [0:16383];
+    reg leaves_5 [0:16383];
+    reg leaves_6 [0:16383];
+    reg leaves_7 [0:16383];
+    reg leaves_8 [0:16383];
+    reg leaves_9 [0:16383];
+    reg leaves_10 [0:16383];
+    reg leaves_11 [0:16383];
+    reg leaves_12 [0:16383];
+    reg leaves_13 [0:16383];
+    reg leaves_14 [0:16383];
+    reg leaves_15 [0:16383];
+    reg leaves_16 [0:16383];
+    reg leaves_17 [0:16383];
+    reg leaves_18 [0:16383];
+    reg leaves_19 [0:16383];
+    reg leaves_20 [0:16383];
+    reg leaves_21 [0:16383];
+    reg leaves_22 [0:16383];
+    reg leaves_23 [0:16383];
+    reg leaves_24 [0:16383];
     reg [95:0] queries [0:15];
     reg f0_valid;
     reg f1_valid;
     reg [3:0] f0_thread;
     reg [3:0] f1_thread;
-    reg [24:0] f0_found;
+    reg f0_found_0;
+    reg f0_found_1;
+    reg f0_found_2;
+    reg f0_found_3;
+    reg f0_found_4;
+    reg f0_found_5;
+    reg f0_found_6;
+    reg f0_found_7;
+    reg f0_found_8;
+    reg f0_found_9;
+    reg f0_found_10;
+    reg f0_found_11;
+    reg f0_found_12;
+    reg f0_found_13;
+    reg f0_found_14;
+    reg f0_found_15;
+    reg f0_found_16;
+    reg f0_found_17;
+    reg f0_found_18;
+    reg f0_found_19;
+    reg f0_found_20;
+    reg f0_found_21;
+    reg f0_found_22;
+    reg f0_found_23;
+    reg f0_found_24;
     reg [21:0] f1_begin;
     reg [2:0] f1_beats;
     reg query_valid;
@@ -2670,6 +2732,7 @@ module core_b_leaf (
     wire query_advance = ~query_valid | distance_in_ready;
     wire beat_queue_out_ready = query_advance;
     wire distance_out_ready = candidates_ready;
+    wire term_1 = tree_valid & tree_is_leaf;
 
     assign fetch_valid = fetch_queue_out_valid;
     assign fetch_thread = fetch_queue_out_thread;
@@ -2804,8 +2867,31 @@ module core_b_leaf (
         if (table_advance) begin
             f0_thread <= leaf_queue_out_thread;
             f1_thread <= f0_thread;
-            f1_begin <= f0_found[24:3];
-            f1_beats <= f0_found[2:0];
+            f1_begin <= {
+                f0_found_24,
+                f0_found_23,
+                f0_found_22,
+                f0_found_21,
+                f0_found_20,
+                f0_found_19,
+                f0_found_18,
+                f0_found_17,
+                f0_found_16,
+                f0_found_15,
+                f0_found_14,
+                f0_found_13,
+                f0_found_12,
+                f0_found_11,
+                f0_found_10,
+                f0_found_9,
+                f0_found_8,
+                f0_found_7,
+                f0_found_6,
+                f0_found_5,
+                f0_found_4,
+                f0_found_3
+            };
+            f1_beats <= {f0_found_2, f0_found_1, f0_found_0};
         end
         if (query_advance) begin
             points_thread <= beat_queue_out_thread;
@@ -2826,11 +2912,203 @@ module core_b_leaf (
         end
     end
     always @(posedge clk) begin
-        if (tree_valid & tree_is_leaf) begin
-            leaves[tree_address] <= {tree_begin, tree_beats};
+        if (term_1) begin
+            leaves_0[tree_address] <= tree_beats[0];
         end
         if (table_advance) begin
-            f0_found <= leaves[leaf_queue_out_leaf];
+            f0_found_0 <= leaves_0[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_1[tree_address] <= tree_beats[1];
+        end
+        if (table_advance) begin
+            f0_found_1 <= leaves_1[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_2[tree_address] <= tree_beats[2];
+        end
+        if (table_advance) begin
+            f0_found_2 <= leaves_2[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_3[tree_address] <= tree_begin[0];
+        end
+        if (table_advance) begin
+            f0_found_3 <= leaves_3[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_4[tree_address] <= tree_begin[1];
+        end
+        if (table_advance) begin
+            f0_found_4 <= leaves_4[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_5[tree_address] <= tree_begin[2];
+        end
+        if (table_advance) begin
+            f0_found_5 <= leaves_5[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_6[tree_address] <= tree_begin[3];
+        end
+        if (table_advance) begin
+            f0_found_6 <= leaves_6[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_7[tree_address] <= tree_begin[4];
+        end
+        if (table_advance) begin
+            f0_found_7 <= leaves_7[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_8[tree_address] <= tree_begin[5];
+        end
+        if (table_advance) begin
+            f0_found_8 <= leaves_8[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_9[tree_address] <= tree_begin[6];
+        end
+        if (table_advance) begin
+            f0_found_9 <= leaves_9[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_10[tree_address] <= tree_begin[7];
+        end
+        if (table_advance) begin
+            f0_found_10 <= leaves_10[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_11[tree_address] <= tree_begin[8];
+        end
+        if (table_advance) begin
+            f0_found_11 <= leaves_11[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_12[tree_address] <= tree_begin[9];
+        end
+        if (table_advance) begin
+            f0_found_12 <= leaves_12[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_13[tree_address] <= tree_begin[10];
+        end
+        if (table_advance) begin
+            f0_found_13 <= leaves_13[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_14[tree_address] <= tree_begin[11];
+        end
+        if (table_advance) begin
+            f0_found_14 <= leaves_14[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_15[tree_address] <= tree_begin[12];
+        end
+        if (table_advance) begin
+            f0_found_15 <= leaves_15[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_16[tree_address] <= tree_begin[13];
+        end
+        if (table_advance) begin
+            f0_found_16 <= leaves_16[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_17[tree_address] <= tree_begin[14];
+        end
+        if (table_advance) begin
+            f0_found_17 <= leaves_17[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_18[tree_address] <= tree_begin[15];
+        end
+        if (table_advance) begin
+            f0_found_18 <= leaves_18[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_19[tree_address] <= tree_begin[16];
+        end
+        if (table_advance) begin
+            f0_found_19 <= leaves_19[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_20[tree_address] <= tree_begin[17];
+        end
+        if (table_advance) begin
+            f0_found_20 <= leaves_20[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_21[tree_address] <= tree_begin[18];
+        end
+        if (table_advance) begin
+            f0_found_21 <= leaves_21[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_22[tree_address] <= tree_begin[19];
+        end
+        if (table_advance) begin
+            f0_found_22 <= leaves_22[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_23[tree_address] <= tree_begin[20];
+        end
+        if (table_advance) begin
+            f0_found_23 <= leaves_23[leaf_queue_out_leaf];
+        end
+    end
+    always @(posedge clk) begin
+        if (term_1) begin
+            leaves_24[tree_address] <= tree_begin[21];
+        end
+        if (table_advance) begin
+            f0_found_24 <= leaves_24[leaf_queue_out_leaf];
         end
     end
     always @(posedge clk) begin
@@ -3650,16 +3928,16 @@ module core_b_recursion (
     output reg  [3:0] empty_thread,
     output reg  event_pop
 );
+    (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
+    (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg r0_valid;
     reg r1_valid;
     reg [3:0] r0_thread;
     reg [3:0] r1_thread;
-    reg [31:0] query_radius2;
-    reg [31:0] leaf_radius2;
     reg [15:0] from_leaf;
-    reg is_from_leaf;
+    reg [31:0] radius2;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
@@ -3673,7 +3951,7 @@ module core_b_recursion (
     wire advance = ~r1_valid | resume_queue_in_ready;
     wire decides = advance & r1_valid;
     wire popped = decides & ~top_empty;
-    wire nearer = top_distance2 < (is_from_leaf ? leaf_radius2 : query_radius2);
+    wire nearer = top_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
     wire resume_queue_out_ready = resume_ready;
@@ -3714,6 +3992,8 @@ module core_b_recursion (
         radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] shifted_1 = from_leaf >> r0_thread;
+    wire [31:0] leaf_radius2 = leaf_radii[r0_thread];
+    wire [31:0] query_radius2 = query_radii[r0_thread];
 
     assign resume_valid = resume_queue_out_valid;
     assign resume_thread = resume_queue_out_thread;
@@ -3766,7 +4046,7 @@ module core_b_recursion (
         if (advance) begin
             r0_thread <= back ? r1_thread : in_queue_out_thread;
             r1_thread <= r0_thread;
-            is_from_leaf <= shifted_1[0];
+            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
         end
         empty_thread <= r1_thread;
     end
@@ -3774,16 +4054,10 @@ module core_b_recursion (
         if (start_valid) begin
             query_radii[start_thread] <= start_radius2;
         end
-        if (advance) begin
-            query_radius2 <= query_radii[r0_thread];
-        end
     end
     always @(posedge clk) begin
         if (radius_valid) begin
             leaf_radii[radius_thread] <= radius_radius2;
-        end
-        if (advance) begin
-            leaf_radius2 <= leaf_radii[r0_thread];
         end
     end
 
@@ -4134,41 +4408,41 @@ module core_b_traversal (
     reg [31:0] s_coordinate;
     reg [31:0] s_split;
     reg [1:0] even_node_0;
-    reg [1:0] even_node_1;
     reg [1:0] even_node_2;
-    reg [1:0] even_node_3;
     reg [1:0] even_node_4;
-    reg [1:0] even_node_5;
     reg [1:0] even_node_6;
-    reg [1:0] even_node_7;
     reg [1:0] even_node_8;
-    reg [1:0] even_node_9;
     reg [1:0] even_node_10;
-    reg [1:0] even_node_11;
     reg [1:0] even_node_12;
-    reg [1:0] even_node_13;
     reg [1:0] even_node_14;
-    reg [1:0] even_node_15;
     reg [1:0] even_node_16;
-    reg even_node_17;
+    reg [1:0] even_node_18;
+    reg [1:0] even_node_20;
+    reg [1:0] even_node_22;
+    reg [1:0] even_node_24;
+    reg [1:0] even_node_26;
+    reg [1:0] even_node_28;
+    reg [1:0] even_node_30;
+    reg [1:0] even_node_32;
+    reg even_node_34;
     reg [1:0] odd_node_0;
-    reg [1:0] odd_node_1;
     reg [1:0] odd_node_2;
-    reg [1:0] odd_node_3;
     reg [1:0] odd_node_4;
-    reg [1:0] odd_node_5;
     reg [1:0] odd_node_6;
-    reg [1:0] odd_node_7;
     reg [1:0] odd_node_8;
-    reg [1:0] odd_node_9;
     reg [1:0] odd_node_10;
-    reg [1:0] odd_node_11;
     reg [1:0] odd_node_12;
-    reg [1:0] odd_node_13;
     reg [1:0] odd_node_14;
-    reg [1:0] odd_node_15;
     reg [1:0] odd_node_16;
-    reg odd_node_17;
+    reg [1:0] odd_node_18;
+    reg [1:0] odd_node_20;
+    reg [1:0] odd_node_22;
+    reg [1:0] odd_node_24;
+    reg [1:0] odd_node_26;
+    reg [1:0] odd_node_28;
+    reg [1:0] odd_node_30;
+    reg [1:0] odd_node_32;
+    reg odd_node_34;
     reg [31:0] v_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
@@ -4216,42 +4490,42 @@ module core_b_traversal (
     wire [14:0] next_node = descends ? {v_node[13:0], 1'd0} : choice_6;
     wire choice_7 = f_is_child ? ~less_y : f_node[0];
     wire [31:0] joined_8 = {
-        odd_node_17,
+        odd_node_34,
+        odd_node_32,
+        odd_node_30,
+        odd_node_28,
+        odd_node_26,
+        odd_node_24,
+        odd_node_22,
+        odd_node_20,
+        odd_node_18,
         odd_node_16,
-        odd_node_15,
         odd_node_14,
-        odd_node_13,
         odd_node_12,
-        odd_node_11,
         odd_node_10,
-        odd_node_9,
         odd_node_8,
-        odd_node_7,
         odd_node_6,
-        odd_node_5,
         odd_node_4,
-        odd_node_3,
-        odd_node_2,
-        odd_node_1[1]
+        odd_node_2[1]
     };
     wire [31:0] joined_9 = {
-        even_node_17,
+        even_node_34,
+        even_node_32,
+        even_node_30,
+        even_node_28,
+        even_node_26,
+        even_node_24,
+        even_node_22,
+        even_node_20,
+        even_node_18,
         even_node_16,
-        even_node_15,
         even_node_14,
-        even_node_13,
         even_node_12,
-        even_node_11,
         even_node_10,
-        even_node_9,
         even_node_8,
-        even_node_7,
         even_node_6,
-        even_node_5,
         even_node_4,
-        even_node_3,
-        even_node_2,
-        even_node_1[1]
+        even_node_2[1]
     };
     wire term_10 = tree_valid & ~tree_is_leaf;
     wire writes_even = term_10 & ~tree_address[0];
@@ -4363,7 +4637,7 @@ module core_b_traversal (
             s_coordinate <= coordinate;
             s_split <= v_split;
             v_split <= choice_7 ? joined_8 : joined_9;
-            v_dimension <= choice_7 ? {odd_node_1[0], odd_node_0[1]} : {even_node_1[0], even_node_0[1]};
+            v_dimension <= choice_7 ? {odd_node_2[0], odd_node_0[1]} : {even_node_2[0], even_node_0[1]};
             v_internal_leaf <= choice_7 ? odd_node_0[0] : even_node_0[0];
         end
     end
@@ -4380,7 +4654,7 @@ module core_b_traversal (
             even_nodes_2[tree_address[13:1]] <= joined_12;
         end
         if (advance) begin
-            even_node_1 <= even_nodes_2[next_node[13:1]];
+            even_node_2 <= even_nodes_2[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4388,7 +4662,7 @@ module core_b_traversal (
             even_nodes_4[tree_address[13:1]] <= tree_split[2:1];
         end
         if (advance) begin
-            even_node_2 <= even_nodes_4[next_node[13:1]];
+            even_node_4 <= even_nodes_4[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4396,7 +4670,7 @@ module core_b_traversal (
             even_nodes_6[tree_address[13:1]] <= tree_split[4:3];
         end
         if (advance) begin
-            even_node_3 <= even_nodes_6[next_node[13:1]];
+            even_node_6 <= even_nodes_6[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4404,7 +4678,7 @@ module core_b_traversal (
             even_nodes_8[tree_address[13:1]] <= tree_split[6:5];
         end
         if (advance) begin
-            even_node_4 <= even_nodes_8[next_node[13:1]];
+            even_node_8 <= even_nodes_8[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4412,7 +4686,7 @@ module core_b_traversal (
             even_nodes_10[tree_address[13:1]] <= tree_split[8:7];
         end
         if (advance) begin
-            even_node_5 <= even_nodes_10[next_node[13:1]];
+            even_node_10 <= even_nodes_10[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4420,7 +4694,7 @@ module core_b_traversal (
             even_nodes_12[tree_address[13:1]] <= tree_split[10:9];
         end
         if (advance) begin
-            even_node_6 <= even_nodes_12[next_node[13:1]];
+            even_node_12 <= even_nodes_12[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4428,7 +4702,7 @@ module core_b_traversal (
             even_nodes_14[tree_address[13:1]] <= tree_split[12:11];
         end
         if (advance) begin
-            even_node_7 <= even_nodes_14[next_node[13:1]];
+            even_node_14 <= even_nodes_14[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4436,7 +4710,7 @@ module core_b_traversal (
             even_nodes_16[tree_address[13:1]] <= tree_split[14:13];
         end
         if (advance) begin
-            even_node_8 <= even_nodes_16[next_node[13:1]];
+            even_node_16 <= even_nodes_16[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4444,7 +4718,7 @@ module core_b_traversal (
             even_nodes_18[tree_address[13:1]] <= tree_split[16:15];
         end
         if (advance) begin
-            even_node_9 <= even_nodes_18[next_node[13:1]];
+            even_node_18 <= even_nodes_18[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4452,7 +4726,7 @@ module core_b_traversal (
             even_nodes_20[tree_address[13:1]] <= tree_split[18:17];
         end
         if (advance) begin
-            even_node_10 <= even_nodes_20[next_node[13:1]];
+            even_node_20 <= even_nodes_20[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4460,7 +4734,7 @@ module core_b_traversal (
             even_nodes_22[tree_address[13:1]] <= tree_split[20:19];
         end
         if (advance) begin
-            even_node_11 <= even_nodes_22[next_node[13:1]];
+            even_node_22 <= even_nodes_22[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4468,7 +4742,7 @@ module core_b_traversal (
             even_nodes_24[tree_address[13:1]] <= tree_split[22:21];
         end
         if (advance) begin
-            even_node_12 <= even_nodes_24[next_node[13:1]];
+            even_node_24 <= even_nodes_24[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4476,7 +4750,7 @@ module core_b_traversal (
             even_nodes_26[tree_address[13:1]] <= tree_split[24:23];
         end
         if (advance) begin
-            even_node_13 <= even_nodes_26[next_node[13:1]];
+            even_node_26 <= even_nodes_26[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4484,7 +4758,7 @@ module core_b_traversal (
             even_nodes_28[tree_address[13:1]] <= tree_split[26:25];
         end
         if (advance) begin
-            even_node_14 <= even_nodes_28[next_node[13:1]];
+            even_node_28 <= even_nodes_28[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4492,7 +4766,7 @@ module core_b_traversal (
             even_nodes_30[tree_address[13:1]] <= tree_split[28:27];
         end
         if (advance) begin
-            even_node_15 <= even_nodes_30[next_node[13:1]];
+            even_node_30 <= even_nodes_30[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4500,7 +4774,7 @@ module core_b_traversal (
             even_nodes_32[tree_address[13:1]] <= tree_split[30:29];
         end
         if (advance) begin
-            even_node_16 <= even_nodes_32[next_node[13:1]];
+            even_node_32 <= even_nodes_32[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4508,7 +4782,7 @@ module core_b_traversal (
             even_nodes_34[tree_address[13:1]] <= tree_split[31];
         end
         if (advance) begin
-            even_node_17 <= even_nodes_34[next_node[13:1]];
+            even_node_34 <= even_nodes_34[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4524,7 +4798,7 @@ module core_b_traversal (
             odd_nodes_2[tree_address[13:1]] <= joined_12;
         end
         if (advance) begin
-            odd_node_1 <= odd_nodes_2[next_node[13:1]];
+            odd_node_2 <= odd_nodes_2[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4532,7 +4806,7 @@ module core_b_traversal (
             odd_nodes_4[tree_address[13:1]] <= tree_split[2:1];
         end
         if (advance) begin
-            odd_node_2 <= odd_nodes_4[next_node[13:1]];
+            odd_node_4 <= odd_nodes_4[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4540,7 +4814,7 @@ module core_b_traversal (
             odd_nodes_6[tree_address[13:1]] <= tree_split[4:3];
         end
         if (advance) begin
-            odd_node_3 <= odd_nodes_6[next_node[13:1]];
+            odd_node_6 <= odd_nodes_6[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4548,7 +4822,7 @@ module core_b_traversal (
             odd_nodes_8[tree_address[13:1]] <= tree_split[6:5];
         end
         if (advance) begin
-            odd_node_4 <= odd_nodes_8[next_node[13:1]];
+            odd_node_8 <= odd_nodes_8[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4556,7 +4830,7 @@ module core_b_traversal (
             odd_nodes_10[tree_address[13:1]] <= tree_split[8:7];
         end
         if (advance) begin
-            odd_node_5 <= odd_nodes_10[next_node[13:1]];
+            odd_node_10 <= odd_nodes_10[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4564,7 +4838,7 @@ module core_b_traversal (
             odd_nodes_12[tree_address[13:1]] <= tree_split[10:9];
         end
         if (advance) begin
-            odd_node_6 <= odd_nodes_12[next_node[13:1]];
+            odd_node_12 <= odd_nodes_12[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4572,7 +4846,7 @@ module core_b_traversal (
             odd_nodes_14[tree_address[13:1]] <= tree_split[12:11];
         end
         if (advance) begin
-            odd_node_7 <= odd_nodes_14[next_node[13:1]];
+            odd_node_14 <= odd_nodes_14[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4580,7 +4854,7 @@ module core_b_traversal (
             odd_nodes_16[tree_address[13:1]] <= tree_split[14:13];
         end
         if (advance) begin
-            odd_node_8 <= odd_nodes_16[next_node[13:1]];
+            odd_node_16 <= odd_nodes_16[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4588,7 +4862,7 @@ module core_b_traversal (
             odd_nodes_18[tree_address[13:1]] <= tree_split[16:15];
         end
         if (advance) begin
-            odd_node_9 <= odd_nodes_18[next_node[13:1]];
+            odd_node_18 <= odd_nodes_18[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4596,7 +4870,7 @@ module core_b_traversal (
             odd_nodes_20[tree_address[13:1]] <= tree_split[18:17];
         end
         if (advance) begin
-            odd_node_10 <= odd_nodes_20[next_node[13:1]];
+            odd_node_20 <= odd_nodes_20[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4604,7 +4878,7 @@ module core_b_traversal (
             odd_nodes_22[tree_address[13:1]] <= tree_split[20:19];
         end
         if (advance) begin
-            odd_node_11 <= odd_nodes_22[next_node[13:1]];
+            odd_node_22 <= odd_nodes_22[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4612,7 +4886,7 @@ module core_b_traversal (
             odd_nodes_24[tree_address[13:1]] <= tree_split[22:21];
         end
         if (advance) begin
-            odd_node_12 <= odd_nodes_24[next_node[13:1]];
+            odd_node_24 <= odd_nodes_24[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4620,7 +4894,7 @@ module core_b_traversal (
             odd_nodes_26[tree_address[13:1]] <= tree_split[24:23];
         end
         if (advance) begin
-            odd_node_13 <= odd_nodes_26[next_node[13:1]];
+            odd_node_26 <= odd_nodes_26[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4628,7 +4902,7 @@ module core_b_traversal (
             odd_nodes_28[tree_address[13:1]] <= tree_split[26:25];
         end
         if (advance) begin
-            odd_node_14 <= odd_nodes_28[next_node[13:1]];
+            odd_node_28 <= odd_nodes_28[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4636,7 +4910,7 @@ module core_b_traversal (
             odd_nodes_30[tree_address[13:1]] <= tree_split[28:27];
         end
         if (advance) begin
-            odd_node_15 <= odd_nodes_30[next_node[13:1]];
+            odd_node_30 <= odd_nodes_30[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4644,7 +4918,7 @@ module core_b_traversal (
             odd_nodes_32[tree_address[13:1]] <= tree_split[30:29];
         end
         if (advance) begin
-            odd_node_16 <= odd_nodes_32[next_node[13:1]];
+            odd_node_32 <= odd_nodes_32[next_node[13:1]];
         end
     end
     always @(posedge clk) begin
@@ -4652,7 +4926,7 @@ module core_b_traversal (
             odd_nodes_34[tree_address[13:1]] <= tree_split[31];
         end
         if (advance) begin
-            odd_node_17 <= odd_nodes_34[next_node[13:1]];
+            odd_node_34 <= odd_nodes_34[next_node[13:1]];
         end
     end
     always @(posedge clk) begin

@@ -435,7 +435,9 @@ module core_b_queue (
 );
     reg [327:0] rows [0:3];
     reg [43:0] queries [0:3];
+    (* ram_style = "distributed" *)
     reg [23:0] query_radii [0:3];
+    (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
     reg owned;
     reg [1:0] owner;
@@ -468,10 +470,8 @@ module core_b_queue (
     reg [1:0] readout_thread;
     reg [327:0] stored;
     reg [43:0] query;
-    reg [23:0] query_radius2;
-    reg [23:0] leaf_radius2;
     reg [3:0] from_leaf;
-    reg is_from_leaf;
+    reg [23:0] radius2;
     reg item_found;
     reg [15:0] item_index;
     reg [23:0] item_distance2;
@@ -504,10 +504,9 @@ module core_b_queue (
     wire readout_reads = finish_queue_out_valid & ~(fetching | sending);
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire term_9 = beat_distance0 < (is_from_leaf ? leaf_radius2 : query_radius2);
     wire farthest_is_known = farthest_valid & (farthest_thread == beat_thread) & ~(beat_reads | item_reads);
-    wire term_10 = term_9 & (~farthest_is_known | (beat_distance0 < farthest));
-    wire candidate_lanes = beat_pending & term_10;
+    wire term_9 = (beat_distance0 < radius2) & (~farthest_is_known | (beat_distance0 < farthest));
+    wire candidate_lanes = beat_pending & term_9;
     wire chosen = candidate_lanes & (1'd0 - candidate_lanes);
     wire rest = candidate_lanes & ~chosen;
     wire stays = beat_valid & rest;
@@ -515,21 +514,23 @@ module core_b_queue (
     wire [1:0] tail = item_valid ? item_thread : owner;
     wire follows_tail = (item_valid | owned) & (tail == candidates_queue_out_thread);
     wire follows_beat = beat_thread == candidates_queue_out_thread;
-    wire term_11 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = candidates_queue_out_valid & term_11;
+    wire term_10 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = candidates_queue_out_valid & term_10;
     wire candidates_queue_out_ready = take;
     wire write_back = item_reads & owned;
     wire readout_starts = readout_reads & ~(write_back & (owner == finish_queue_out_thread));
     wire finish_queue_out_ready = readout_starts;
-    wire term_12 = query[27:24] < 4'd1;
-    wire term_13 = query[27:24] < 4'd2;
-    wire term_14 = query[27:24] < 4'd3;
-    wire term_15 = query[27:24] < 4'd4;
-    wire term_16 = query[27:24] < 4'd5;
-    wire term_17 = query[27:24] < 4'd6;
-    wire term_18 = query[27:24] < 4'd7;
-    wire term_19 = query[27:24] < 4'd8;
+    wire term_11 = query[27:24] < 4'd1;
+    wire term_12 = query[27:24] < 4'd2;
+    wire term_13 = query[27:24] < 4'd3;
+    wire term_14 = query[27:24] < 4'd4;
+    wire term_15 = query[27:24] < 4'd5;
+    wire term_16 = query[27:24] < 4'd6;
+    wire term_17 = query[27:24] < 4'd7;
+    wire term_18 = query[27:24] < 4'd8;
     wire [327:0] initial_row = {
+        17'd0,
+        term_11 ? 24'd0 : query[23:0],
         17'd0,
         term_12 ? 24'd0 : query[23:0],
         17'd0,
@@ -543,32 +544,31 @@ module core_b_queue (
         17'd0,
         term_17 ? 24'd0 : query[23:0],
         17'd0,
-        term_18 ? 24'd0 : query[23:0],
-        17'd0,
-        term_19 ? 24'd0 : query[23:0]
+        term_18 ? 24'd0 : query[23:0]
     };
-    wire choice_20 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
-    wire [15:0] choice_21 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
-    wire [23:0] choice_22 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
-    wire choice_23 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
-    wire [15:0] choice_24 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
-    wire [23:0] choice_25 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
-    wire choice_26 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
-    wire [15:0] choice_27 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
-    wire [23:0] choice_28 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
-    wire choice_29 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
-    wire [15:0] choice_30 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
-    wire [23:0] choice_31 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
-    wire choice_32 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
-    wire [15:0] choice_33 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
-    wire [23:0] choice_34 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
-    wire choice_35 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
-    wire [15:0] choice_36 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
-    wire [23:0] choice_37 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
-    wire choice_38 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
-    wire [15:0] choice_39 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
-    wire [23:0] choice_40 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
+    wire choice_19 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
+    wire [15:0] choice_20 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
+    wire [23:0] choice_21 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
+    wire choice_22 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
+    wire [15:0] choice_23 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
+    wire [23:0] choice_24 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
+    wire choice_25 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
+    wire [15:0] choice_26 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
+    wire [23:0] choice_27 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
+    wire choice_28 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
+    wire [15:0] choice_29 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
+    wire [23:0] choice_30 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
+    wire choice_31 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
+    wire [15:0] choice_32 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
+    wire [23:0] choice_33 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
+    wire choice_34 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
+    wire [15:0] choice_35 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
+    wire [23:0] choice_36 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
+    wire choice_37 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
+    wire [15:0] choice_38 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
+    wire [23:0] choice_39 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
     wire [327:0] inserted_row = {
+        choice_19,
         choice_20,
         choice_21,
         choice_22,
@@ -589,13 +589,12 @@ module core_b_queue (
         choice_37,
         choice_38,
         choice_39,
-        choice_40,
         nearer[0] ? new_found : working[40],
         nearer[0] ? new_index : working[39:24],
         nearer[0] ? new_distance2 : working[23:0]
     };
     wire reads = moves & beat_reads;
-    wire [3:0] joined_41 = {
+    wire [3:0] joined_40 = {
         reads & (beat_thread == 2'd3),
         reads & (beat_thread == 2'd2),
         reads & (beat_thread == 2'd1),
@@ -607,32 +606,32 @@ module core_b_queue (
         start_valid & (start_thread == 2'd1),
         start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] shifted_42 = fresh >> candidates_queue_out_thread;
-    wire is_fresh = shifted_42[0];
-    wire [3:0] shifted_43 = fresh >> beat_thread;
-    wire [7:0] joined_44 = {~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18, ~term_19};
+    wire [3:0] shifted_41 = fresh >> candidates_queue_out_thread;
+    wire is_fresh = shifted_41[0];
+    wire [3:0] shifted_42 = fresh >> beat_thread;
+    wire [7:0] joined_43 = {~term_11, ~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18};
     wire [327:0] base = item_reads ? stored : working;
-    wire term_45 = item_distance2 < base[310:287];
-    wire term_46 = item_distance2 < base[269:246];
-    wire term_47 = item_distance2 < base[228:205];
-    wire term_48 = item_distance2 < base[187:164];
-    wire term_49 = item_distance2 < base[146:123];
-    wire term_50 = item_distance2 < base[105:82];
-    wire term_51 = item_distance2 < base[64:41];
-    wire term_52 = item_distance2 < base[23:0];
-    wire [7:0] joined_53 = {term_45, term_46, term_47, term_48, term_49, term_50, term_51, term_52};
-    wire term_54 = item_distance2 < new_distance2;
-    wire [7:0] joined_55 = {
-        nearer[7] ? (nearer[6] ? term_46 : term_54) : term_45,
-        nearer[6] ? (nearer[5] ? term_47 : term_54) : term_46,
-        nearer[5] ? (nearer[4] ? term_48 : term_54) : term_47,
-        nearer[4] ? (nearer[3] ? term_49 : term_54) : term_48,
-        nearer[3] ? (nearer[2] ? term_50 : term_54) : term_49,
-        nearer[2] ? (nearer[1] ? term_51 : term_54) : term_50,
-        nearer[1] ? (nearer[0] ? term_52 : term_54) : term_51,
-        nearer[0] ? term_54 : term_52
+    wire term_44 = item_distance2 < base[310:287];
+    wire term_45 = item_distance2 < base[269:246];
+    wire term_46 = item_distance2 < base[228:205];
+    wire term_47 = item_distance2 < base[187:164];
+    wire term_48 = item_distance2 < base[146:123];
+    wire term_49 = item_distance2 < base[105:82];
+    wire term_50 = item_distance2 < base[64:41];
+    wire term_51 = item_distance2 < base[23:0];
+    wire [7:0] joined_52 = {term_44, term_45, term_46, term_47, term_48, term_49, term_50, term_51};
+    wire term_53 = item_distance2 < new_distance2;
+    wire [7:0] joined_54 = {
+        nearer[7] ? (nearer[6] ? term_45 : term_53) : term_44,
+        nearer[6] ? (nearer[5] ? term_46 : term_53) : term_45,
+        nearer[5] ? (nearer[4] ? term_47 : term_53) : term_46,
+        nearer[4] ? (nearer[3] ? term_48 : term_53) : term_47,
+        nearer[3] ? (nearer[2] ? term_49 : term_53) : term_48,
+        nearer[2] ? (nearer[1] ? term_50 : term_53) : term_49,
+        nearer[1] ? (nearer[0] ? term_51 : term_53) : term_50,
+        nearer[0] ? term_53 : term_51
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_44 : joined_53) : joined_55;
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_43 : joined_52) : joined_54;
     wire result_transfer = sending & result_ready;
     wire [3:0] leaf_set = {
         radius_valid & (radius_thread == 2'd3),
@@ -640,8 +639,10 @@ module core_b_queue (
         radius_valid & (radius_thread == 2'd1),
         radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_56 = from_leaf >> candidates_queue_out_thread;
-    wire [3:0] shifted_57 = fresh >> readout_thread;
+    wire [3:0] shifted_55 = from_leaf >> candidates_queue_out_thread;
+    wire [23:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
+    wire [23:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire [3:0] shifted_56 = fresh >> readout_thread;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
     assign result_valid = sending;
@@ -702,7 +703,7 @@ module core_b_queue (
             event_insert_wait <= 1'd0;
         end else begin
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_41) | query_set;
+            fresh <= (fresh & ~joined_40) | query_set;
             beat_valid <= take | (stays | waits);
             beat_reads <= take ? (beat_valid ? ~follows_beat : (~follows_tail | is_fresh)) : (beat_reads & waits);
             item_valid <= moves;
@@ -729,14 +730,14 @@ module core_b_queue (
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
         beat_pending <= take ? 1'd1 : waits ? beat_pending : rest;
         item_thread <= beat_thread;
-        item_fresh <= shifted_43[0];
+        item_fresh <= shifted_42[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_22;
-        farthest <= choice_22;
+        radius_radius2 <= choice_21;
+        farthest <= choice_21;
         farthest_thread <= owner;
         item_found <= 1'd1;
         item_index <= beat_address;
@@ -747,13 +748,13 @@ module core_b_queue (
             beat_address <= candidates_queue_out_address;
             beat_last <= candidates_queue_out_last;
             beat_distance0 <= candidates_queue_out_distance0;
-            is_from_leaf <= shifted_56[0];
+            radius2 <= shifted_55[0] ? leaf_radius2 : query_radius2;
         end
         if (readout_starts) begin
             readout_thread <= finish_queue_out_thread;
         end
         if (fetching) begin
-            sent_row <= shifted_57[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
+            sent_row <= shifted_56[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
             sent_number <= query[43:28];
         end
         if (fetching | result_transfer) begin
@@ -776,16 +777,10 @@ module core_b_queue (
         if (start_valid) begin
             query_radii[start_thread] <= start_radius2;
         end
-        if (take) begin
-            query_radius2 <= query_radii[candidates_queue_out_thread];
-        end
     end
     always @(posedge clk) begin
         if (radius_valid) begin
             leaf_radii[radius_thread] <= radius_radius2;
-        end
-        if (take) begin
-            leaf_radius2 <= leaf_radii[candidates_queue_out_thread];
         end
     end
 
@@ -799,10 +794,10 @@ module core_b_queue (
         base[245:229],
         base[286:270],
         base[327:311],
+        shifted_41[3:1],
         shifted_42[3:1],
-        shifted_43[3:1],
+        shifted_55[3:1],
         shifted_56[3:1],
-        shifted_57[3:1],
         start_x,
         start_y,
         start_z
@@ -842,17 +837,23 @@ module core_b_sieve (
     output reg  skipped_valid,
     output reg  [1:0] skipped_thread
 );
+    (* ram_style = "distributed" *)
     reg [23:0] query_radii [0:3];
+    (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
     reg s1_valid;
     reg [1:0] s1_thread;
     reg [15:0] s1_address;
     reg s1_last;
     reg [23:0] s1_distance0;
-    reg [23:0] query_radius2;
-    reg [23:0] leaf_radius2;
     reg [3:0] from_leaf;
-    reg is_from_leaf;
+    reg [23:0] radius2;
+    reg s2_valid;
+    reg s2_survives;
+    reg [1:0] s2_thread;
+    reg [15:0] s2_address;
+    reg s2_last;
+    reg [23:0] s2_distance0;
     reg held_valid;
     reg held_last;
     reg [1:0] held_thread;
@@ -874,11 +875,11 @@ module core_b_sieve (
 
     assign candidates_ready = candidates_queue_in_ready;
     wire closed = held_valid & held_last;
-    wire term_1 = s1_distance0 < (is_from_leaf ? leaf_radius2 : query_radius2);
-    wire near = s1_valid & term_1;
+    wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
     wire proceeds = ~displaced | kept_queue_in_ready;
-    wire advance = ~s1_valid | proceeds;
+    wire decides = ~s2_valid | proceeds;
+    wire advance = ~s1_valid | decides;
     wire candidates_queue_out_ready = advance;
     wire leaves = displaced & kept_queue_in_ready;
     wire kept_queue_out_ready = kept_ready;
@@ -894,9 +895,11 @@ module core_b_sieve (
         radius_valid & (radius_thread == 2'd1),
         radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_2 = from_leaf >> candidates_queue_out_thread;
+    wire [3:0] shifted_1 = from_leaf >> candidates_queue_out_thread;
+    wire [23:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
+    wire [23:0] query_radius2 = query_radii[candidates_queue_out_thread];
     wire keep = near & proceeds;
-    wire ends = s1_valid & s1_last & (~near & proceeds);
+    wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
     assign kept_valid = kept_queue_out_valid;
@@ -943,6 +946,7 @@ module core_b_sieve (
         if (rst) begin
             s1_valid <= 1'd0;
             from_leaf <= 4'd0;
+            s2_valid <= 1'd0;
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
@@ -952,6 +956,9 @@ module core_b_sieve (
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
+            if (decides) begin
+                s2_valid <= s1_valid;
+            end
         end
     end
     always @(posedge clk) begin
@@ -960,36 +967,37 @@ module core_b_sieve (
             s1_address <= candidates_queue_out_address;
             s1_last <= candidates_queue_out_last;
             s1_distance0 <= candidates_queue_out_distance0;
-            is_from_leaf <= shifted_2[0];
+            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
+        end
+        if (decides) begin
+            s2_survives <= s1_distance0 < radius2;
+            s2_thread <= s1_thread;
+            s2_address <= s1_address;
+            s2_last <= s1_last;
+            s2_distance0 <= s1_distance0;
         end
         if (keep | closes) begin
-            held_last <= s1_last;
+            held_last <= s2_last;
         end
         if (keep) begin
-            held_thread <= s1_thread;
-            held_address <= s1_address;
-            held_distance0 <= s1_distance0;
+            held_thread <= s2_thread;
+            held_address <= s2_address;
+            held_distance0 <= s2_distance0;
         end
-        skipped_thread <= s1_thread;
+        skipped_thread <= s2_thread;
     end
     always @(posedge clk) begin
         if (start_valid) begin
             query_radii[start_thread] <= start_radius2;
-        end
-        if (advance) begin
-            query_radius2 <= query_radii[candidates_queue_out_thread];
         end
     end
     always @(posedge clk) begin
         if (radius_valid) begin
             leaf_radii[radius_thread] <= radius_radius2;
         end
-        if (advance) begin
-            leaf_radius2 <= leaf_radii[candidates_queue_out_thread];
-        end
     end
 
-    wire _unused = &{1'b0, shifted_2[3:1], start_k, start_number, start_x, start_y, start_z};
+    wire _unused = &{1'b0, shifted_1[3:1], start_k, start_number, start_x, start_y, start_z};
 endmodule
 
 // Queue in a memory with a registered output.
@@ -1128,13 +1136,13 @@ module core_b_leaf (
     output wire candidates_last,
     output wire [23:0] candidates_distance0
 );
-    reg [19:0] leaves [0:63];
+    reg [19:0] leaves_0 [0:63];
     reg [71:0] queries [0:3];
     reg f0_valid;
     reg f1_valid;
     reg [1:0] f0_thread;
     reg [1:0] f1_thread;
-    reg [19:0] f0_found;
+    reg [19:0] f0_found_0;
     reg [15:0] f1_begin;
     reg [3:0] f1_beats;
     reg query_valid;
@@ -1279,8 +1287,8 @@ module core_b_leaf (
         if (table_advance) begin
             f0_thread <= leaf_queue_out_thread;
             f1_thread <= f0_thread;
-            f1_begin <= f0_found[19:4];
-            f1_beats <= f0_found[3:0];
+            f1_begin <= f0_found_0[19:4];
+            f1_beats <= f0_found_0[3:0];
         end
         if (query_advance) begin
             points_thread <= beat_queue_out_thread;
@@ -1293,10 +1301,10 @@ module core_b_leaf (
     end
     always @(posedge clk) begin
         if (tree_valid & tree_is_leaf) begin
-            leaves[tree_address] <= {tree_begin, tree_beats};
+            leaves_0[tree_address] <= {tree_begin, tree_beats};
         end
         if (table_advance) begin
-            f0_found <= leaves[leaf_queue_out_leaf];
+            f0_found_0 <= leaves_0[leaf_queue_out_leaf];
         end
     end
     always @(posedge clk) begin
@@ -1789,16 +1797,16 @@ module core_b_recursion (
     output reg  [1:0] empty_thread,
     output reg  event_pop
 );
+    (* ram_style = "distributed" *)
     reg [23:0] query_radii [0:3];
+    (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
     reg r0_valid;
     reg r1_valid;
     reg [1:0] r0_thread;
     reg [1:0] r1_thread;
-    reg [23:0] query_radius2;
-    reg [23:0] leaf_radius2;
     reg [3:0] from_leaf;
-    reg is_from_leaf;
+    reg [23:0] radius2;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
@@ -1812,7 +1820,7 @@ module core_b_recursion (
     wire advance = ~r1_valid | resume_queue_in_ready;
     wire decides = advance & r1_valid;
     wire popped = decides & ~top_empty;
-    wire nearer = top_distance2 < (is_from_leaf ? leaf_radius2 : query_radius2);
+    wire nearer = top_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
     wire resume_queue_out_ready = resume_ready;
@@ -1829,6 +1837,8 @@ module core_b_recursion (
         radius_valid & (radius_thread == 2'd0)
     };
     wire [3:0] shifted_1 = from_leaf >> r0_thread;
+    wire [23:0] leaf_radius2 = leaf_radii[r0_thread];
+    wire [23:0] query_radius2 = query_radii[r0_thread];
 
     assign resume_valid = resume_queue_out_valid;
     assign resume_thread = resume_queue_out_thread;
@@ -1881,7 +1891,7 @@ module core_b_recursion (
         if (advance) begin
             r0_thread <= back ? r1_thread : in_queue_out_thread;
             r1_thread <= r0_thread;
-            is_from_leaf <= shifted_1[0];
+            radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
         end
         empty_thread <= r1_thread;
     end
@@ -1889,16 +1899,10 @@ module core_b_recursion (
         if (start_valid) begin
             query_radii[start_thread] <= start_radius2;
         end
-        if (advance) begin
-            query_radius2 <= query_radii[r0_thread];
-        end
     end
     always @(posedge clk) begin
         if (radius_valid) begin
             leaf_radii[radius_thread] <= radius_radius2;
-        end
-        if (advance) begin
-            leaf_radius2 <= leaf_radii[r0_thread];
         end
     end
 
