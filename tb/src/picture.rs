@@ -22,13 +22,19 @@ pub struct PictureError {
 }
 
 impl Picture {
+    /// The components as bytes, pixel by pixel.
+    #[must_use]
+    pub fn bytes(&self) -> Vec<u8> {
+        let quantize = |component: &f64| (component.clamp(0.0, 1.0) * f64::from(u8::MAX)).round() as u8;
+        self.pixels.iter().flatten().map(quantize).collect()
+    }
+
     /// Writes an 8-bit PNG.
     ///
     /// # Errors
     /// The file cannot be written.
     pub fn save_png(&self, path: &Path) -> Result<(), PictureError> {
-        let quantize = |component: &f64| (component.clamp(0.0, 1.0) * f64::from(u8::MAX)).round() as u8;
-        let bytes: Vec<u8> = self.pixels.iter().flatten().map(quantize).collect();
+        let bytes = self.bytes();
         image::save_buffer_with_format(
             path,
             &bytes,

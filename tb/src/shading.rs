@@ -55,6 +55,35 @@ pub fn shade(frame: &Frame, scene: &Scene) -> Picture {
     Picture { width: frame.width, height: frame.height, pixels }
 }
 
+/// A picture of which every pixel is the mean of `samples` × `samples` of another's, in linear light.
+///
+/// # Panics
+/// The samples do not fill the last pixels.
+#[must_use]
+pub fn resolve(picture: Picture, samples: usize) -> Picture {
+    if samples == 1 {
+        return picture;
+    }
+    let (width, height) = (picture.width / samples, picture.height / samples);
+    assert_eq!((width * samples, height * samples), (picture.width, picture.height), "pixels have all their samples");
+    let pixel = |index: usize| {
+        let (left, top) = (index % width * samples, index / width * samples);
+        let places = (0..samples * samples).map(|i| (top + i / samples) * picture.width + left + i % samples);
+        let sum = places.map(|place| picture.pixels[place].map(linear_from_srgb)).fold([0.0; 3], |sum, sample| {
+            let [r, g, b] = sum;
+            [r + sample[0], g + sample[1], b + sample[2]]
+        });
+        sum.map(|sum| srgb_from_linear(sum / (samples * samples) as f64))
+    };
+    Picture { width, height, pixels: (0..width * height).into_par_iter().map(pixel).collect() }
+}
+
+/// The picture of a frame of `scene`, whose pixels may have several samples.
+#[must_use]
+pub fn picture(frame: &Frame, scene: &Scene) -> Picture {
+    resolve(shade(frame, scene), scene.samples)
+}
+
 /// What all pixels of a picture share.
 struct View {
     world_from_camera: DMat3,
@@ -130,6 +159,7 @@ mod tests {
             light: crate::scene::Light { direction: [0.0, 0.0, 3.0], ambient: 0.1, diffuse: 0.6 },
             materials: [0.0, 0.5].map(|specular| crate::scene::Material { specular, shininess: 10.0 }).to_vec(),
             background: [0.0, 0.5, 1.0],
+            samples: 1,
             overrides: toml::Table::new(),
         };
         let [x, y, z] = normal;
@@ -146,6 +176,20 @@ mod tests {
         let picture = shade(&frame, &scene);
         assert_eq!(picture.pixels[1], [0.0, 0.5, 1.0].map(srgb_from_linear), "the background");
         picture.pixels[0].map(linear_from_srgb)
+    }
+
+    #[test]
+    fn samples_are_averaged_in_linear_light() {
+        let gray = |value: f64| [value; 3];
+        let samples = [0.0, 1.0, 0.5, 0.5, 0.0, 1.0, 0.5, 0.5].map(gray);
+        let picture = Picture { width: 4, height: 2, pixels: samples.to_vec() };
+        let resolved = resolve(picture.clone(), 2);
+        assert_eq!((resolved.width, resolved.height), (2, 1));
+        let expected = [srgb_from_linear(0.5), 0.5];
+        for (pixel, expected) in resolved.pixels.iter().zip(expected) {
+            assert!(pixel.iter().all(|component| (component - expected).abs() < 1e-6), "{pixel:?}");
+        }
+        assert_eq!(resolve(picture.clone(), 1), picture);
     }
 
     #[test]

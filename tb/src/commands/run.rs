@@ -6,7 +6,7 @@ use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, a
 use pointcore::generated::verilate;
 use pointcore::lockstep::Stall;
 use pointcore::package::Package;
-use pointcore::shading::shade;
+use pointcore::shading;
 use pointcore::verilated::Trace;
 use pointcore_golden::reference::{self, Mapping};
 use serde_json::json;
@@ -101,7 +101,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     std::fs::create_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
 
     let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
-    let reference_picture = shade(&reference, &scene);
+    let reference_picture = shading::picture(&reference, &scene);
     reference_picture.save_png(&folder.join("reference.png"))?;
     if arguments.model == Model::Reference {
         let path = folder.join("reference.png");
@@ -124,7 +124,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let (outcome, engine, mismatches) = arguments.simulate(&core, &runner, &folder)?;
 
     let rendered = assemble(&plan, &scene.splats, &outcome.fragments);
-    let picture = shade(&rendered, &scene);
+    let picture = shading::picture(&rendered, &scene);
     picture.save_png(&folder.join("frame.png"))?;
     picture.difference(&reference_picture, MAGNIFICATION).save_png(&folder.join("difference.png"))?;
     let report = Report::new(&Measured {

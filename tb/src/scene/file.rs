@@ -47,6 +47,13 @@ pub(super) struct ImageTable {
     pub height: usize,
     #[serde(default)]
     pub background: [f64; 3],
+    /// Samples along each edge of a pixel.
+    #[serde(default = "one_sample")]
+    pub samples: usize,
+}
+
+fn one_sample() -> usize {
+    1
 }
 
 /// The one light, infinitely far away.
@@ -87,6 +94,8 @@ impl Default for Material {
 #[serde(deny_unknown_fields, default)]
 pub(super) struct SplattingTable {
     pub kernel_gamma: Option<f64>,
+    /// Share of a splat's radius at which its kernel is cut off.
+    pub cutoff: Option<f64>,
     /// Zero switches the filter off.
     pub filter_radius_px: Option<f64>,
     pub epsilon_scale: Option<f64>,
@@ -173,25 +182,49 @@ fn by_spacing() -> Radius {
     Radius::Derived(DerivedRadius::Spacing)
 }
 
+fn read(path: &Path) -> Result<String, SceneError> {
+    std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
+}
+
+fn syntax(path: &Path, error: &toml::de::Error) -> SceneError {
+    SceneError::Syntax { path: path.to_owned(), message: error.to_string().trim_end().to_owned() }
+}
+
 impl SceneFile {
     /// Reads a scene file, with `key.path=value` settings replacing what it says.
     pub(super) fn load(path: &Path, settings: &[String]) -> Result<Self, SceneError> {
-        let text =
-            std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
-        let syntax = |error: toml::de::Error| SceneError::Syntax {
-            path: path.to_owned(),
-            message: error.to_string().trim_end().to_owned(),
-        };
+        let text = read(path)?;
+        let syntax = |error| syntax(path, &error);
         // The text itself is always checked, since only its errors can tell the line.
         let scene = toml::from_str(&text).map_err(syntax);
         if settings.is_empty() {
             return scene;
         }
-        let mut table = toml::Value::Table(toml::from_str(&text).map_err(syntax)?);
+        Self::table(path, settings)?.try_into().map_err(syntax)
+    }
+
+    /// The file's tables with settings applied.
+    fn table(path: &Path, settings: &[String]) -> Result<toml::Value, SceneError> {
+        let text = read(path)?;
+        let table = toml::from_str(&text).map_err(|error| syntax(path, &error))?;
+        let mut table = toml::Value::Table(table);
         for setting in settings {
             apply(&mut table, setting).map_err(|problem| SceneError::Setting { setting: setting.clone(), problem })?;
         }
-        table.try_into().map_err(syntax)
+        Ok(table)
+    }
+
+    /// The file's text with settings applied and the models' paths made absolute.
+    pub(super) fn text(path: &Path, settings: &[String]) -> Result<String, SceneError> {
+        Self::load(path, settings)?;
+        let mut table = Self::table(path, settings)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        for object in table.get_mut("object").and_then(toml::Value::as_array_mut).into_iter().flatten() {
+            let Some(toml::Value::String(model)) = object.get_mut("path") else { continue };
+            let absolute = std::path::absolute(folder.join(&*model));
+            *model = absolute.unwrap_or_else(|_| folder.join(&*model)).to_string_lossy().into_owned();
+        }
+        Ok(toml::to_string(&table).expect("it was TOML before"))
     }
 }
 

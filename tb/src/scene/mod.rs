@@ -20,7 +20,7 @@ pub use shapes::trefoil;
 use crate::shading::linear_from_srgb;
 use file::{ImageTable, SceneFile, SplattingTable};
 use glam::DVec3;
-use pointcore_spec::core_a::config::KERNEL_GAMMA_RANGE;
+use pointcore_spec::core_a::config::{IMAGE_EDGE_MAX, KERNEL_GAMMA_RANGE};
 use pointcore_spec::{Camera, Rendering, Splat};
 use std::path::Path;
 
@@ -35,6 +35,10 @@ const FILTER_RADIUS_LIMIT_PX: f64 = 64.0;
 const EPSILON_SCALE_LIMIT: f64 = 1e6;
 /// A light that is overexposed by this factor leaves nothing but white.
 const INTENSITY_LIMIT: f64 = 1000.0;
+/// Samples along an edge beyond which more show nothing.
+const SAMPLES_LIMIT: usize = 8;
+/// Cut off nearer, splats leave holes; farther, the kernel has hardly any weight left.
+const CUTOFF_RANGE: std::ops::RangeInclusive<f64> = 0.25..=2.0;
 /// A highlight narrower than a pixel of the largest picture.
 const SHININESS_LIMIT: f64 = 1e6;
 
@@ -53,6 +57,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Linear RGB of pixels without a splat.
     pub background: [f64; 3],
+    /// Samples along each edge of a pixel of the picture: camera and image size are those of the samples.
+    pub samples: usize,
     /// Keys of the hardware configuration that this scene wants changed.
     pub overrides: toml::Table,
 }
@@ -96,7 +102,59 @@ impl Scene {
         let rendering = rendering(&file.image, &file.splatting, blending_depth(&splats, &camera))
             .map_err(|(key, problem)| value(key.to_owned(), problem))?;
         let background = file.image.background.map(linear_from_srgb);
-        Ok(Self { camera, rendering, splats, light: file.light, materials, background, overrides: file.overrides })
+        let (light, overrides) = (file.light, file.overrides);
+        let scene = Self { camera, rendering, splats, light, materials, background, samples: 1, overrides };
+        let (samples, cutoff) = (file.image.samples, file.splatting.cutoff.unwrap_or(1.0));
+        check_samples(samples, &scene.rendering).map_err(|problem| value("image.samples".to_owned(), problem))?;
+        camera::within("splatting.cutoff", cutoff, CUTOFF_RANGE)
+            .map_err(|(key, problem)| value(key.to_owned(), problem))?;
+        Ok(scene.cut_off(cutoff).supersampled(samples))
+    }
+
+    /// The same picture from `factor` times as many samples along each edge of a pixel; lengths in pixels are lengths in samples then.
+    #[must_use]
+    pub fn supersampled(mut self, factor: usize) -> Self {
+        let scale = factor as f64;
+        let Camera { scale_x, scale_y, center_x, center_y, .. } = &mut self.camera;
+        for length in [scale_x, scale_y, center_x, center_y] {
+            *length *= scale;
+        }
+        self.rendering.width *= factor;
+        self.rendering.height *= factor;
+        self.rendering.filter_radius_px = self.rendering.filter_radius_px.map(|radius| radius * scale);
+        self.samples *= factor;
+        self
+    }
+
+    /// The same splats with kernels cut off at a share of their radius.
+    ///
+    /// The hardware cuts at `ρ = 1`, so the splats shrink, and the kernels fall as much less over `ρ`. The filter's kernel does the same, and a
+    /// splat's depth range of eq. 5.9 stays what it was.
+    fn cut_off(mut self, share: f64) -> Self {
+        for component in self.splats.iter_mut().flat_map(|splat| splat.tangents.iter_mut().flatten()) {
+            *component = (f64::from(*component) * share) as f32;
+        }
+        let rendering = &mut self.rendering;
+        rendering.kernel_gamma *= share * share;
+        rendering.filter_radius_px = rendering.filter_radius_px.map(|radius| radius * share);
+        rendering.epsilon_scale /= share;
+        self
+    }
+
+    /// The overrides of a scene file, with settings as [`Scene::load`] takes them; no model is loaded.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no scene.
+    pub fn overrides(path: &Path, settings: &[String]) -> Result<toml::Table, SceneError> {
+        Ok(SceneFile::load(path, settings)?.overrides)
+    }
+
+    /// A scene file as TOML, with settings as [`Scene::load`] takes them put in, the models' paths absolute: it may lie anywhere.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn text(path: &Path, settings: &[String]) -> Result<String, SceneError> {
+        SceneFile::text(path, settings)
     }
 }
 
@@ -130,6 +188,17 @@ fn rendering(
         filter_radius_px: (filter_radius_px > 0.0).then_some(filter_radius_px),
         epsilon_scale,
         epsilon_bias: number("splatting.epsilon_bias", splatting.epsilon_bias, blending_depth, 0.0..=1.0)?,
+    })
+}
+
+fn check_samples(samples: usize, rendering: &Rendering) -> Result<(), String> {
+    if !(1..=SAMPLES_LIMIT).contains(&samples) {
+        return Err(format!("is {samples}: expected 1 to {SAMPLES_LIMIT} along an edge of a pixel"));
+    }
+    let longest = samples * rendering.width.max(rendering.height);
+    let limit = IMAGE_EDGE_MAX as usize;
+    (longest <= limit).then_some(()).ok_or_else(|| {
+        format!("is {samples}, which makes {longest} samples along an edge of the image: expected up to {limit}")
     })
 }
 

@@ -1,7 +1,7 @@
 use super::shapes::{Sample, Tube, plane, sphere};
 use super::*;
 use glam::DVec2;
-use pointcore_golden::reference::{Mapping, render};
+use pointcore_golden::reference::{Footprint, Frame, Mapping, Projection, render};
 use std::path::PathBuf;
 
 fn example(name: &str) -> PathBuf {
@@ -214,4 +214,53 @@ fn spacing_is_the_mean_distance_to_eleven_neighbors() {
     let mut heap = vec![DVec3::ZERO; 13];
     heap.push(DVec3::X);
     assert!(neighbors::spacing(&heap).is_err_and(|problem| problem.contains("vertex 0")));
+}
+
+#[test]
+fn more_samples_see_the_same_picture() {
+    let one = load(SPHERE, &[]).expect("the scene is good");
+    let four = load(SPHERE, &["image.samples=2"]).expect("the scene is good");
+    assert_eq!((four.samples, four.rendering.width, four.rendering.height), (2, 128, 96));
+    let frames = [&one, &four].map(|scene| render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward));
+    let depth = |frame: &Frame, column: usize, row: usize| {
+        frame.pixels[row * frame.width + column].as_ref().map_or(1.0, |fragment| fragment.depth)
+    };
+    // A pixel's sample lies in the middle of its four.
+    let around = [(64, 48), (65, 48), (64, 49), (65, 49)].map(|(column, row)| depth(&frames[1], column, row));
+    assert!((around.iter().sum::<f64>() / 4.0 - depth(&frames[0], 32, 24)).abs() < 1e-3, "{around:?}");
+    assert_fails("height = 48", "height = 48, samples = 9", &["`image.samples` is 9", "1 to 8"]);
+    assert_fails("height = 48", "height = 1000, samples = 8", &["8000 samples", "up to 4096"]);
+}
+
+#[test]
+fn a_kernel_that_is_cut_off_is_the_same_where_it_is_left() {
+    let [whole, cut] = [load(SPHERE, &[]), load(SPHERE, &["splatting.cutoff=0.5"])].map(|scene| scene.expect("good"));
+    assert_eq!(cut.rendering.kernel_gamma, whole.rendering.kernel_gamma / 4.0);
+    assert_eq!(cut.rendering.filter_radius_px, whole.rendering.filter_radius_px.map(|radius| radius / 2.0));
+    let weight = |scene: &Scene, splat: usize| {
+        let projection = Projection::new(&scene.splats[splat], &scene.camera).ok()?;
+        let [column, row] = projection.center.map(|center| center as usize);
+        Footprint::new(&projection, &scene.rendering, Mapping::Backward).ok()?.weight(column, row)
+    };
+    let pairs = (0..whole.splats.len()).filter_map(|splat| Some((weight(&whole, splat)?, weight(&cut, splat)?)));
+    let pairs: Vec<_> = pairs.collect();
+    assert!(pairs.len() > 100 && pairs.iter().all(|(a, b)| (a - b).abs() < 1e-5), "{pairs:?}");
+    assert_fails(
+        "[[object]]",
+        "splatting = { cutoff = 3.0 }\n[[object]]",
+        &["`splatting.cutoff` is 3.0", "0.25 to 2.0"],
+    );
+}
+
+#[test]
+fn a_scene_s_text_is_the_scene_wherever_it_lies() {
+    let scene = example("plane.toml");
+    let settings = ["image.samples=2".to_owned(), "overrides.geometry=f24".to_owned()];
+    let text = Scene::text(&scene, &settings).unwrap_or_else(|error| panic!("{error}"));
+    let (moved, original) = (load(&text, &[]), Scene::load(&scene, &settings));
+    let [moved, original] = [moved, original].map(|scene| scene.unwrap_or_else(|error| panic!("{error}")));
+    assert_eq!(format!("{moved:?}"), format!("{original:?}"));
+    let igea = Scene::text(&example("igea.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
+    let path = igea.lines().find_map(|line| line.strip_prefix("path = \"")).expect("its model is a file");
+    assert!(path.starts_with('/') && path.ends_with("igea.ply\""), "{path}");
 }
