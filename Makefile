@@ -11,16 +11,19 @@ TOOLS = $(or $(CARGO_TARGET_DIR),target)/tools
 CASES ?= 1000000
 SPLATS ?= 100000
 POINTS ?= $(firstword $(SCAN) surface:100000)
+# Points of accuracy measured at a time, and the page it makes of SCENE.
+JOBS ?= $(shell nproc)
+PAGE ?= out/accuracy/$(basename $(notdir $(SCENE)))/index.html
 # What runs under FuseSoC.
 CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench stability synth check-area generated check-generated fusesoc doc clean
+.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench stability accuracy check-page synth check-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
-	@echo '  SCENE=FILE chooses the scene of run, plan and gen (default $(SCENE)); SCAN=FILE the model of run-scan and bench, MODELS=FILES more for bench;'
+	@echo '  SCENE=FILE chooses the scene of run, plan, gen and accuracy (default $(SCENE)); SCAN=FILE the model of run-scan and bench, MODELS=FILES more for bench;'
 	@echo '  POINTS=FILE the points of knn (default $(POINTS)), ARGS=... more of its arguments;'
 	@echo '  CORE=NAME the core of fusesoc (default $(CORE)), TARGETS=... what it runs (default $(TARGETS)).'
 
@@ -76,6 +79,12 @@ bench: setup ## Measure and merge the figures into out/bench.json
 
 stability: setup ## Check core A's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
 	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)
+
+accuracy: ## Sweep what trades accuracy for time and hardware on SCENE, into out/accuracy (docs/accuracy.md)
+	cargo run --release --bin pointcore -- accuracy $(SCENE) --jobs $(JOBS) $(ARGS)
+
+check-page: ## Hover over every point of PAGE, made by accuracy, in a real browser; skipped, with a word, where there is none
+	@./scripts/check-page $(PAGE) || [ $$? -eq 77 ]
 
 synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5; into docs/area.json, README's tables, out/bench.json
 	cargo run --release --bin pointcore -- area --record docs/area.json --tables README.md --merge out/bench.json $(UNIT) $(ARGS)

@@ -1,5 +1,6 @@
 //! Results of external tools kept by the hash of everything they depend on, shared by threads and processes.
 
+use std::fmt;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -43,6 +44,13 @@ impl Cache {
     #[must_use]
     pub fn default_folder(name: &str) -> PathBuf {
         std::env::var_os("POINTCORE_CACHE").map_or_else(|| target_folder().join(name), PathBuf::from)
+    }
+
+    /// The folder of entry `key`, if it is there and whole.
+    #[must_use]
+    pub fn existing(&self, key: &str) -> Option<PathBuf> {
+        let entry = self.folder.join(key);
+        intact(&entry).then_some(entry)
     }
 
     /// The folder of entry `key`; `build` fills it, in a folder of its own that is then moved, when it is missing or damaged.
@@ -108,6 +116,21 @@ pub fn key<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
     hexadecimal(&hash.finalize())
 }
 
+/// A hash of all that a value holds, as it is printed for debugging.
+#[must_use]
+pub fn digest(value: &impl fmt::Debug) -> String {
+    struct Hashed(Sha256);
+    impl fmt::Write for Hashed {
+        fn write_str(&mut self, text: &str) -> fmt::Result {
+            self.0.update(text);
+            Ok(())
+        }
+    }
+    let mut hash = Hashed(Sha256::new());
+    fmt::write(&mut hash, format_args!("{value:?}")).expect("a hash takes everything");
+    hexadecimal(&hash.0.finalize())
+}
+
 /// Turns an I/O error into ours.
 pub fn file(action: &'static str, path: &Path) -> impl FnOnce(std::io::Error) -> FileError {
     let path = path.to_path_buf();
@@ -142,6 +165,27 @@ fn hexadecimal(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_entry_is_there_once_it_was_built() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let cache = Cache::new(folder.path().to_owned());
+        assert_eq!(cache.existing("entry"), None);
+        let built = cache.entry("entry", |folder| {
+            let path = folder.join("result");
+            fs::write(&path, "42").map_err(file("write", &path))
+        });
+        let built = built.expect("a temporary folder can be written");
+        assert_eq!(cache.existing("entry"), Some(built.clone()));
+        fs::write(built.join("result"), "4").expect("a temporary folder can be written");
+        assert_eq!(cache.existing("entry"), None, "it was damaged");
+    }
+
+    #[test]
+    fn equal_values_have_one_digest() {
+        assert_eq!(digest(&[1.5, 2.0]), digest(&vec![1.5, 2.0]));
+        assert_ne!(digest(&[1.5, 2.0]), digest(&[1.5, -2.0]));
+    }
 
     #[test]
     fn the_target_folder_is_absolute_wherever_the_program_lies() {

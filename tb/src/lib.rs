@@ -1,5 +1,6 @@
 //! Co-simulation of the generated hardware with its models, and the `pointcore` command.
 
+pub mod accuracy;
 pub mod bus;
 pub mod cache;
 pub mod configuration;

@@ -3,7 +3,8 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
-use commands::{Failure, area, bench, generate, inspect, knn, plan, run, stability, vectors};
+use commands::{Failure, accuracy, area, bench, generate, inspect, knn, plan, run, stability, vectors};
+use pointcore::accuracy::AccuracyError;
 use pointcore::core_b::Error as SearchError;
 use pointcore::driver::Error as DriverError;
 use pointcore::synthesis::SynthesisError;
@@ -53,6 +54,8 @@ enum Command {
     Bench(bench::Arguments),
     /// Check the arithmetic of core A's geometry on hard cases, beside an exact truth and other methods (docs/stability.md).
     Stability(stability::Arguments),
+    /// Sweep the knobs that trade accuracy for time and hardware, and find the cheapest configuration that is accurate enough (docs/accuracy.md).
+    Accuracy(Box<accuracy::Arguments>),
     /// Measure area and clock of units on FPGA tools.
     Area(area::Arguments),
 }
@@ -69,6 +72,7 @@ fn main() -> ExitCode {
         Command::Inspect(arguments) => inspect::run(&arguments, output),
         Command::Bench(arguments) => bench::run(&arguments, output),
         Command::Stability(arguments) => stability::run(&arguments, output),
+        Command::Accuracy(arguments) => accuracy::run(&arguments, output),
         Command::Area(arguments) => area::run(&arguments, output),
     };
     match result {
@@ -87,6 +91,11 @@ impl Failure {
             Self::Search(error) | Self::Vectors(DriverError::Search(error)) => match error {
                 SearchError::Lockstep(_) | SearchError::Stuck { .. } => 1,
                 SearchError::Generate(_) | SearchError::Verilated(_) => 3,
+                _ => 2,
+            },
+            Self::Accuracy(error) => match error {
+                AccuracyError::Lockstep(_) => 1,
+                AccuracyError::Generate(_) | AccuracyError::Verilated(_) => 3,
                 _ => 2,
             },
             Self::Scene(_)

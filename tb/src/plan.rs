@@ -154,6 +154,14 @@ impl Plan {
     /// # Errors
     /// Overrides that are no keys of the configuration, that the scene contradicts, or that the hardware cannot hold.
     pub fn of(scene: &Scene) -> Result<Self, PlanError> {
+        Self::with_overrides(scene, &scene.overrides)
+    }
+
+    /// Derives the hardware from the scene, with overrides in the place of its own.
+    ///
+    /// # Errors
+    /// As [`Plan::of`].
+    pub fn with_overrides(scene: &Scene, overrides: &toml::Table) -> Result<Self, PlanError> {
         let mut choices = Vec::new();
         let demand = scene.splats.par_iter().map(|splat| demand(scene, splat)).reduce(Demand::default, Demand::sum);
         let mut config = Config {
@@ -216,9 +224,9 @@ impl Plan {
             ),
         });
 
-        config = overridden(&config, &scene.overrides)?;
+        config = overridden(&config, overrides)?;
         demand.check(&config, scene.rendering.filter_radius_px)?;
-        for (key, value) in &scene.overrides {
+        for (key, value) in overrides {
             let (chosen, reason) = (format!("{key} = {value}"), "the scene's [overrides] say so".to_owned());
             choices.push(Choice { part: "override", chosen, reason });
         }

@@ -9,6 +9,7 @@ mod bus_registers;
 mod bus_window;
 mod bus_writer;
 mod command;
+mod command_accuracy;
 mod command_area;
 mod command_knn;
 mod command_vectors;

@@ -1,5 +1,6 @@
 //! The subcommands of `pointcore` and what they share.
 
+pub mod accuracy;
 pub mod area;
 pub mod bench;
 pub mod generate;
@@ -12,6 +13,7 @@ pub mod search;
 pub mod stability;
 pub mod vectors;
 
+use pointcore::accuracy::AccuracyError;
 use pointcore::configuration::{self, ConfigurationError};
 use pointcore::core_b::{Difference, Error as SearchError};
 use pointcore::driver::Error as DriverError;
@@ -103,6 +105,9 @@ pub enum Failure {
     /// Synthesis, place and route.
     #[error(transparent)]
     Synthesis(#[from] SynthesisError),
+    /// A point of a sweep.
+    #[error(transparent)]
+    Accuracy(#[from] AccuracyError),
     /// A result that cannot be written.
     #[error("{}: cannot be written: {source}", path.display())]
     Write {

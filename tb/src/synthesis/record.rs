@@ -84,7 +84,15 @@ impl Entry {
         format!("pointcore area {unit} --target {}{seeds} --record {}", self.target.name(), record.display())
     }
 
-    /// The unit as it is now; none if there is none of that name.
+    /// The unit as it is now, if it can be told.
+    fn unit_now(&self, known: Vec<Unit>) -> Option<Unit> {
+        match &self.configuration {
+            Some(path) => Some(Unit::core(self.unit.clone(), parse(path, &read_text(path).ok()?).ok()?)),
+            None => known.into_iter().find(|unit| unit.name == self.unit),
+        }
+    }
+
+    /// The hash of the unit as it is now; none if there is none of that name.
     fn regenerated(&self, known: &[Unit]) -> Result<Option<String>, String> {
         let hash = |unit: &Unit| source_hash(self.target, unit).map(Some).map_err(|error| error.to_string());
         match &self.configuration {
@@ -119,6 +127,17 @@ impl Record {
     #[must_use]
     pub fn entries(&self) -> &[Entry] {
         &self.entries
+    }
+
+    /// The entries of a target that are of the hardware as it is now, with the units they are of.
+    #[must_use]
+    pub fn fresh(&self, target: Target) -> Vec<(&Entry, Unit)> {
+        let of_target = self.entries.par_iter().filter(|entry| entry.target == target);
+        let fresh = |entry: &'_ Entry| {
+            let unit = entry.unit_now(all())?;
+            (source_hash(target, &unit).ok()? == entry.source).then_some(unit)
+        };
+        of_target.filter_map(|entry| Some((entry, fresh(entry)?))).collect()
     }
 
     /// Takes an entry in, in the place of an older one.

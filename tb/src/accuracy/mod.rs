@@ -1,0 +1,57 @@
+//! What accuracy costs in time and hardware (docs/accuracy.md): a sweep over the knobs that trade one for another, each point rendered on
+//! core A and compared with a truth of 16 samples a pixel.
+
+pub mod chart;
+pub mod choice;
+pub mod estimate;
+pub mod figures;
+mod fit;
+mod measure;
+pub mod page;
+pub mod point;
+pub mod proxy;
+pub mod sweep;
+pub mod table;
+
+use crate::cache::FileError;
+use crate::generated::GenerateError;
+use crate::lockstep::LockstepError;
+use crate::picture::PictureError;
+use crate::plan::PlanError;
+use crate::scene::SceneError;
+use crate::verilated::VerilatedError;
+use std::path::PathBuf;
+
+/// Why a point could not be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum AccuracyError {
+    /// The scene, or what a setting makes of it.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The hardware that a setting asks for.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// A fault of the generator.
+    #[error("the hardware could not be generated: {0}")]
+    Generate(#[from] GenerateError),
+    /// Verilator, the compiler, or an assertion in the hardware.
+    #[error(transparent)]
+    Verilated(#[from] VerilatedError),
+    /// Hardware and model differ, or the run did not end.
+    #[error(transparent)]
+    Lockstep(#[from] LockstepError),
+    /// A picture that cannot be written.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// A file of the cache.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A kept result that is none of ours.
+    #[error("{}: {problem}; delete it to measure the point again", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
+}

@@ -1,0 +1,189 @@
+//! The points of a sweep: settings of a scene, by name, and the knobs that make them.
+
+use super::figures::Engine;
+use serde::Serialize;
+
+/// A setting as `--set` takes it: key and value.
+pub type Setting = (String, String);
+
+/// Whether a value is tried together with other knobs' values.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Use {
+    /// Everything else as the scene says.
+    Alone,
+    /// With every other combined value, too.
+    Combined,
+}
+
+/// A knob of the hardware, or of how the host uses it, and values that it can be set to.
+#[derive(Clone)]
+pub struct Knob {
+    name: String,
+    values: Vec<(String, Vec<Setting>, Use)>,
+}
+
+/// How a point is rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Method {
+    /// On the hardware, or its model.
+    Hardware,
+    /// By the f64 reference with the hardware's algorithm: what is left are the samples.
+    Backward,
+    /// By the f64 reference with affine forward mapping (thesis ch. 3), which no hardware here computes.
+    Forward,
+}
+
+/// A point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Point {
+    /// Short and unique.
+    pub name: String,
+    /// What is rendered otherwise than the scene says.
+    pub settings: Vec<Setting>,
+    /// By what.
+    pub method: Method,
+}
+
+/// A knob that is none.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}`: expected KNOB=VALUE,…, such as geometry=f32-ftz,f24-ftz, samples=1,2 or overrides.tile_slots=2,4")]
+pub struct UnknownKnob(String);
+
+/// Keys of a scene by the names of knobs.
+const KEYS: [(&str, &[&str]); 6] = [
+    ("geometry", &["overrides.geometry"]),
+    ("attribute", &["overrides.attribute"]),
+    ("samples", &["image.samples"]),
+    ("cutoff", &["splatting.cutoff"]),
+    // One number shares the operators of both units.
+    ("sharing", &["overrides.transform_interval", "overrides.setup_interval"]),
+    ("tile_slots", &["overrides.tile_slots"]),
+];
+
+impl Knob {
+    fn new(name: &str, alone: &[&str], combined: &[&str]) -> Self {
+        let keys: Vec<String> = match KEYS.iter().find(|(known, _)| *known == name) {
+            Some((_, keys)) => keys.iter().map(ToString::to_string).collect(),
+            None => vec![name.to_owned()],
+        };
+        let value = |value: &str, use_of: Use| {
+            let settings = keys.iter().map(|key| (key.clone(), value.to_owned())).collect();
+            (value.to_owned(), settings, use_of)
+        };
+        let alone = alone.iter().map(|text| value(text, Use::Alone));
+        let values = alone.chain(combined.iter().map(|text| value(text, Use::Combined))).collect();
+        Self { name: name.to_owned(), values }
+    }
+
+    /// What is swept unless something else is asked for: formats of geometry and attributes, samples along a pixel's edge, where the
+    /// kernel is cut off, and how many cycles share an operator of transform and setup.
+    #[must_use]
+    pub fn standard() -> Vec<Self> {
+        vec![
+            Self::new("geometry", &["f32", "f24", "bf16-ftz"], &["f32-ftz", "f24-ftz"]),
+            Self::new("attribute", &["f32", "f24"], &["f16", "bf16"]),
+            Self::new("samples", &["3"], &["1", "2", "4"]),
+            Self::new("cutoff", &["0.7", "0.85"], &[]),
+            Self::new("sharing", &["1", "2", "4"], &["8"]),
+        ]
+    }
+
+    /// A knob and its values as a user names them, all of them combined with those of other knobs.
+    ///
+    /// # Errors
+    /// It is not of the form `KNOB=VALUE,…`.
+    pub fn parse(text: &str) -> Result<Self, UnknownKnob> {
+        let (name, values) = text.split_once('=').ok_or_else(|| UnknownKnob(text.to_owned()))?;
+        let values: Vec<&str> = values.split(',').map(str::trim).collect();
+        let known = KEYS.iter().any(|(known, _)| *known == name) || name.contains('.');
+        if !known || values.iter().any(|value| value.is_empty()) {
+            return Err(UnknownKnob(text.to_owned()));
+        }
+        Ok(Self::new(name, &[], &values))
+    }
+}
+
+impl Point {
+    /// The scene as it is.
+    #[must_use]
+    pub fn base() -> Self {
+        Self { name: "base".to_owned(), settings: Vec::new(), method: Method::Hardware }
+    }
+
+    fn with(&self, knob: &str, value: &str, settings: &[Setting]) -> Self {
+        let name = format!("{knob} {value}");
+        let name = if self.settings.is_empty() { name } else { format!("{}, {name}", self.name) };
+        let settings = [&self.settings[..], settings].concat();
+        Self { name, settings, method: self.method }
+    }
+
+    /// The settings as `--set` takes them.
+    #[must_use]
+    pub fn arguments(&self) -> Vec<String> {
+        self.settings.iter().map(|(key, value)| format!("{key}={value}")).collect()
+    }
+
+    /// Which engine renders it where hardware is to be rendered by `hardware`.
+    #[must_use]
+    pub const fn engine(&self, hardware: Engine) -> Engine {
+        match self.method {
+            Method::Hardware => hardware,
+            Method::Backward | Method::Forward => Engine::F64,
+        }
+    }
+}
+
+/// All points of some knobs: the scene as it is and as the f64 reference renders it, every value alone, and all combinations of values that
+/// are to be combined.
+#[must_use]
+pub fn points(knobs: &[Knob]) -> Vec<Point> {
+    let base = Point::base();
+    let reference = |name: &str, method| Point { name: name.to_owned(), method, ..Point::base() };
+    let mut points =
+        vec![base.clone(), reference("f64", Method::Backward), reference("f64, forward mapping", Method::Forward)];
+    for Knob { name, values } in knobs {
+        points.extend(values.iter().map(|(value, settings, _)| base.with(name, value, settings)));
+    }
+    let mut combined = vec![base];
+    for Knob { name, values } in knobs {
+        let all = values.iter().filter(|(.., use_of)| *use_of == Use::Combined);
+        let with = |point: &Point| -> Vec<Point> {
+            all.clone().map(|(value, settings, _)| point.with(name, value, settings)).collect()
+        };
+        // Not to turn a knob is one of its values.
+        combined = combined.iter().flat_map(|point| [vec![point.clone()], with(point)].concat()).collect();
+    }
+    // Those with fewer than two knobs turned are there.
+    points.extend(combined.into_iter().filter(|point| point.name.contains(", ")));
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(knobs: &[&str]) -> Vec<String> {
+        let knobs: Vec<_> = knobs.iter().map(|text| Knob::parse(text).expect("a knob")).collect();
+        points(&knobs).into_iter().map(|point| point.name).collect()
+    }
+
+    #[test]
+    fn knobs_are_turned_alone_and_together() {
+        let combined = names(&["samples=1,2", "sharing=8"]);
+        let alone = ["base", "f64", "f64, forward mapping", "samples 1", "samples 2", "sharing 8"];
+        assert_eq!(combined[..6], alone);
+        assert_eq!(combined[6..], ["samples 1, sharing 8", "samples 2, sharing 8"]);
+        let sharing = Knob::parse("sharing=8").expect("a knob").values[0].1.clone();
+        assert_eq!(sharing.len(), 2, "both intervals: {sharing:?}");
+    }
+
+    #[test]
+    fn what_is_no_knob_is_said() {
+        for text in ["geometry", "speed=1", "samples=1,,2"] {
+            let error = Knob::parse(text).err().expect("no knob").to_string();
+            assert!(error.contains(text) && error.contains("geometry=f32-ftz"), "{error}");
+        }
+        assert!(Knob::parse("overrides.tile_slots=2,4").is_ok());
+    }
+}
