@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 const SIZE: [f64; 2] = [760.0, 460.0];
 /// Left, right, top and bottom.
 const MARGINS: [f64; 4] = [56.0, 20.0, 34.0, 46.0];
-/// Width of a letter of a name, and its height.
-const LETTER: [f64; 2] = [5.2, 10.0];
+/// Width of a letter of a name, rather more than it takes, and its height.
+const LETTER: [f64; 2] = [6.0, 10.0];
 /// Room around the points, as a share of their range.
 const HEADROOM: f64 = 0.06;
 /// Lines of the grid, about.
@@ -120,7 +120,7 @@ impl Taken {
             [x + 7.0, x - 7.0 - width, x - width / 2.0].into_iter().flat_map(move |left| up.map(|top| area(left, top)))
         });
         let place = candidates.find(|area| self.is_free(area));
-        let place = place.unwrap_or_else(|| area(x + 7.0, y));
+        let place = place.unwrap_or_else(|| area((x + 7.0).min(SIZE[0] - width), y));
         self.0.push(place);
         [place[0], place[1] + LETTER[1] - 2.0]
     }
