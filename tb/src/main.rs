@@ -94,7 +94,9 @@ impl Failure {
                 _ => 2,
             },
             Self::Accuracy(error) => match error {
-                AccuracyError::Lockstep(_) => 1,
+                AccuracyError::Lockstep(_) | AccuracyError::Neighbors(_) => 1,
+                AccuracyError::Search(SearchError::Lockstep(_) | SearchError::Stuck { .. }) => 1,
+                AccuracyError::Search(SearchError::Generate(_) | SearchError::Verilated(_)) => 3,
                 AccuracyError::Generate(_) | AccuracyError::Verilated(_) => 3,
                 _ => 2,
             },

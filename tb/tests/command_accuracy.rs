@@ -124,3 +124,23 @@ fn the_page_works_in_a_browser() {
     assert!(output.status.success(), "{}{}", text(&output.stdout), text(&output.stderr));
     assert!(text(&output.stdout).contains("shown on hovering"), "{}", text(&output.stdout));
 }
+
+#[test]
+fn neighbor_search_is_swept_too() {
+    let workplace = Workplace::new();
+    let search = ["accuracy", "--neighbors", "surface:300", "--k", "6", "--queries", "640", "--points", "points"];
+    let part = workplace.pointcore(&[&search[..], &["--shard", "1/9", "--json"]].concat());
+    assert!(part.status.success(), "{}", text(&part.stderr));
+    assert_eq!(json(&text(&part.stdout))["points"], 3);
+    assert_eq!(text(&part.stderr).matches(" cycles a query").count(), 3, "{}", text(&part.stderr));
+    for (arguments, problem) in [
+        (&["--neighbors", "surface:0"][..], "expected a number from 1"),
+        (&["--k", "6"], "--neighbors"),
+        (&["--neighbors", "surface:300", "scene.toml"], "cannot be used with"),
+        (&[], "required arguments"),
+    ] {
+        let output = workplace.pointcore(&[&["accuracy"], arguments].concat());
+        let error = text(&output.stderr);
+        assert!(output.status.code() == Some(WRONG_INPUT) && error.contains(problem), "{arguments:?}: {error}");
+    }
+}

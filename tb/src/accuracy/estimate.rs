@@ -103,11 +103,17 @@ impl Estimator {
         Self { cores, fit: (rows.len() >= UNITS_MIN).then(|| Fit::new(&rows)).flatten() }
     }
 
+    /// Look-up tables, estimated.
+    #[must_use]
+    pub fn lut4(&self, proxy: &Proxy) -> Option<f64> {
+        self.fit.as_ref().map(|fit| predict(&fit.weights, &proxy.logic()))
+    }
+
     /// Area and clock of a point's hardware.
     #[must_use]
     pub fn estimate(&self, hardware: &Hardware) -> Estimate {
         let known = self.cores.iter().find(|known| known.config == hardware.config);
-        let estimated = self.fit.as_ref().map(|fit| predict(&fit.weights, &hardware.proxy.logic()));
+        let estimated = self.lut4(&hardware.proxy);
         let (lut4, lut4_origin) = match known {
             Some(known) => (Some(known.lut4), Origin::Recorded),
             None => (estimated, Origin::Estimated),

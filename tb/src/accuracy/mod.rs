@@ -7,6 +7,7 @@ pub mod estimate;
 pub mod figures;
 mod fit;
 mod measure;
+pub mod neighbors;
 pub mod page;
 pub mod point;
 pub mod proxy;
@@ -40,6 +41,12 @@ pub enum AccuracyError {
     /// Hardware and model differ, or the run did not end.
     #[error(transparent)]
     Lockstep(#[from] LockstepError),
+    /// A neighbor search.
+    #[error(transparent)]
+    Search(#[from] crate::core_b::Error),
+    /// Neighbors that are not the nearest, as far as they may differ.
+    #[error("{0}")]
+    Neighbors(crate::core_b::Difference),
     /// A picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),

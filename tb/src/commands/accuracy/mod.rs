@@ -1,4 +1,6 @@
-//! `pointcore accuracy SCENE`.
+//! `pointcore accuracy SCENE`, and `pointcore accuracy --neighbors POINTS`.
+
+mod neighbors;
 
 use super::{Failure, Figures, Output, merge, scene_name, write};
 use pointcore::accuracy::AccuracyError;
@@ -11,6 +13,7 @@ use pointcore::accuracy::sweep::{Measured, Planned, SOURCES, Sweep};
 use pointcore::accuracy::table::{cells, document, legend, markdown};
 use pointcore::cache::{Cache, file, key};
 use pointcore::configuration::{read_text, wrong};
+use pointcore::core_b::Source;
 use pointcore::synthesis::Record;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -24,7 +27,17 @@ const BENCH_DB: [f64; 2] = [45.0, 55.0];
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene file.
-    scene: PathBuf,
+    #[arg(required_unless_present = "neighbors")]
+    scene: Option<PathBuf>,
+    /// Sweep neighbor search among these points instead: tolerance, neighborhoods in the neighbor cache, points of a leaf.
+    #[arg(long, value_name = "FILE|surface:COUNT", conflicts_with_all = ["scene", "at_least", "knobs", "settings"])]
+    neighbors: Option<Source>,
+    /// Neighbors of a query, 1 to 63; with --neighbors.
+    #[arg(long, value_name = "COUNT", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=63), requires = "neighbors")]
+    k: u32,
+    /// Queries, eight by eight around a point; with --neighbors.
+    #[arg(long, value_name = "COUNT", default_value_t = 32_768, value_parser = clap::value_parser!(u32).range(1..), requires = "neighbors")]
+    queries: u32,
     /// Print the cheapest configuration with at least so many decibels, as a scene file that `pointcore run` takes.
     #[arg(long, value_name = "DECIBELS")]
     at_least: Option<Decibels>,
@@ -64,6 +77,18 @@ pub struct Arguments {
     settings: Vec<String>,
 }
 
+impl Arguments {
+    /// The folder of points.
+    fn folder(&self) -> PathBuf {
+        self.points.clone().unwrap_or_else(|| Cache::default_folder("accuracy"))
+    }
+
+    /// What hardware is rendered on.
+    const fn engine(&self) -> Engine {
+        if self.lockstep { Engine::Lockstep } else { Engine::Golden }
+    }
+}
+
 /// The I-th of N parts.
 #[derive(Clone, Copy)]
 struct Shard {
@@ -98,24 +123,18 @@ fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
     serde_json::from_str(&read_text(&path)?).map_err(|error| wrong(&path, format!("{error}; delete it")).into())
 }
 
-/// Measures what is not kept yet, several points at a time; one that fails does not keep the others from being measured.
-fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured>, Failure> {
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+/// Does `work` on every item, several at a time; results are in the items' order.
+fn spread<T: Sync, R: Send>(items: &[T], jobs: u16, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let next = AtomicUsize::new(0);
     let results = Mutex::new(Vec::new());
-    // Threads of their own: work that a point spreads over all processors must not wait for another point.
+    // Threads of their own: work that an item spreads over all processors must not wait for another item.
     std::thread::scope(|scope| {
         for _ in 0..jobs {
             scope.spawn(|| {
                 loop {
                     let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(point) = planned.get(index) else { break };
-                    let kept = matches!(sweep.kept(point), Ok(Some(_)));
-                    let result = sweep.measure(point);
-                    let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-                    if let (Ok(measured), false) = (&result, kept) {
-                        let (name, psnr_db) = (&measured.point.name, measured.figures.psnr_db);
-                        eprintln!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
-                    }
+                    let Some(item) = items.get(index) else { break };
+                    let result = work(item);
                     results.lock().expect("no holder of this lock panics").push((index, result));
                 }
             });
@@ -123,12 +142,27 @@ fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured
     });
     let mut results = results.into_inner().expect("no holder of this lock panics");
     results.sort_by_key(|(index, _)| *index);
-    let mut failures = Vec::new();
-    let mut measured = Vec::new();
-    for (index, result) in results {
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+/// Measures what is not kept yet; a point that fails does not keep the others from being measured.
+fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured>, Failure> {
+    let done = AtomicUsize::new(0);
+    let results = spread(planned, jobs, |point| {
+        let kept = matches!(sweep.kept(point), Ok(Some(_)));
+        let result = sweep.measure(point);
+        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+        if let (Ok(measured), false) = (&result, kept) {
+            let (name, psnr_db) = (&measured.point.name, measured.figures.psnr_db);
+            eprintln!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
+        }
+        result
+    });
+    let (mut measured, mut failures) = (Vec::new(), Vec::new());
+    for (planned, result) in planned.iter().zip(results) {
         match result {
             Ok(point) => measured.push(point),
-            Err(error) => failures.push((&planned[index].point.name, error)),
+            Err(error) => failures.push((&planned.point.name, error)),
         }
     }
     let last = failures.pop();
@@ -179,6 +213,7 @@ fn recommended(
     sweep: &Sweep,
     rated: &[Rated],
     arguments: &Arguments,
+    scene: &Path,
     at_least: Decibels,
 ) -> Result<(String, usize), Failure> {
     let Arguments { against, prefer, .. } = *arguments;
@@ -191,7 +226,7 @@ fn recommended(
     let [name, _, engine, psnr, flip, .., rounding, cycles, ms, lut4] = cells(point);
     let text = format!(
         "# {}: the cheapest of {} configurations with at least {} dB.\n# {name}: {psnr} dB against the truth (FLIP {flip}), {rounding} dB of rounding alone; {cycles} cycles, {ms} ms, {lut4} LUT4; measured on: {engine}.\n",
-        arguments.scene.display(),
+        scene.display(),
         rated.len(),
         at_least.0
     );
@@ -201,13 +236,20 @@ fn recommended(
 
 /// Sweeps the knobs, and says what came of it.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
-    let name = scene_name(&arguments.scene);
+    match (&arguments.neighbors, &arguments.scene) {
+        (Some(source), _) => neighbors::run(source, arguments, output),
+        (None, Some(scene)) => sweep_scene(scene, arguments, output),
+        (None, None) => Err(Failure::Usage("expected a scene, or points with --neighbors".to_owned())),
+    }
+}
+
+fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let name = scene_name(scene);
     let knobs: Result<Vec<Knob>, UnknownKnob> = arguments.knobs.iter().map(|text| Knob::parse(text)).collect();
     let knobs = knobs.map_err(|error| Failure::Usage(format!("--vary {error}")))?;
     let knobs = if knobs.is_empty() { Knob::standard() } else { knobs };
-    let folder = arguments.points.clone().unwrap_or_else(|| Cache::default_folder("accuracy"));
-    let engine = if arguments.lockstep { Engine::Lockstep } else { Engine::Golden };
-    let sweep = Sweep::open(&arguments.scene, &arguments.settings, folder.clone(), engine)?;
+    let (folder, engine) = (arguments.folder(), arguments.engine());
+    let sweep = Sweep::open(scene, &arguments.settings, folder.clone(), engine)?;
 
     let (planned, refused) = sweep.plan(points(&knobs));
     for (point, error) in &refused {
@@ -244,7 +286,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     merge(&arguments.merge, figures)?;
     match arguments.at_least {
         Some(at_least) => {
-            let (scene, place) = recommended(&sweep, &rated, arguments, at_least)?;
+            let (scene, place) = recommended(&sweep, &rated, arguments, scene, at_least)?;
             result["recommended"] = json!({ "point": rated[place].measured.point.name, "scene": scene });
             output.print(&result, &scene);
         }
