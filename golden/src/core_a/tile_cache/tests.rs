@@ -12,6 +12,8 @@ struct Surroundings {
     memory: Vec<[Pixel; 64]>,
     beats: VecDeque<Pixel>,
     slots: Vec<[Pixel; 64]>,
+    /// The pixel that was read last, and the one before.
+    read: Pixel,
     drained: Pixel,
     /// Slots of the copies under way, with their tiles.
     copies: VecDeque<(u8, u32)>,
@@ -29,6 +31,7 @@ impl Surroundings {
             memory: vec![garbage; TILES as usize],
             beats: VecDeque::new(),
             slots: vec![garbage; config.tile_slots as usize],
+            read: Pixel::default(),
             drained: Pixel::default(),
             copies: VecDeque::new(),
             frame_ends: false,
@@ -86,7 +89,7 @@ impl Surroundings {
         }
         if let Some(SlotPixel { slot, pixel }) = out.drain {
             assert!(out.slot_ready >> slot & 1 == 0, "a slot in use is read");
-            self.drained = self.slots[usize::from(slot)][usize::from(pixel)];
+            self.drained = std::mem::replace(&mut self.read, self.slots[usize::from(slot)][usize::from(pixel)]);
         }
         if let Some(Fill { place: SlotPixel { slot, pixel }, value }) = out.fill {
             assert!(out.slot_ready >> slot & 1 == 0, "a slot in use is written");
