@@ -265,7 +265,7 @@ mod tests {
             skipped += u32::from(sieve.outputs().skipped.is_some());
             sieve.clock(&In { candidates: Some(beat(0, address, true, [near; 2])), ..In::default() });
         }
-        assert_eq!((kept, skipped), (SIEVE_DEPTH + 4, 0), "those behind wait: in s1, held and in the input queue");
+        assert_eq!((kept, skipped), (SIEVE_DEPTH + 5, 0), "those behind wait: in s1, s2, held and in the input queue");
     }
 
     /// Leaves of any length under random stalls: what is kept and skipped is what each leaf's distances say.
