@@ -144,7 +144,7 @@ impl Exchange {
                 // Half of them so large that sums overflow, to one side on a pixel; now and then any bits.
                 let number = match random.u8(0..32) {
                     0 => continue,
-                    1..=16 => HALF_OF_LARGEST * if pixel % 2 == 0 { 1.0 } else { -1.0 },
+                    1..=16 => HALF_OF_LARGEST * if pixel.is_multiple_of(2) { 1.0 } else { -1.0 },
                     _ => 4.0 * random.f32() - 2.0,
                 };
                 *attribute = scene::encode(self.config.attribute, number) as u32;
