@@ -11,6 +11,7 @@ pub mod float_check;
 pub mod generated;
 pub mod inspect;
 pub mod lockstep;
+pub mod number;
 pub mod package;
 pub mod picture;
 pub mod plan;

@@ -2,10 +2,11 @@
 
 use pointcore::core_b::samples::{point_sets, queries_near};
 use pointcore::core_b::{
-    Engine, Error, MemorySettings, Order, Outcome, PointSet, Query, Reuse, Session, Source, Splitting, Tree, encode,
+    Engine, Error, MemorySettings, Order, Outcome, PointSet, Query, Reuse, Session, Source, Splitting, Tree,
     kdtree::depth_for,
 };
 use pointcore::lockstep::{Stall, seed};
+use pointcore::number::encode;
 use pointcore_golden::reference::neighbors::nearest;
 use pointcore_spec::Format;
 use pointcore_spec::core_b::Config;

@@ -2,7 +2,8 @@
 
 use fastrand::Rng;
 use glam::DVec3;
-use pointcore::stability::case::{Case, IMAGE_EDGE_PX, Lens, encode};
+use pointcore::number::encode;
+use pointcore::stability::case::{Case, IMAGE_EDGE_PX, Lens};
 use pointcore::stability::check::{Property, check};
 use pointcore::stability::compare::compare;
 use pointcore::stability::families::{Family, LEVELS, case};

@@ -3,6 +3,9 @@
 use super::figures::Hardware;
 use super::fit::{TERMS, fit, predict};
 use super::proxy::Proxy;
+use super::sweep::SOURCES;
+use super::{AccuracyError, read_result, write_result};
+use crate::cache::{Cache, key};
 use crate::configuration::{Configuration, ecp5, parse, read_text};
 use crate::synthesis::{Area, Entry, Record, Target, Unit};
 use pointcore_hdl::rtl::elaborate;
@@ -101,6 +104,16 @@ impl Estimator {
         let row = |(entry, unit): &(&Entry, Unit)| Some((proxy(unit)?.logic(), lut4(&entry.area)));
         let rows: Vec<_> = fresh.iter().filter_map(row).filter(|(_, value)| *value > 0.0).collect();
         Self { cores, fit: (rows.len() >= UNITS_MIN).then(|| Fit::new(&rows)).flatten() }
+    }
+
+    /// What a record says, whose text is `text`; looking through its units takes a while, so that is kept.
+    ///
+    /// # Errors
+    /// It cannot be kept or read.
+    pub fn kept(record: &Record, text: &str, cache: &Cache) -> Result<Self, AccuracyError> {
+        let folder =
+            cache.entry(&key(["estimator", SOURCES, text]), |folder| write_result(folder, &Self::new(record)))?;
+        read_result(&folder)
     }
 
     /// Look-up tables, estimated.

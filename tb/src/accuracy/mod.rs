@@ -14,14 +14,33 @@ pub mod proxy;
 pub mod sweep;
 pub mod table;
 
-use crate::cache::FileError;
+use crate::cache::{FileError, file};
 use crate::generated::GenerateError;
 use crate::lockstep::LockstepError;
 use crate::picture::PictureError;
 use crate::plan::PlanError;
 use crate::scene::SceneError;
 use crate::verilated::VerilatedError;
-use std::path::PathBuf;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::path::{Path, PathBuf};
+
+/// What an entry of the cache holds of its point, besides pictures.
+const RESULT: &str = "figures.json";
+
+/// Keeps a result in an entry's folder.
+fn write_result(folder: &Path, result: &impl Serialize) -> Result<(), AccuracyError> {
+    let path = folder.join(RESULT);
+    let text = serde_json::to_string_pretty(result).expect("results have string keys");
+    Ok(std::fs::write(&path, text).map_err(file("write", &path))?)
+}
+
+/// The result in an entry's folder.
+fn read_result<T: DeserializeOwned>(folder: &Path) -> Result<T, AccuracyError> {
+    let path = folder.join(RESULT);
+    let text = std::fs::read_to_string(&path).map_err(file("read", &path))?;
+    serde_json::from_str(&text).map_err(|error| AccuracyError::Damaged { path, problem: error.to_string() })
+}
 
 /// Why a point could not be measured.
 #[derive(Debug, thiserror::Error)]

@@ -2,12 +2,12 @@
 //!
 //! Queries are points sampled up, as the thesis measures the cache (6.7.1): without coherence there is nothing to trade.
 
-use super::AccuracyError;
 use super::estimate::Estimator;
 use super::figures::Engine;
 use super::proxy::Proxy;
 use super::sweep::SOURCES;
-use crate::cache::{Cache, digest, file, key};
+use super::{AccuracyError, read_result, write_result};
+use crate::cache::{Cache, digest, key};
 use crate::core_b::{self, MemorySettings, Order, PointSet, Query, Reuse, Session, Splitting, Tree, check, config_for};
 use pointcore_spec::core_b::Config;
 use serde::{Deserialize, Serialize};
@@ -24,8 +24,6 @@ const EPSILONS: [f32; 4] = [0.0, 0.1, 0.2, 0.5];
 const ENTRIES: [u32; 3] = [0, 8, 32];
 /// Points of a leaf.
 const BUCKETS: [u32; 3] = [8, 16, 32];
-/// File of an entry.
-const FIGURES: &str = "figures.json";
 
 /// A point of the sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -102,15 +100,8 @@ impl Task<'_> {
     pub fn measure(&self, cache: &Cache, setting: Setting) -> Result<Found, AccuracyError> {
         let Self { points, k, limit, engine } = self;
         let key = key(["neighbors", SOURCES, &digest(points), &digest(&(k, limit, setting)), engine.name()]);
-        let folder = cache.entry(&key, |folder| {
-            let found = self.search(setting)?;
-            let path = folder.join(FIGURES);
-            let text = serde_json::to_string_pretty(&found).expect("figures are JSON");
-            Ok::<_, AccuracyError>(std::fs::write(&path, text).map_err(file("write", &path))?)
-        })?;
-        let path = folder.join(FIGURES);
-        let text = std::fs::read_to_string(&path).map_err(file("read", &path))?;
-        serde_json::from_str(&text).map_err(|error| AccuracyError::Damaged { path, problem: error.to_string() })
+        let folder = cache.entry(&key, |folder| write_result(folder, &self.search(setting)?))?;
+        read_result(&folder)
     }
 
     fn search(&self, setting: Setting) -> Result<Found, AccuracyError> {

@@ -4,7 +4,7 @@ use super::AccuracyError;
 use super::chart::{Chart, Mark, escape};
 use super::choice::Rated;
 use super::sweep::{DIFFERENCE, FRAME};
-use super::table::{cells, columns, decibels};
+use super::table::{COLUMNS, cells, decibels};
 use crate::cache::file;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -38,7 +38,7 @@ fn embedded(path: &Path) -> Result<String, AccuracyError> {
 fn hint(rated: &Rated) -> String {
     let arguments = rated.measured.point.arguments();
     let settings = if arguments.is_empty() { "as the scene says".to_owned() } else { arguments.join("\n") };
-    let figures = columns().iter().zip(cells(rated)).skip(2).map(|(name, cell)| format!("{name}: {cell}"));
+    let figures = COLUMNS.iter().zip(cells(rated)).skip(2).map(|(name, cell)| format!("{name}: {cell}"));
     let figures: Vec<_> = figures.collect();
     format!("{}\n{settings}\n{}", rated.measured.point.name, figures.join("\n"))
 }
@@ -77,7 +77,7 @@ impl Page<'_> {
     }
 
     fn table(&self) -> String {
-        let head: String = columns().iter().map(|name| format!("<th>{}</th>", escape(name))).collect();
+        let head: String = COLUMNS.iter().map(|name| format!("<th>{}</th>", escape(name))).collect();
         let row = |(index, rated): (usize, &Rated)| {
             let cells: String = cells(rated).iter().map(|cell| format!("<td>{}</td>", escape(cell))).collect();
             format!("<tr data-index=\"{index}\" tabindex=\"0\">{cells}</tr>\n")

@@ -4,11 +4,11 @@
 //! hardware. Any number of processes may fill one cache: a sweep that was interrupted goes on where it was, and one that was spread over
 //! machines is put together by running it again.
 
-use super::AccuracyError;
 use super::figures::{Engine, Figures};
 use super::measure::{measure, reference};
 use super::point::{Method, Point};
-use crate::cache::{Cache, digest, file, key};
+use super::{AccuracyError, read_result, write_result};
+use crate::cache::{Cache, digest, key};
 use crate::picture::Picture;
 use crate::plan::Plan;
 use crate::scene::Scene;
@@ -19,13 +19,11 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Hash of the sources that decide what a point comes to; the build script makes it.
-pub const SOURCES: &str = env!("POINTCORE_MODEL_SOURCES");
+pub(super) const SOURCES: &str = env!("POINTCORE_MODEL_SOURCES");
 /// What the truth is rendered with: so many samples along each edge of a pixel, and whole kernels.
 const TRUTH: [&str; 2] = ["image.samples=4", "splatting.cutoff=1.0"];
 /// How much difference pictures magnify.
 const MAGNIFICATION: f64 = 16.0;
-/// Files of an entry.
-const FIGURES: &str = "figures.json";
 /// The picture of an entry, or of the truth.
 pub const FRAME: &str = "frame.png";
 /// Its difference from the truth, magnified.
@@ -146,11 +144,7 @@ impl Sweep {
     }
 
     fn read(planned: &Planned, folder: PathBuf) -> Result<Measured, AccuracyError> {
-        let path = folder.join(FIGURES);
-        let text = std::fs::read_to_string(&path).map_err(file("read", &path))?;
-        let figures =
-            serde_json::from_str(&text).map_err(|error| AccuracyError::Damaged { path, problem: error.to_string() })?;
-        Ok(Measured { point: planned.point.clone(), figures, folder })
+        Ok(Measured { point: planned.point.clone(), figures: read_result(&folder)?, folder })
     }
 
     /// What is kept of a point; what was measured in lockstep counts for the model, too.
@@ -163,23 +157,18 @@ impl Sweep {
         folder.map(|folder| Self::read(planned, folder)).transpose()
     }
 
-    /// Measures a point, unless it is kept.
+    /// Measures a point that is not kept.
     ///
     /// # Errors
     /// It cannot be rendered or kept.
     pub fn measure(&self, planned: &Planned) -> Result<Measured, AccuracyError> {
-        if let Some(kept) = self.kept(planned)? {
-            return Ok(kept);
-        }
         let folder = self.cache.entry(&self.key(planned, self.hardware), |folder| {
             let Planned { point, scene, plan } = planned;
             let truth = self.truth();
             let rendered = measure(&scene.scene, plan, point.method, point.engine(self.hardware), &truth)?;
             rendered.picture.save_png(&folder.join(FRAME))?;
             rendered.picture.difference(&truth, MAGNIFICATION).save_png(&folder.join(DIFFERENCE))?;
-            let path = folder.join(FIGURES);
-            let text = serde_json::to_string_pretty(&rendered.figures).expect("figures are JSON");
-            Ok::<_, AccuracyError>(std::fs::write(&path, text).map_err(file("write", &path))?)
+            write_result(folder, &rendered.figures)
         })?;
         Self::read(planned, folder)
     }

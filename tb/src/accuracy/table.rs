@@ -13,7 +13,7 @@ pub fn decibels(psnr_db: f64) -> String {
 }
 
 /// The columns of a point.
-const COLUMNS: [&str; 11] = [
+pub const COLUMNS: [&str; 11] = [
     "point",
     "front",
     "engine",
@@ -27,7 +27,7 @@ const COLUMNS: [&str; 11] = [
     "LUT4",
 ];
 
-/// A point's figures, in the order of [`columns`].
+/// A point's figures, in the order of [`COLUMNS`].
 #[must_use]
 pub fn cells(rated: &Rated) -> [String; 11] {
     let figures = &rated.measured.figures;
@@ -48,12 +48,6 @@ pub fn cells(rated: &Rated) -> [String; 11] {
         or_dash(rated.time_ms.map(|time| format!("{time:.2}{time_mark}"))),
         or_dash(rated.lut4().map(|lut4| format!("{lut4:.0}{area_mark}"))),
     ]
-}
-
-/// The names of the columns.
-#[must_use]
-pub const fn columns() -> &'static [&'static str] {
-    &COLUMNS
 }
 
 /// What the figures are, in words.

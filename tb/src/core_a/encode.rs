@@ -1,8 +1,8 @@
 //! A scene as the words that core A takes: splat records and uniform registers.
 
+use crate::number::encode;
 use crate::plan::Plan;
 use crate::scene::Scene;
-use pointcore_golden::float::convert;
 use pointcore_spec::core_a::records;
 use pointcore_spec::{Camera, Format, Rendering, Splat};
 
@@ -16,8 +16,9 @@ pub struct Frame {
     pub uniforms: Vec<u64>,
 }
 
-pub(super) fn encode(format: Format, value: f32) -> u64 {
-    convert(Format::F32, format, value.to_bits().into())
+/// A number as a word.
+pub(super) fn word(format: Format, value: f32) -> u64 {
+    encode(format, value).into()
 }
 
 impl Frame {
@@ -46,10 +47,10 @@ impl Frame {
 fn splat_record(splat: &Splat, plan: &Plan) -> Vec<u64> {
     let config = &plan.config;
     let geometry = splat.center.iter().chain(splat.tangents.iter().flatten());
-    let attributes = plan.attributes.iter().map(|&index| encode(config.attribute, splat.attributes[index]));
+    let attributes = plan.attributes.iter().map(|&index| word(config.attribute, splat.attributes[index]));
     let cardinals = (0..config.cardinal).map(|_| splat.material.into());
     let end = std::iter::once(0);
-    end.chain(geometry.map(|&value| encode(config.geometry, value))).chain(attributes).chain(cardinals).collect()
+    end.chain(geometry.map(|&value| word(config.geometry, value))).chain(attributes).chain(cardinals).collect()
 }
 
 /// In the order of [`pointcore_spec::core_a::ports::UNIFORMS`].
@@ -58,5 +59,5 @@ pub(super) fn uniforms(camera: &Camera, rendering: &Rendering, format: Format) -
     let viewport = [camera.scale_x, camera.scale_y, camera.center_x, camera.center_y, camera.depth_a, camera.depth_b];
     let tests = [camera.near, rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)];
     let values = camera.model_view.iter().flatten().chain(&viewport).chain(&tests);
-    values.map(|&value| encode(format, value as f32)).collect()
+    values.map(|&value| word(format, value as f32)).collect()
 }

@@ -1,15 +1,15 @@
 //! Fragments read back from core A, as a frame that can be shaded and compared with the reference.
 
+use crate::number::decode;
 use crate::plan::Plan;
-use pointcore_golden::float::convert;
 use pointcore_golden::reference::{Decisions, Fragment, Frame, Margins, Statistics};
 use pointcore_spec::core_a::records;
 use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
 use pointcore_spec::{Format, Splat};
 
-/// The value of an encoded number.
-fn decode(format: Format, bits: u64) -> f64 {
-    f64::from(f32::from_bits(convert(format, Format::F32, bits) as u32))
+/// The value of a word.
+fn value(format: Format, word: u64) -> f64 {
+    decode(format, word as u32).into()
 }
 
 /// Places fragments (as [`Host`](super::host::Host) collects them) in an image. Attributes the hardware does not carry take their
@@ -26,12 +26,12 @@ pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {
     for fields in fragments.chunks_exact(words) {
         let [column, row, depth] = [fields[0], fields[1], fields[2]];
         let mut attributes = constants;
-        for (&index, &value) in plan.attributes.iter().zip(&fields[3..]) {
-            attributes[index] = decode(config.attribute, value);
+        for (&index, &word) in plan.attributes.iter().zip(&fields[3..]) {
+            attributes[index] = value(config.attribute, word);
         }
         let material = fields.get(3 + plan.attributes.len()).map_or(only_material, |&material| material as u16);
         // The hardware keeps the weight to itself; a fragment exists only where it is positive.
-        let fragment = Fragment { depth: decode(config.geometry, depth), weight: 1.0, attributes, material };
+        let fragment = Fragment { depth: value(config.geometry, depth), weight: 1.0, attributes, material };
         pixels[row as usize * width + column as usize] = Some(fragment);
     }
     // Tests are counted by the reference only.

@@ -1,8 +1,8 @@
 //! Results on their way back to the queries they belong to.
 
 use super::host::Work;
-use super::points::decode;
 use super::query::{Asked, Neighbor};
+use crate::number::decode;
 use pointcore_golden::core_b::leaf::squared_distance;
 use pointcore_golden::core_b::records::{CachedQuery, CachedResult, Query, QueryResult};
 

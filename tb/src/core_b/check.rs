@@ -1,8 +1,9 @@
 //! Neighbors against a search through all points.
 
-use super::points::{PointSet, decode, encode};
+use super::points::PointSet;
 use super::query::{Neighbor, Query};
 use super::reuse::Kind;
+use crate::number::{decode, encode};
 use pointcore_golden::core_b::leaf::squared_distance;
 use pointcore_golden::core_b::records::Point;
 use pointcore_golden::reference::neighbors::BruteForce;

@@ -27,7 +27,7 @@ pub use host::Counters;
 pub use kdtree::{Splitting, Tree};
 pub use memory::{Extent, Memory, MemorySettings};
 pub use order::Order;
-pub use points::{PointSet, Source, decode, encode};
+pub use points::{PointSet, Source};
 pub use query::{Neighbor, Query};
 pub use recorded::record;
 pub use report::{Bound, HitRate, Measured, Report};

@@ -1,26 +1,14 @@
 //! Point sets in the core's format: from files, procedural, or given.
 
 use super::Error;
+use crate::number::{decode, encode};
 use crate::scene::{Model, trefoil};
 use glam::DVec3;
 use pointcore_golden::core_b::records::Point;
-use pointcore_golden::float::convert;
 use pointcore_spec::Format;
 use rayon::prelude::*;
 use std::path::PathBuf;
 use std::str::FromStr;
-
-/// The encoding of a number in the core's format, rounded.
-#[must_use]
-pub fn encode(format: Format, number: f32) -> u32 {
-    convert(Format::F32, format, number.to_bits().into()) as u32
-}
-
-/// The value of an encoded number; every number of the core's formats is one of `f32`.
-#[must_use]
-pub fn decode(format: Format, bits: u32) -> f32 {
-    f32::from_bits(convert(format, Format::F32, bits.into()) as u32)
-}
 
 /// Points whose coordinates are numbers of the core's format: what a search refers to, and what it is checked against.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Queries and what they bring, in the user's terms.
 
 use super::Error;
-use super::points::encode;
 use super::reuse::{Kind, Reuse};
+use crate::number::encode;
 use pointcore_golden::core_b::records;
 use pointcore_spec::core_b::Config;
 

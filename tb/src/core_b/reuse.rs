@@ -1,7 +1,7 @@
 //! When the coherent neighbor cache may answer a query with the neighborhood of another (thesis 6.4.2).
 
 use super::Error;
-use super::points::encode;
+use crate::number::encode;
 use pointcore_golden::core_b::records::CacheSetup;
 use pointcore_spec::Format;
 
@@ -77,7 +77,7 @@ impl Reuse {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::core_b::decode;
+    use crate::number::decode;
 
     #[test]
     fn coverage_follows_the_table_and_is_understated() {

@@ -1,7 +1,8 @@
 //! A search for `core_b_axi`.
 
 use super::{Error, Memory, Packets, Region, Vectors, writes};
-use crate::core_b::{Engine, Kind, MemorySettings, Neighbor, Query, Reuse, Session, Tree, encode};
+use crate::core_b::{Engine, Kind, MemorySettings, Neighbor, Query, Reuse, Session, Tree};
+use crate::number::encode;
 use pointcore_golden::core_b::records::Lookup;
 use pointcore_spec::bus::config::TREE_WORD_BITS;
 use pointcore_spec::bus::{Layout, packets, registers};

@@ -1,9 +1,9 @@
 //! One hard case: a splat in camera space, in a number format, with the camera that looks at it.
 
 use super::families::Family;
+use crate::number::encode;
 use pointcore_golden::core_a::records::Splat;
 use pointcore_golden::core_a::uniforms::{SetupUniforms, TransformUniforms};
-use pointcore_golden::float::convert;
 use pointcore_golden::number::Number;
 use pointcore_spec::Format;
 use pointcore_spec::core_a::Feature;
@@ -46,12 +46,6 @@ pub struct Case {
     pub lens: Lens,
     /// Whether the screen filter is on.
     pub filter: Feature,
-}
-
-/// The nearest number of a format, encoded.
-#[must_use]
-pub fn encode(format: Format, value: f32) -> u32 {
-    convert(Format::F32, format, value.to_bits().into()) as u32
 }
 
 /// The nearest number of a format.

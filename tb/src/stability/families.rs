@@ -1,6 +1,7 @@
 //! Families of hard cases. Each takes a severity from 0, which is ordinary, to the limit of the number format.
 
-use super::case::{Case, IMAGE_EDGE_PX, Lens, encode};
+use super::case::{Case, IMAGE_EDGE_PX, Lens};
+use crate::number::encode;
 use fastrand::Rng;
 use glam::DVec3;
 use pointcore_golden::core_a::records::Splat;

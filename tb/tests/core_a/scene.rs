@@ -3,7 +3,6 @@
 use fastrand::Rng;
 use pointcore::lockstep::seed;
 use pointcore_golden::core_a::{Rasterizer, Setup, Splitter, Transform};
-use pointcore_golden::float::convert;
 use pointcore_spec::Format;
 use pointcore_spec::core_a::ports::{self, UNIFORMS};
 use pointcore_spec::core_a::{Config, Field, records};
@@ -24,7 +23,7 @@ pub fn random() -> Rng {
 
 /// A number in one of the core's formats.
 pub fn encode(format: Format, number: f32) -> u64 {
-    convert(Format::F32, format, number.to_bits().into())
+    pointcore::number::encode(format, number).into()
 }
 
 /// Values of the uniform registers: a camera that looks at the origin, a little from above.

@@ -9,10 +9,10 @@ use pointcore::accuracy::estimate::Estimator;
 use pointcore::accuracy::figures::Engine;
 use pointcore::accuracy::page::Page;
 use pointcore::accuracy::point::{Knob, UnknownKnob, points};
-use pointcore::accuracy::sweep::{Measured, Planned, SOURCES, Sweep};
+use pointcore::accuracy::sweep::{Measured, Planned, Sweep};
 use pointcore::accuracy::table::{cells, document, legend, markdown};
-use pointcore::cache::{Cache, file, key};
-use pointcore::configuration::{read_text, wrong};
+use pointcore::cache::Cache;
+use pointcore::configuration::read_text;
 use pointcore::core_b::Source;
 use pointcore::synthesis::Record;
 use serde_json::json;
@@ -107,20 +107,25 @@ impl std::str::FromStr for Shard {
     }
 }
 
-/// What a record says of areas; looking through its units takes a while, so that is kept.
+impl Shard {
+    /// Its part of some points.
+    fn of<T>(self, points: Vec<T>) -> Vec<T> {
+        points.into_iter().skip(self.index).step_by(self.count).collect()
+    }
+}
+
+/// Says where the points of a shard are.
+fn report(count: usize, folder: &Path, output: Output) {
+    let text = format!("{count} points are in {}.", folder.display());
+    output.print(&json!({ "points": count, "folder": folder }), &text);
+}
+
+/// What a record says of areas.
 fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
-    const RESULT: &str = "estimator.json";
     if !path.exists() {
         return Ok(Estimator::new(&Record::default()));
     }
-    let (record, text) = (Record::load(path)?, read_text(path)?);
-    let folder = cache.entry(&key(["estimator", SOURCES, &text]), |folder| {
-        let text = serde_json::to_string_pretty(&Estimator::new(&record)).expect("an estimator is JSON");
-        let path = folder.join(RESULT);
-        Ok::<_, AccuracyError>(std::fs::write(&path, text).map_err(file("write", &path))?)
-    })?;
-    let path = folder.join(RESULT);
-    serde_json::from_str(&read_text(&path)?).map_err(|error| wrong(&path, format!("{error}; delete it")).into())
+    Ok(Estimator::kept(&Record::load(path)?, &read_text(path)?, cache)?)
 }
 
 /// Does `work` on every item, several at a time; results are in the items' order.
@@ -149,14 +154,15 @@ fn spread<T: Sync, R: Send>(items: &[T], jobs: u16, work: impl Fn(&T) -> R + Syn
 fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured>, Failure> {
     let done = AtomicUsize::new(0);
     let results = spread(planned, jobs, |point| {
-        let kept = matches!(sweep.kept(point), Ok(Some(_)));
-        let result = sweep.measure(point);
+        let kept = sweep.kept(point)?;
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-        if let (Ok(measured), false) = (&result, kept) {
-            let (name, psnr_db) = (&measured.point.name, measured.figures.psnr_db);
-            eprintln!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
+        if let Some(measured) = kept {
+            return Ok(measured);
         }
-        result
+        let measured = sweep.measure(point)?;
+        let (name, psnr_db) = (&measured.point.name, measured.figures.psnr_db);
+        eprintln!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
+        Ok::<_, AccuracyError>(measured)
     });
     let (mut measured, mut failures) = (Vec::new(), Vec::new());
     for (planned, result) in planned.iter().zip(results) {
@@ -255,11 +261,8 @@ fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<()
     for (point, error) in &refused {
         eprintln!("left out: {}: {error}", point.name);
     }
-    if let Some(Shard { index, count }) = arguments.shard {
-        let part: Vec<_> = planned.into_iter().skip(index).step_by(count).collect();
-        let measured = measure(&sweep, &part, arguments.jobs)?;
-        let text = format!("{} points are in {}.", measured.len(), folder.display());
-        output.print(&json!({ "points": measured.len(), "folder": folder }), &text);
+    if let Some(shard) = arguments.shard {
+        report(measure(&sweep, &shard.of(planned), arguments.jobs)?.len(), &folder, output);
         return Ok(());
     }
     let measured = measure(&sweep, &planned, arguments.jobs)?;

@@ -1,6 +1,6 @@
 //! `pointcore accuracy --neighbors POINTS`.
 
-use super::{Arguments, Shard, estimator, spread};
+use super::{Arguments, estimator, report, spread};
 use crate::commands::{Failure, Output, write};
 use pointcore::accuracy::neighbors::{Setting, Task, markdown, rank};
 use pointcore::cache::Cache;
@@ -15,8 +15,8 @@ pub fn run(source: &Source, arguments: &Arguments, output: Output) -> Result<(),
     let task = Task { points: &points, k: arguments.k, limit: arguments.queries as usize, engine: arguments.engine() };
     let cache = Cache::new(arguments.folder());
     let mut settings = Setting::all();
-    if let Some(Shard { index, count }) = arguments.shard {
-        settings = settings.into_iter().skip(index).step_by(count).collect();
+    if let Some(shard) = arguments.shard {
+        settings = shard.of(settings);
     }
     let measure = |setting: &Setting| {
         let found = task.measure(&cache, *setting)?;
@@ -26,8 +26,7 @@ pub fn run(source: &Source, arguments: &Arguments, output: Output) -> Result<(),
     let found: Result<Vec<_>, Failure> = spread(&settings, arguments.jobs, measure).into_iter().collect();
     let found = found?;
     if arguments.shard.is_some() {
-        let text = format!("{} points are in {}.", found.len(), cache.folder().display());
-        output.print(&json!({ "points": found.len(), "folder": cache.folder() }), &text);
+        report(found.len(), cache.folder(), output);
         return Ok(());
     }
     let ranked = rank(found, &estimator(&arguments.record, &cache)?);

@@ -10,8 +10,8 @@ mod splitting;
 
 pub use splitting::Splitting;
 
-use super::points::encode;
 use super::{Error, PointSet};
+use crate::number::encode;
 use divide::{Item, Part};
 use pointcore_golden::core_b::records::Point;
 use pointcore_spec::Format;

@@ -1,7 +1,7 @@
 //! A tree as the core reads it: written into its memories, or record by record from external memory.
 
 use super::{Bucket, Node, Tree};
-use crate::core_b::points::encode;
+use crate::number::encode;
 use pointcore_golden::core_b::records::{self, Lookup, TreeRecord, TreeWrite};
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records as spec};

@@ -24,7 +24,7 @@ fn check_node(tree: &Tree, node: u32, cell: [RangeInclusive<f32>; 3], found: &mu
                 continue;
             };
             found.push(source);
-            let coordinates = point.map(|bits| crate::core_b::points::decode(tree.format, bits));
+            let coordinates = point.map(|bits| crate::number::decode(tree.format, bits));
             assert!(coordinates.iter().zip(&cell).all(|(coordinate, range)| range.contains(coordinate)));
         }
         return (points as usize, 1);
