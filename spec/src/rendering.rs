@@ -1,12 +1,40 @@
-//! What a frame is rendered with besides camera and splats: its size, the kernel and the depth test's tolerance.
+//! What a frame is rendered with besides camera and splats: its size, its samples, the kernel and the depth test's tolerance.
+
+use serde::{Deserialize, Serialize};
+
+/// Where the samples of a frame lie. A frame is a grid of samples, `width` columns by `height` rows; the picture is made of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Sampling {
+    /// A sample a pixel, in its middle: sample `(c, r)` at `(c + ½, r + ½)`.
+    #[default]
+    Center,
+    /// FLIPQUAD \[AMS03\]: a sample on each side of a pixel, each shared by two pixels, so that two samples a pixel look like four. Columns `2i` hold
+    /// the left sides of pixels, columns `2i + 1` the top sides: in row `r`, and with `p = (i + r) mod 2`, the samples at
+    /// `(i, r + ⅝ − p/4)` and `(i + ⅜ + p/4, r)`. The pattern is mirrored at every side, so both pixels find the sample in the same place.
+    Flipquad,
+}
+
+impl Sampling {
+    /// Columns of samples a column of pixels takes.
+    #[must_use]
+    pub const fn columns(self) -> u32 {
+        match self {
+            Self::Center => 1,
+            Self::Flipquad => 2,
+        }
+    }
+}
 
 /// Parameters of one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rendering {
-    /// Pixels a row.
+    /// Samples a row.
     pub width: usize,
-    /// Rows.
+    /// Rows of samples.
     pub height: usize,
+    /// Where they lie.
+    pub sampling: Sampling,
     /// `γ` of the kernel `exp(−γρ²)`, cut off at `ρ = 1`.
     pub kernel_gamma: f64,
     /// Radius of the screen-space filter (thesis 5.4.2), under which no splat shrinks; `None` switches it off.

@@ -6,7 +6,8 @@
 use crate::picture::Picture;
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
-use pointcore_golden::reference::{Fragment, Frame};
+use pointcore_golden::reference::{Fragment, Frame, sampling};
+use pointcore_spec::Sampling;
 use pointcore_spec::splat::{COLOR, NORMAL};
 use rayon::prelude::*;
 
@@ -45,7 +46,8 @@ pub fn shade(frame: &Frame, scene: &Scene) -> Picture {
         let linear = match fragment {
             Some(fragment) => {
                 let (column, row) = (index % frame.width, index / frame.width);
-                view.shade(fragment, scene, column as f64 + 0.5, row as f64 + 0.5)
+                let [x, y] = sampling::position(scene.rendering.sampling, column, row);
+                view.shade(fragment, scene, x, y)
             }
             None => scene.background,
         };
@@ -55,33 +57,34 @@ pub fn shade(frame: &Frame, scene: &Scene) -> Picture {
     Picture { width: frame.width, height: frame.height, pixels }
 }
 
-/// A picture of which every pixel is the mean of `samples` × `samples` of another's, in linear light.
-///
-/// # Panics
-/// The samples do not fill the last pixels.
-#[must_use]
-pub fn resolve(picture: Picture, samples: usize) -> Picture {
-    if samples == 1 {
-        return picture;
-    }
-    let (width, height) = (picture.width / samples, picture.height / samples);
-    assert_eq!((width * samples, height * samples), (picture.width, picture.height), "pixels have all their samples");
-    let pixel = |index: usize| {
-        let (left, top) = (index % width * samples, index / width * samples);
-        let places = (0..samples * samples).map(|i| (top + i / samples) * picture.width + left + i % samples);
-        let sum = places.map(|place| picture.pixels[place].map(linear_from_srgb)).fold([0.0; 3], |sum, sample| {
-            let [r, g, b] = sum;
-            [r + sample[0], g + sample[1], b + sample[2]]
-        });
-        sum.map(|sum| srgb_from_linear(sum / (samples * samples) as f64))
+/// The picture whose samples are another's pixels: `edge` × `edge` of them in a pixel, or those on its four sides. Means are those of linear light.
+fn resolve(samples: Picture, sampling: Sampling, edge: usize) -> Picture {
+    let mean = |width: usize, height: usize, of_pixel: &(dyn Fn(usize, usize) -> Vec<[usize; 2]> + Sync)| {
+        let pixel = |index: usize| {
+            let places = of_pixel(index % width, index / width);
+            let linear =
+                |[column, row]: &[usize; 2]| samples.pixels[row * samples.width + column].map(linear_from_srgb);
+            let sum: DVec3 = places.iter().map(|place| DVec3::from_array(linear(place))).sum();
+            (sum / places.len() as f64).to_array().map(srgb_from_linear)
+        };
+        Picture { width, height, pixels: (0..width * height).into_par_iter().map(pixel).collect() }
     };
-    Picture { width, height, pixels: (0..width * height).into_par_iter().map(pixel).collect() }
+    match (sampling, edge) {
+        (Sampling::Center, 1) => samples,
+        (Sampling::Center, edge) => mean(samples.width / edge, samples.height / edge, &|column, row| {
+            (0..edge * edge).map(|i| [column * edge + i % edge, row * edge + i / edge]).collect()
+        }),
+        // Left, top, right and bottom: those on the right and at the bottom are the next pixels'.
+        (Sampling::Flipquad, _) => mean(samples.width / 2 - 1, samples.height - 1, &|column, row| {
+            vec![[2 * column, row], [2 * column + 1, row], [2 * column + 2, row], [2 * column + 1, row + 1]]
+        }),
+    }
 }
 
 /// The picture of a frame of `scene`, whose pixels may have several samples.
 #[must_use]
 pub fn picture(frame: &Frame, scene: &Scene) -> Picture {
-    resolve(shade(frame, scene), scene.samples)
+    resolve(shade(frame, scene), scene.rendering.sampling, scene.samples)
 }
 
 /// What all pixels of a picture share.
@@ -150,6 +153,7 @@ mod tests {
             rendering: pointcore_spec::Rendering {
                 width: 2,
                 height: 1,
+                sampling: pointcore_spec::Sampling::Center,
                 kernel_gamma: 2.0,
                 filter_radius_px: None,
                 epsilon_scale: 1.0,
@@ -183,13 +187,28 @@ mod tests {
         let gray = |value: f64| [value; 3];
         let samples = [0.0, 1.0, 0.5, 0.5, 0.0, 1.0, 0.5, 0.5].map(gray);
         let picture = Picture { width: 4, height: 2, pixels: samples.to_vec() };
-        let resolved = resolve(picture.clone(), 2);
+        let resolved = resolve(picture.clone(), Sampling::Center, 2);
         assert_eq!((resolved.width, resolved.height), (2, 1));
         let expected = [srgb_from_linear(0.5), 0.5];
         for (pixel, expected) in resolved.pixels.iter().zip(expected) {
             assert!(pixel.iter().all(|component| (component - expected).abs() < 1e-6), "{pixel:?}");
         }
-        assert_eq!(resolve(picture.clone(), 1), picture);
+        assert_eq!(resolve(picture.clone(), Sampling::Center, 1), picture);
+    }
+
+    #[test]
+    fn flipquad_pixels_share_the_samples_on_their_sides() {
+        // Two pixels, three columns of left and top sides, two rows: only the sample on the side between both is white.
+        let mut pixels = vec![[0.0; 3]; 6 * 2];
+        pixels[2] = [1.0; 3];
+        let resolved = resolve(Picture { width: 6, height: 2, pixels: pixels.clone() }, Sampling::Flipquad, 1);
+        assert_eq!((resolved.width, resolved.height), (2, 1));
+        assert!(resolved.pixels.iter().all(|pixel| (pixel[0] - srgb_from_linear(0.25)).abs() < 1e-9));
+        // The sample below the second pixel.
+        pixels = vec![[0.0; 3]; 6 * 2];
+        pixels[6 + 3] = [1.0; 3];
+        let resolved = resolve(Picture { width: 6, height: 2, pixels }, Sampling::Flipquad, 1);
+        assert!(resolved.pixels[0][0].abs() < 1e-9 && (resolved.pixels[1][0] - srgb_from_linear(0.25)).abs() < 1e-9);
     }
 
     #[test]

@@ -13,7 +13,7 @@ use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::{
     COPY_QUEUE_DEPTH, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS,
 };
-use pointcore_spec::{Format, TableShape};
+use pointcore_spec::{Format, Sampling, TableShape};
 use std::sync::Arc;
 
 const SIZE: u16 = TILE_SIZE as u16;
@@ -85,6 +85,7 @@ impl Scan {
 pub struct Rasterizer {
     shape: Shape,
     geometry: Format,
+    sampling: Sampling,
     tile_column_bits: u32,
     kernel: Arc<Table>,
     scan: Option<Scan>,
@@ -102,6 +103,7 @@ impl Rasterizer {
         Self {
             shape: Shape::new(config),
             geometry: config.geometry,
+            sampling: config.sampling,
             tile_column_bits: config.tile_column_bits(),
             kernel: Arc::new(kernel_table(config.kernel_gamma, kernel)),
             scan: None,
@@ -160,8 +162,8 @@ impl Rasterizer {
         let [mx, my] = footprint.m.map(number);
         let delta = number(footprint.delta);
 
-        let x = self.sample_position(pixel[0]) - center_x;
-        let y = self.sample_position(pixel[1]) - center_y;
+        let [sample_x, sample_y] = self.sample_position(pixel);
+        let (x, y) = (sample_x - center_x, sample_y - center_y);
         let determinant = delta + x * mx + y * my;
         let on_splat = if determinant.is_negative() == delta.is_negative() {
             let (s1, s2) = (x * ay - y * ax, x * by - y * bx);
@@ -172,10 +174,24 @@ impl Rasterizer {
         if self.shape.screen_filter.is_on() { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
     }
 
-    /// The middle of a pixel: its index with half a pixel appended.
-    fn sample_position(&self, pixel: u32) -> Number {
-        const HALF_PIXELS_BITS: u32 = 16;
-        Number::from_fixed(self.geometry, u64::from(pixel << 1 | 1), HALF_PIXELS_BITS, 1)
+    /// Where the sample of a column and a row lies, px.
+    fn sample_position(&self, [column, row]: [u32; 2]) -> [Number; 2] {
+        const POSITION_BITS: u32 = 16;
+        const FRACTION_BITS: u32 = 3;
+        let eighths = match self.sampling {
+            Sampling::Center => [column * 8 + 4, row * 8 + 4],
+            Sampling::Flipquad => {
+                let pixel = column / 2;
+                let is_even = (pixel + row) % 2 == 0;
+                match (column % 2 == 1, is_even) {
+                    (false, true) => [pixel * 8, row * 8 + 5],
+                    (false, false) => [pixel * 8, row * 8 + 3],
+                    (true, true) => [pixel * 8 + 3, row * 8],
+                    (true, false) => [pixel * 8 + 5, row * 8],
+                }
+            }
+        };
+        eighths.map(|place| Number::from_fixed(self.geometry, u64::from(place), POSITION_BITS, FRACTION_BITS))
     }
 }
 

@@ -9,9 +9,9 @@ use super::uniforms::SetupUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
-use pointcore_spec::Format;
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use pointcore_spec::core_a::{Config, Feature};
+use pointcore_spec::{Format, Sampling};
 use std::ops::Range;
 
 /// `e` up to this power of ½ counts as crossing the eye plane, in a format as precise as `f32`.
@@ -28,10 +28,11 @@ const BOUND_BITS: u32 = 21;
 const BOUND_FRACTION_BITS: u32 = 8;
 /// The largest bound in pixels before the conversion.
 const BOUND_MAX_PX: u64 = 8191;
-/// Half a pixel less a margin of 1/256 px, rounded up to the next pixel: `255 − 128 − 1`.
-const FIRST_OFFSET: u64 = 126;
-/// Half a pixel and a margin of 2/256 px.
-const PAST_OFFSET: u64 = 130;
+/// One of [`BOUND_FRACTION_BITS`].
+const PIXEL: u64 = 1 << BOUND_FRACTION_BITS;
+/// What bounds are wider by at either end, in units of [`BOUND_FRACTION_BITS`].
+const FIRST_MARGIN: u64 = 1;
+const LAST_MARGIN: u64 = 2;
 
 /// What the unit sees.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,6 +55,7 @@ pub struct Setup {
     geometry: Format,
     culling: Feature,
     edges: [u64; 2],
+    sampling: Sampling,
     datapath: Datapath<SetupSplat>,
 }
 
@@ -76,6 +78,7 @@ impl Setup {
             geometry: config.geometry,
             culling: config.culling,
             edges: [config.width, config.height].map(u64::from),
+            sampling: config.sampling,
             datapath: Datapath::new(latency, config.setup_interval),
         }
     }
@@ -152,7 +155,7 @@ impl Setup {
         Slant { alpha, beta, squared, whole }
     }
 
-    /// Pixels along one axis whose samples may lie inside the splat.
+    /// Rows or columns of samples that may lie inside the splat; all of a pixel's, or none.
     fn bounds(
         &self,
         axis: usize,
@@ -175,9 +178,15 @@ impl Setup {
         let zero = self.number(0);
         let low = low.max(zero).to_fixed(BOUND_BITS, BOUND_FRACTION_BITS);
         let high = high.min(self.constant(BOUND_MAX_PX, 0)).max(zero).to_fixed(BOUND_BITS, BOUND_FRACTION_BITS);
-        let first = (low + FIRST_OFFSET) >> BOUND_FRACTION_BITS;
-        let past = (high + PAST_OFFSET) >> BOUND_FRACTION_BITS;
-        first..past.min(edge)
+        // From its corner, the nearest and farthest of a pixel's samples.
+        let (nearest, farthest) = match self.sampling {
+            Sampling::Center => (PIXEL / 2, PIXEL / 2),
+            Sampling::Flipquad => (0, PIXEL * 5 / 8),
+        };
+        let first = (low + (PIXEL - 1) - farthest - FIRST_MARGIN) / PIXEL;
+        let past = (high + PIXEL - nearest + LAST_MARGIN) / PIXEL;
+        let samples = [u64::from(self.sampling.columns()), 1][axis];
+        first * samples..(past * samples).min(edge)
     }
 
     /// Depth and ε-band (eqs. 5.8, 5.9); `None` behind the far plane.

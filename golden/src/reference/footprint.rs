@@ -1,7 +1,8 @@
 //! A projected splat's bounds and its weight at a pixel's sample, by backward or by forward mapping.
 
 use super::projection::{Bounds, Culled, Projection};
-use pointcore_spec::Rendering;
+use super::sampling;
+use pointcore_spec::{Rendering, Sampling};
 
 /// How a splat's kernel reaches the screen (thesis 3.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,9 +18,10 @@ pub enum Mapping {
 /// Where and how strongly a splat is seen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Footprint {
-    /// The pixels to sample.
+    /// The samples to look at.
     pub bounds: Bounds,
     center: [f64; 2],
+    sampling: Sampling,
     kernel_gamma: f64,
     shape: Shape,
 }
@@ -49,20 +51,21 @@ impl Footprint {
             Mapping::Backward => backward(projection, rendering)?,
             Mapping::Forward => forward(projection, rendering)?,
         };
-        Ok(Self { bounds, center: projection.center, kernel_gamma: rendering.kernel_gamma, shape })
+        let (sampling, kernel_gamma) = (rendering.sampling, rendering.kernel_gamma);
+        Ok(Self { bounds, center: projection.center, sampling, kernel_gamma, shape })
     }
 
-    /// Kernel weight at the sample of pixel `(column, row)`; `None` outside the splat.
+    /// Kernel weight at the sample in a column and a row; `None` outside the splat.
     #[must_use]
     pub fn weight(&self, column: usize, row: usize) -> Option<f64> {
         self.weight_at(self.squared_distance(column, row))
     }
 
-    /// `ρ²` at the sample of pixel `(column, row)`; below one inside the splat.
+    /// `ρ²` at the sample in a column and a row; below one inside the splat.
     #[must_use]
     pub fn squared_distance(&self, column: usize, row: usize) -> f64 {
-        let x = column as f64 + 0.5 - self.center[0];
-        let y = row as f64 + 0.5 - self.center[1];
+        let [sample_x, sample_y] = sampling::position(self.sampling, column, row);
+        let (x, y) = (sample_x - self.center[0], sample_y - self.center[1]);
         match &self.shape {
             Shape::Backward { projection, filter_radius_px } => {
                 let on_splat = squared_distance_on_splat(projection, x, y);

@@ -8,6 +8,7 @@ mod footprint;
 pub mod neighbors;
 mod projection;
 mod reconstruction;
+pub mod sampling;
 
 pub use footprint::{Footprint, Mapping};
 pub use projection::{Bounds, Culled, Projection};
@@ -22,9 +23,9 @@ const BAND_ROWS: usize = 8;
 /// A reconstructed frame, row by row from the top left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Pixels a row.
+    /// Samples a row.
     pub width: usize,
-    /// Rows.
+    /// Rows of samples.
     pub height: usize,
     /// Normalized fragments (eq. 5.13); `None` where no splat fell.
     pub pixels: Vec<Option<Fragment>>,

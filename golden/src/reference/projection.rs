@@ -24,6 +24,7 @@
 //! about what is seen: such a splat's depth is its center's, and its half depth range is that of a splat with `m/e = 1`, but
 //! no more than 1, since depths lie in `0..=1`.
 
+use super::sampling;
 use glam::DVec3;
 use pointcore_spec::{Camera, Rendering, Splat};
 use std::ops::Range;
@@ -45,26 +46,27 @@ pub enum Culled {
     OutsideViewport,
 }
 
-/// The pixels whose samples may lie inside a splat. Neither range is empty.
+/// The samples that may lie inside a splat. Neither range is empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bounds {
-    /// Pixel columns.
+    /// Columns of samples.
     pub columns: Range<usize>,
-    /// Pixel rows.
+    /// Rows of samples.
     pub rows: Range<usize>,
 }
 
 impl Bounds {
-    /// The pixels of the viewport whose samples lie in the closed rectangle `low..=high`, given in pixels as `[x, y]`.
+    /// The samples of the viewport, of whole pixels, that lie in the closed rectangle `low..=high`, given in pixels as `[x, y]`.
     pub(super) fn of_samples(low: [f64; 2], high: [f64; 2], rendering: &Rendering) -> Result<Self, Culled> {
-        const SAMPLE_OFFSET_PX: f64 = 0.5;
-        let axis = |axis: usize, size: usize| {
+        let (nearest, farthest) = sampling::reach(rendering.sampling);
+        let axis = |axis: usize, samples: usize, size: usize| {
             // A float-to-integer cast saturates, which is the clipping to the viewport at zero.
-            let start = (low[axis] - SAMPLE_OFFSET_PX).ceil() as usize;
-            let end = ((high[axis] - SAMPLE_OFFSET_PX).floor() + 1.0) as usize;
-            start..end.min(size)
+            let start = (low[axis] - farthest).ceil() as usize;
+            let end = ((high[axis] - nearest).floor() + 1.0) as usize;
+            start.saturating_mul(samples)..end.saturating_mul(samples).min(size)
         };
-        let bounds = Self { columns: axis(0, rendering.width), rows: axis(1, rendering.height) };
+        let columns = rendering.sampling.columns() as usize;
+        let bounds = Self { columns: axis(0, columns, rendering.width), rows: axis(1, 1, rendering.height) };
         if bounds.columns.is_empty() || bounds.rows.is_empty() { Err(Culled::OutsideViewport) } else { Ok(bounds) }
     }
 

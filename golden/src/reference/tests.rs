@@ -1,5 +1,6 @@
 use super::*;
 use glam::DVec3;
+use pointcore_spec::Sampling;
 
 const CAMERA: Camera = Camera {
     model_view: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
@@ -15,6 +16,7 @@ const CAMERA: Camera = Camera {
 const RENDERING: Rendering = Rendering {
     width: 64,
     height: 61,
+    sampling: Sampling::Center,
     kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
     filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
     epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,

@@ -11,7 +11,7 @@ use pointcore_spec::core_a::config::{
     COPY_QUEUE_DEPTH, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS, index_bits,
 };
 use pointcore_spec::core_a::{Config, Field, records};
-use pointcore_spec::{Fixed, Format, Signedness, TableShape};
+use pointcore_spec::{Fixed, Format, Sampling, Signedness, TableShape};
 use std::rc::Rc;
 
 /// Bits of a pixel's column or row within its tile.
@@ -42,9 +42,10 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
         Program::new("core_a_evaluation", "Distance of a sample from its splat's centre, and its kernel weight.");
     let input = Inputs::new(&program, &position(config));
     let coefficient = |name| input.float(format, name);
-    let half = program.unsigned(1, 1);
-    let offset =
-        |pixel: &str, center: &str| input.bits(pixel).concat(&half).to_float(format, 1) - input.float(format, center);
+    let offset = |pixel: &str, center: &str| {
+        let (place, fraction) = sample(config.sampling, &program, &input, pixel);
+        place.to_float(format, fraction) - input.float(format, center)
+    };
     let (x, y) = (offset("column", "center_x"), offset("row", "center_y"));
 
     let s1 = &x * coefficient("ay") - &y * coefficient("ax");
@@ -73,6 +74,24 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     let computed = [("inside", inside), ("pixel", pixel), ("weight", weight)];
     input.output(&program, &records::sample_head(config), &computed);
     compile(&program, options)
+}
+
+/// Place of a sample along an axis, px, as a fixed-point number with its fraction bits.
+fn sample(sampling: Sampling, program: &Program, input: &Inputs, axis: &str) -> (Value, u32) {
+    let index = input.bits(axis);
+    match sampling {
+        Sampling::Center => (index.concat(&program.unsigned(1, 1)), 1),
+        Sampling::Flipquad => {
+            let is_top = input.bits("column").bits(0, 0);
+            let odd = input.bits("column").bits(1, 1) ^ input.bits("row").bits(0, 0);
+            let [none, three, five] = [0, 3, 5].map(|eighths| program.unsigned(3, eighths));
+            let (pixel, eighths) = match axis {
+                "column" => (index.shr(1), is_top.select(&odd.select(&five, &three), &none)),
+                _ => (index, is_top.select(&none, &odd.select(&three, &five))),
+            };
+            (pixel.concat(&eighths), 3)
+        }
+    }
 }
 
 fn sign(value: &Value, format: Format) -> Value {

@@ -6,16 +6,23 @@ use crate::float::mul;
 use crate::units::datapath::{Inputs, uniform};
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use pointcore_spec::core_a::{Config, records};
-use pointcore_spec::{Fixed, Format, Signedness};
+use pointcore_spec::{Fixed, Format, Sampling, Signedness};
 
 /// Where bounds saturate, in px: beyond every image.
 const BOUND_MAX: f64 = 8191.0;
 /// Bounds are rounded to pixels from so many fraction bits.
 const BOUND: Fixed = Fixed { width: 21, fraction: 8, signed: Signedness::Unsigned };
-/// `ceil(low − ½ − 1/256)` of a bound with 8 fraction bits is `(bound + FIRST_OFFSET) >> 8`.
-const FIRST_OFFSET: u64 = 126;
-/// One past `floor(high − ½ + 2/256)` of a bound with 8 fraction bits is `(bound + PAST_OFFSET) >> 8`.
-const PAST_OFFSET: u64 = 130;
+
+/// What rounds bounds with 8 fraction bits to the first and one past the last pixel with a sample within 1/256 px of them:
+/// `(bound + offset) >> 8`.
+const fn offsets(sampling: Sampling) -> (u64, u64) {
+    match sampling {
+        // ceil(low − ½ − 1/256) and 1 + floor(high − ½ + 2/256).
+        Sampling::Center => (126, 130),
+        // A pixel's samples reach from its edge to ⅝: ceil(low − ⅝ − 1/256) and 1 + floor(high + 2/256).
+        Sampling::Flipquad => (94, 258),
+    }
+}
 /// Depths as the record holds them.
 const DEPTH: Fixed = Fixed { width: DEPTH_BITS, fraction: DEPTH_BITS, signed: Signedness::Unsigned };
 
@@ -62,7 +69,7 @@ impl Frame<'_> {
         uniform(self.program, self.config.geometry, name)
     }
 
-    fn axis(&self, axis: &str, edge: u32, bits: u32) -> Axis {
+    fn axis(&self, axis: &str, edge: u32, columns: u32, bits: u32) -> Axis {
         let component = |name: &str| self.splat.float(self.config.geometry, &format!("{name}_{axis}"));
         let scale = self.uniform(&format!("scale_{axis}"));
         let v = component("center") * &self.r;
@@ -78,20 +85,24 @@ impl Frame<'_> {
             low = low.min(&(&center - radius));
             high = high.max(&(&center + radius));
         }
-        let (first, last, occupied) = self.pixels(&low, &high, edge, bits);
+        let (first, last, occupied) = self.samples(&low, &high, edge, columns, bits);
         let top = self.config.geometry.width() - 1;
         Axis { mirrored: scale.bits(top, top), center, a, b, first, last, occupied }
     }
 
-    /// First and last pixel between two bounds, and whether there is one; a NaN widens the bounds.
-    fn pixels(&self, low: &Value, high: &Value, edge: u32, bits: u32) -> (Value, Value, Value) {
+    /// First and last row or column of samples between two bounds, `columns` to a pixel, and whether there is one; a NaN widens the bounds.
+    fn samples(&self, low: &Value, high: &Value, edge: u32, columns: u32, bits: u32) -> (Value, Value, Value) {
         let sum_bits = BOUND.width + 1;
         let constant = |value| self.program.unsigned(sum_bits, value);
         let zero = self.constant(0.0);
-        let round =
-            |bound: Value, offset| (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)).shr(BOUND.fraction);
-        let first = round(low.max(&zero), FIRST_OFFSET);
-        let past = round(high.min(&self.constant(BOUND_MAX)).max(&zero), PAST_OFFSET);
+        let fraction = BOUND.fraction;
+        let round = |bound: Value, offset| {
+            let pixel = (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)).shr(fraction);
+            if columns == 1 { pixel } else { pixel.concat(&self.program.unsigned(columns.ilog2(), 0)).resize(sum_bits) }
+        };
+        let (first_offset, past_offset) = offsets(self.config.sampling);
+        let first = round(low.max(&zero), first_offset);
+        let past = round(high.min(&self.constant(BOUND_MAX)).max(&zero), past_offset);
         let edge = constant(edge.into());
         let first = self.whole.select(&first, &constant(0));
         let past = self.whole.select(&past.min(&edge), &edge);
@@ -131,8 +142,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let whole = program.float(format, clearance(format)).lt(&e).named("whole");
     let filter_radius = config.screen_filter.is_on().then(|| uniform(&program, format, "filter_radius"));
     let frame = Frame { config, program: &program, splat: &splat, r, alpha, beta, f, whole, filter_radius };
-    let x = frame.axis("x", config.width, config.column_bits());
-    let y = frame.axis("y", config.height, config.row_bits());
+    let x = frame.axis("x", config.width, config.sampling.columns(), config.column_bits());
+    let y = frame.axis("y", config.height, 1, config.row_bits());
     let Frame { r, alpha, beta, f, whole, .. } = &frame;
 
     let diagonal = &x.a * &y.b;

@@ -1,6 +1,6 @@
 //! `Config`: every parameter of core A, with the ranges the hardware holds.
 
-use crate::{Format, bus};
+use crate::{Format, Sampling, bus};
 use serde::{Deserialize, Serialize};
 
 /// Edge of a tile in pixels (thesis 5.5.1).
@@ -54,10 +54,12 @@ impl Feature {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// Image width in pixels.
+    /// Samples a row: pixels, or what `sampling` makes of them.
     pub width: u32,
-    /// Image height in pixels.
+    /// Rows of samples.
     pub height: u32,
+    /// Where samples lie (thesis 5.6.2).
+    pub sampling: Sampling,
     /// Format of all geometry, from the splat's centre to ρ².
     pub geometry: Format,
     /// Format of attributes and of their accumulators.
@@ -94,6 +96,7 @@ impl Default for Config {
         Self {
             width: 256,
             height: 256,
+            sampling: Sampling::Center,
             geometry: Format::F32.flushed(),
             attribute: Format::F16,
             continuous: 6,
@@ -127,6 +130,11 @@ pub enum ConfigError {
         /// Largest value allowed.
         high: f64,
     },
+    /// A row of samples that ends within a pixel.
+    #[error(
+        "`width` = {0} with `sampling` = \"flipquad\": expected an even number, two samples for each pixel of a row and one more"
+    )]
+    OddWidth(u32),
     /// More or fewer attributes than the accumulators hold.
     #[error("`continuous` + `cardinal` = {0}: expected 1 to {ATTRIBUTES_MAX} attributes")]
     Attributes(u32),
@@ -166,6 +174,9 @@ impl Config {
                 let [value, low, high] = [value, low, high].map(f64::from);
                 return Err(ConfigError::Range { key, value, low, high });
             }
+        }
+        if !self.width.is_multiple_of(self.sampling.columns()) {
+            return Err(ConfigError::OddWidth(self.width));
         }
         if !KERNEL_GAMMA_RANGE.contains(&self.kernel_gamma) {
             let (low, high) = KERNEL_GAMMA_RANGE.into_inner();
@@ -254,6 +265,13 @@ mod tests {
         assert_eq!(error.to_string(), "`continuous` + `cardinal` = 15: expected 1 to 14 attributes");
         let error = toml::from_str::<Config>("widht = 3").unwrap_err();
         assert!(error.to_string().contains("widht"), "{error}");
+    }
+
+    #[test]
+    fn flipquad_has_two_samples_a_pixel() {
+        let config = |width| Config { width, sampling: Sampling::Flipquad, ..Config::default() };
+        assert_eq!(config(66).validate(), Ok(()));
+        assert!(config(65).validate().unwrap_err().to_string().contains("expected an even number"));
     }
 
     #[test]

@@ -51,10 +51,11 @@ pub struct Point {
 pub struct UnknownKnob(String);
 
 /// Keys of a scene by the names of knobs.
-const KEYS: [(&str, &[&str]); 6] = [
+const KEYS: [(&str, &[&str]); 7] = [
     ("geometry", &["overrides.geometry"]),
     ("attribute", &["overrides.attribute"]),
     ("samples", &["image.samples"]),
+    ("sampling", &["image.sampling"]),
     ("cutoff", &["splatting.cutoff"]),
     // One number shares the operators of both units.
     ("sharing", &["overrides.transform_interval", "overrides.setup_interval"]),
@@ -84,6 +85,7 @@ impl Knob {
             Self::new("geometry", &["f32", "f24", "bf16-ftz"], &["f32-ftz", "f24-ftz"]),
             Self::new("attribute", &["f32", "f24"], &["f16", "bf16"]),
             Self::new("samples", &["3"], &["1", "2", "4"]),
+            Self::new("sampling", &["flipquad"], &[]),
             Self::new("cutoff", &["0.7", "0.85"], &[]),
             Self::new("sharing", &["1", "2", "4"], &["8"]),
         ]

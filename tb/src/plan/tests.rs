@@ -42,6 +42,7 @@ fn overrides_that_do_not_fit_name_key_and_remedy() {
         (SPHERE, "frob = 1", ["`overrides.frob`", "`heap_levels`"]),
         (SPHERE, "width = 64", ["`overrides.width`", "`image.width`"]),
         (SPHERE, "height = 48", ["`overrides.height`", "`image.height`"]),
+        (SPHERE, "sampling = \"flipquad\"", ["`overrides.sampling`", "`image.sampling`"]),
         (SPHERE, "kernel_gamma = 2.0", ["`overrides.kernel_gamma`", "`splatting.kernel_gamma`"]),
         (SPHERE, "continuous = 1", ["`overrides.continuous`", "normal and color"]),
         (SPHERE, "cardinal = 1", ["`overrides.cardinal`", "`material`"]),

@@ -2,6 +2,7 @@
 
 use super::error::SceneError;
 use super::model::NormalSource;
+use pointcore_spec::Sampling;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -50,6 +51,9 @@ pub(super) struct ImageTable {
     /// Samples along each edge of a pixel.
     #[serde(default = "one_sample")]
     pub samples: usize,
+    /// Where samples lie.
+    #[serde(default)]
+    pub sampling: Sampling,
 }
 
 fn one_sample() -> usize {

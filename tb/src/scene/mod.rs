@@ -21,7 +21,7 @@ use crate::shading::linear_from_srgb;
 use file::{ImageTable, SceneFile, SplattingTable};
 use glam::DVec3;
 use pointcore_spec::core_a::config::{IMAGE_EDGE_MAX, KERNEL_GAMMA_RANGE};
-use pointcore_spec::{Camera, Rendering, Splat};
+use pointcore_spec::{Camera, Rendering, Sampling, Splat};
 use std::path::Path;
 
 /// The share of a splat's radius by which surfaces may lie apart in depth and still blend. Neighboring splats of a
@@ -105,6 +105,7 @@ impl Scene {
         let (light, overrides) = (file.light, file.overrides);
         let scene = Self { camera, rendering, splats, light, materials, background, samples: 1, overrides };
         let (samples, cutoff) = (file.image.samples, file.splatting.cutoff.unwrap_or(1.0));
+        check_sampling(samples, &scene.rendering).map_err(|problem| value("image.sampling".to_owned(), problem))?;
         check_samples(samples, &scene.rendering).map_err(|problem| value("image.samples".to_owned(), problem))?;
         camera::within("splatting.cutoff", cutoff, CUTOFF_RANGE)
             .map_err(|(key, problem)| value(key.to_owned(), problem))?;
@@ -181,9 +182,15 @@ fn rendering(
         Rendering::DEFAULT_EPSILON_SCALE,
         0.0..=EPSILON_SCALE_LIMIT,
     )?;
+    // A pixel's right and bottom sides are the left and top sides of pixels beside it: the last ones have such beside them, too.
+    let (width, height) = match image.sampling {
+        Sampling::Center => (image.width, image.height),
+        Sampling::Flipquad => (2 * (image.width + 1), image.height + 1),
+    };
     Ok(Rendering {
-        width: image.width,
-        height: image.height,
+        width,
+        height,
+        sampling: image.sampling,
         kernel_gamma,
         filter_radius_px: (filter_radius_px > 0.0).then_some(filter_radius_px),
         epsilon_scale,
@@ -200,6 +207,24 @@ fn check_samples(samples: usize, rendering: &Rendering) -> Result<(), String> {
     (longest <= limit).then_some(()).ok_or_else(|| {
         format!("is {samples}, which makes {longest} samples along an edge of the image: expected up to {limit}")
     })
+}
+
+fn check_sampling(samples: usize, rendering: &Rendering) -> Result<(), String> {
+    let limit = IMAGE_EDGE_MAX as usize;
+    match rendering.sampling {
+        Sampling::Center => Ok(()),
+        Sampling::Flipquad if samples > 1 => {
+            Err(format!("is \"flipquad\", which has samples of its own: expected `image.samples` = 1, not {samples}"))
+        }
+        Sampling::Flipquad if rendering.width.max(rendering.height) > limit => Err(format!(
+            "is \"flipquad\", which makes {} by {} samples: expected up to {limit}, an image of {} by {} pixels",
+            rendering.width,
+            rendering.height,
+            limit / 2 - 1,
+            limit - 1
+        )),
+        Sampling::Flipquad => Ok(()),
+    }
 }
 
 fn check_light(light: &Light) -> Result<(), camera::Problem> {

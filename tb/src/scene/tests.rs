@@ -229,6 +229,13 @@ fn more_samples_see_the_same_picture() {
     let around = [(64, 48), (65, 48), (64, 49), (65, 49)].map(|(column, row)| depth(&frames[1], column, row));
     assert!((around.iter().sum::<f64>() / 4.0 - depth(&frames[0], 32, 24)).abs() < 1e-3, "{around:?}");
     assert_fails("height = 48", "height = 48, samples = 9", &["`image.samples` is 9", "1 to 8"]);
+    assert_fails("height = 48", "height = 48, sampling = \"grid\"", &["image", "`center` or `flipquad`"]);
+    assert_fails(
+        "height = 48",
+        "height = 48, samples = 2, sampling = \"flipquad\"",
+        &["`image.sampling`", "`image.samples` = 1"],
+    );
+    assert_fails("height = 48", "height = 4096, sampling = \"flipquad\"", &["130 by 4097", "2047 by 4095"]);
     assert_fails("height = 48", "height = 1000, samples = 8", &["8000 samples", "up to 4096"]);
 }
 

@@ -10,8 +10,8 @@ use pointcore::lockstep::{Golden, Lockstep, Run, Stall, StreamTestbench, Streams
 use pointcore::verilated::Library;
 use pointcore_golden::unit::{Model, Ported, Unit};
 use pointcore_hdl::rtl::Module;
-use pointcore_spec::Format;
 use pointcore_spec::core_a::{Config, Direction, Feature, Port};
+use pointcore_spec::{Format, Sampling};
 
 use crate::support;
 
@@ -67,8 +67,9 @@ pub fn configs() -> [Config; 3] {
         ..Config::default()
     };
     let mixed = Config {
-        width: 61,
+        width: 62,
         height: 45,
+        sampling: Sampling::Flipquad,
         continuous: 3,
         cardinal: 2,
         heap_levels: 3,
