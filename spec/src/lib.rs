@@ -12,6 +12,6 @@ pub mod table;
 
 pub use camera::Camera;
 pub use format::{Fixed, Format, Signedness, Subnormals};
-pub use rendering::{Rendering, Sampling};
+pub use rendering::{FragmentDepth, Rendering, Sampling};
 pub use splat::Splat;
 pub use table::TableShape;

@@ -26,6 +26,17 @@ impl Sampling {
     }
 }
 
+/// What a sample's depth is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FragmentDepth {
+    /// Its splat's: the middle of the splat's depth range, the same for all its samples (eq. 5.9).
+    #[default]
+    Center,
+    /// That of the splat's plane at the sample, within the splat's depth range.
+    Plane,
+}
+
 /// Parameters of one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rendering {
@@ -35,6 +46,8 @@ pub struct Rendering {
     pub height: usize,
     /// Where they lie.
     pub sampling: Sampling,
+    /// What their depths are.
+    pub depth: FragmentDepth,
     /// `γ` of the kernel `exp(−γρ²)`, cut off at `ρ = 1`.
     pub kernel_gamma: f64,
     /// Radius of the screen-space filter (thesis 5.4.2), under which no splat shrinks; `None` switches it off.

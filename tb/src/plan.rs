@@ -11,10 +11,11 @@ use serde::{Deserialize, Serialize};
 const FILTER_MARGIN: f64 = 1.0 / 256.0;
 
 /// Keys of the configuration that follow from the scene alone, and where it says them.
-const SCENE_KEYS: [(&str, &str); 6] = [
+const SCENE_KEYS: [(&str, &str); 7] = [
     ("width", "set `image.width`"),
     ("height", "set `image.height`"),
     ("sampling", "set `image.sampling`"),
+    ("depth", "set `splatting.depth`"),
     ("kernel_gamma", "set `splatting.kernel_gamma`"),
     ("continuous", "it counts the components of normal and color that differ between splats"),
     ("cardinal", "it is 1 where splats differ in `material`"),
@@ -169,6 +170,7 @@ impl Plan {
             width: u32::try_from(scene.rendering.width).unwrap_or(u32::MAX),
             height: u32::try_from(scene.rendering.height).unwrap_or(u32::MAX),
             sampling: scene.rendering.sampling,
+            depth: scene.rendering.depth,
             kernel_gamma: scene.rendering.kernel_gamma,
             ..Config::default()
         };

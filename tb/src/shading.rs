@@ -153,7 +153,8 @@ mod tests {
             rendering: pointcore_spec::Rendering {
                 width: 2,
                 height: 1,
-                sampling: pointcore_spec::Sampling::Center,
+                sampling: Sampling::Center,
+                depth: pointcore_spec::FragmentDepth::Center,
                 kernel_gamma: 2.0,
                 filter_radius_px: None,
                 epsilon_scale: 1.0,

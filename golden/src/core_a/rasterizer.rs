@@ -3,7 +3,7 @@
 //! A pixel a cycle, in the geometry format; samples outside the splat are dropped, but for a copy's last. Depth band and
 //! attributes wait in a queue beside the datapath and meet each of their samples at its end.
 
-use super::records::{Attributes, Band, Footprint, PlacedCopy, Sample, SamplePlace, Shape};
+use super::records::{Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace, Shape};
 use crate::datapath::Datapath;
 use crate::float::{Table, kernel_table};
 use crate::number::Number;
@@ -11,9 +11,9 @@ use crate::stream::Fifo;
 use crate::unit::{Model, Record, Visitor, stream};
 use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::{
-    COPY_QUEUE_DEPTH, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS,
+    COPY_QUEUE_DEPTH, DEPTH_BITS, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS,
 };
-use pointcore_spec::{Format, Sampling, TableShape};
+use pointcore_spec::{Format, FragmentDepth, Sampling, TableShape};
 use std::sync::Arc;
 
 const SIZE: u16 = TILE_SIZE as u16;
@@ -90,7 +90,8 @@ pub struct Rasterizer {
     kernel: Arc<Table>,
     scan: Option<Scan>,
     copies: Fifo<(Band, Attributes)>,
-    datapath: Datapath<SamplePlace>,
+    /// Samples, with their depth band where their splat has none.
+    datapath: Datapath<(SamplePlace, Option<Band>)>,
     events: Events,
 }
 
@@ -118,10 +119,10 @@ impl Rasterizer {
     }
 
     /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.
-    fn sample(&self, scan: &Scan, filter_scale: u32) -> Option<SamplePlace> {
+    fn sample(&self, scan: &Scan, filter_scale: u32) -> Option<(SamplePlace, Option<Band>)> {
         let PlacedCopy { copy, slot } = &scan.placed;
         if copy.end {
-            return Some(SamplePlace { end: true, ..SamplePlace::default() });
+            return Some((SamplePlace { end: true, ..SamplePlace::default() }, None));
         }
         let [tile_column, tile_row] =
             [copy.tile & ((1 << self.tile_column_bits) - 1), copy.tile >> self.tile_column_bits];
@@ -130,14 +131,36 @@ impl Rasterizer {
         let squared = self.squared_distance(&copy.footprint, [column, row], filter_scale);
         let inside = self.is_inside(squared);
         let last = scan.is_last();
-        (inside || last).then(|| SamplePlace {
-            end: false,
-            last,
-            inside,
-            slot: *slot,
-            pixel: (scan.row * SIZE + scan.column) as u8,
-            weight: self.weight(squared),
+        (inside || last).then(|| {
+            let place = SamplePlace {
+                end: false,
+                last,
+                inside,
+                slot: *slot,
+                pixel: (scan.row * SIZE + scan.column) as u8,
+                weight: self.weight(squared),
+            };
+            let has_plane = self.shape.depth == FragmentDepth::Plane;
+            (place, has_plane.then(|| self.depth_band(&copy.footprint, [column, row])))
         })
+    }
+
+    /// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
+    fn depth_band(&self, footprint: &Footprint, sample: [u32; 2]) -> Band {
+        let number = |bits| Number::new(self.geometry, bits);
+        let DepthPlane { center, slope, range, epsilon } = footprint.plane;
+        let [x, y] = self.offset(footprint, sample);
+        let [near, far] = range.map(number);
+        let depth = (number(center) + x * number(slope[0]) + y * number(slope[1])).max(near).min(far);
+        let fixed = |depth: Number| depth.max(number(0)).to_fixed(DEPTH_BITS, DEPTH_BITS) as u32;
+        Band { depth: fixed(depth), low: fixed(depth - number(epsilon)), high: fixed(depth + number(epsilon)) }
+    }
+
+    /// From the splat's projected centre to a sample, px.
+    fn offset(&self, footprint: &Footprint, sample: [u32; 2]) -> [Number; 2] {
+        let [x, y] = self.sample_position(sample);
+        let [center_x, center_y] = footprint.center.map(|bits| Number::new(self.geometry, bits));
+        [x - center_x, y - center_y]
     }
 
     /// Whether a sample at `ρ²` lies inside its splat; a NaN does not.
@@ -156,14 +179,12 @@ impl Rasterizer {
     #[must_use]
     pub fn squared_distance(&self, footprint: &Footprint, pixel: [u32; 2], filter_scale: u32) -> Number {
         let number = |bits| Number::new(self.geometry, bits);
-        let [center_x, center_y] = footprint.center.map(number);
+        let [x, y] = self.offset(footprint, pixel);
         let [ax, ay] = footprint.a.map(number);
         let [bx, by] = footprint.b.map(number);
         let [mx, my] = footprint.m.map(number);
         let delta = number(footprint.delta);
 
-        let [sample_x, sample_y] = self.sample_position(pixel);
-        let (x, y) = (sample_x - center_x, sample_y - center_y);
         let determinant = delta + x * mx + y * my;
         let on_splat = if determinant.is_negative() == delta.is_negative() {
             let (s1, s2) = (x * ay - y * ax, x * by - y * bx);
@@ -205,9 +226,9 @@ impl Model for Rasterizer {
     }
 
     fn outputs(&self) -> Out {
-        let out = self.datapath.out().map(|&place| {
+        let out = self.datapath.out().map(|&(place, own_band)| {
             let (band, attributes) = self.copies.out().copied().unwrap_or_default();
-            Sample { place, band, attributes }
+            Sample { place, band: own_band.unwrap_or(band), attributes }
         });
         Out { in_ready: self.in_ready(), out, events: self.events }
     }
@@ -232,7 +253,7 @@ impl Model for Rasterizer {
         let copy = taken
             .filter(|placed| !placed.copy.end)
             .map(|PlacedCopy { copy, .. }| (copy.footprint.band, copy.attributes));
-        self.copies.step(copy, left.is_some_and(|place| place.last));
+        self.copies.step(copy, left.is_some_and(|(place, _)| place.last));
     }
 }
 
@@ -280,9 +301,31 @@ mod tests {
             delta: bits(9.0),
             m: [0; 2],
             band: Band { depth: u32::from(slot), low: 1, high: 2 },
+            plane: DepthPlane::default(),
         };
         let bounds = Rectangle { left: 1, right: 6, top: 1, bottom: 6 };
         PlacedCopy { copy: SplatCopy { footprint, bounds, tile: 1 << 5 | 1, ..SplatCopy::default() }, slot }
+    }
+
+    #[test]
+    fn a_sample_has_the_depth_of_its_plane_within_the_range() {
+        let unit = Rasterizer::new(&Config { depth: FragmentDepth::Plane, ..Config::default() }, 4);
+        let plane = DepthPlane {
+            center: bits(0.5),
+            slope: [bits(0.125), bits(-0.0625)],
+            range: [bits(0.25), bits(0.75)],
+            epsilon: bits(0.125),
+        };
+        let footprint = Footprint { center: [bits(4.5); 2], plane, ..Footprint::default() };
+        let depth_at = |column, row| {
+            let Band { depth, low, high } = unit.depth_band(&footprint, [column, row]);
+            [depth, low, high].map(|depth| f64::from(depth) / f64::from(1 << DEPTH_BITS))
+        };
+        assert_eq!(depth_at(4, 4), [0.5, 0.375, 0.625]);
+        assert_eq!(depth_at(5, 6), [0.5, 0.375, 0.625]);
+        assert_eq!(depth_at(5, 4), [0.625, 0.5, 0.75]);
+        assert_eq!(depth_at(7, 4), [0.75, 0.625, 0.875], "not beyond its far end");
+        assert_eq!(depth_at(0, 4), [0.25, 0.125, 0.375], "not before its near end");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Encoded numbers are `u32`: every named format fits.
 
 use crate::unit::{Record, Visitor};
+use pointcore_spec::FragmentDepth;
 use pointcore_spec::core_a::config::ATTRIBUTES_MAX;
 use pointcore_spec::core_a::{Config, Feature};
 
@@ -18,6 +19,8 @@ pub struct Shape {
     pub cardinal: usize,
     /// Whether the uniforms of the screen filter exist.
     pub screen_filter: Feature,
+    /// Whether splats have a depth band, or a plane of depths.
+    pub depth: FragmentDepth,
 }
 
 impl Shape {
@@ -28,6 +31,7 @@ impl Shape {
             continuous: config.continuous as usize,
             cardinal: config.cardinal as usize,
             screen_filter: config.screen_filter,
+            depth: config.depth,
         }
     }
 
@@ -88,6 +92,30 @@ impl Band {
     }
 }
 
+/// Depth over a splat's plane, in the geometry format.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DepthPlane {
+    /// At the splat's centre.
+    pub center: u32,
+    /// Change over a pixel in x and in y.
+    pub slope: [u32; 2],
+    /// Near and far end of the splat's range.
+    pub range: [u32; 2],
+    /// Half the ε-band.
+    pub epsilon: u32,
+}
+
+impl DepthPlane {
+    fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.field("depth_center", &mut self.center);
+        visitor.field("depth_x", &mut self.slope[0]);
+        visitor.field("depth_y", &mut self.slope[1]);
+        visitor.field("depth_near", &mut self.range[0]);
+        visitor.field("depth_far", &mut self.range[1]);
+        visitor.field("epsilon", &mut self.epsilon);
+    }
+}
+
 /// What the rasterizer needs of a splat.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Footprint {
@@ -101,12 +129,14 @@ pub struct Footprint {
     pub delta: u32,
     /// `m_x`, `m_y`.
     pub m: [u32; 2],
-    /// Depth band.
+    /// Depth band, where all samples share it.
     pub band: Band,
+    /// Depth plane, where each sample has its own.
+    pub plane: DepthPlane,
 }
 
 impl Footprint {
-    fn visit(&mut self, visitor: &mut impl Visitor) {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         visitor.field("center_x", &mut self.center[0]);
         visitor.field("center_y", &mut self.center[1]);
         visitor.field("ax", &mut self.a[0]);
@@ -116,7 +146,10 @@ impl Footprint {
         visitor.field("delta", &mut self.delta);
         visitor.field("mx", &mut self.m[0]);
         visitor.field("my", &mut self.m[1]);
-        self.band.visit(visitor);
+        match shape.depth {
+            FragmentDepth::Center => self.band.visit(visitor),
+            FragmentDepth::Plane => self.plane.visit(visitor),
+        }
     }
 }
 
@@ -158,7 +191,7 @@ pub struct SetupSplat {
 impl Record<Shape> for SetupSplat {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         visitor.field("end", &mut self.end);
-        self.footprint.visit(visitor);
+        self.footprint.visit(shape, visitor);
         shape.attributes(&mut self.attributes, visitor);
         self.bounds.visit(visitor);
     }
@@ -182,7 +215,7 @@ pub struct SplatCopy {
 impl Record<Shape> for SplatCopy {
     fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
         visitor.field("end", &mut self.end);
-        self.footprint.visit(visitor);
+        self.footprint.visit(shape, visitor);
         shape.attributes(&mut self.attributes, visitor);
         self.bounds.visit(visitor);
         visitor.field("tile", &mut self.tile);

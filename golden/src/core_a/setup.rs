@@ -4,7 +4,7 @@
 //! the eye plane has the viewport for bounds. Dropped are splats behind the far plane, splats without a pixel and, with culling,
 //! splats that face away. A splat seen edge-on has no `Δ` to speak of, and draws its screen filter's disc at most.
 
-use super::records::{Band, Footprint, Rectangle, SetupSplat, Shape, Splat};
+use super::records::{Band, DepthPlane, Footprint, Rectangle, SetupSplat, Shape, Splat};
 use super::uniforms::SetupUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
@@ -112,7 +112,7 @@ impl Setup {
 
         let columns = self.bounds(0, cx, ax, bx, &slant, uniforms);
         let rows = self.bounds(1, cy, ay, by, &slant, uniforms);
-        let band = self.band(r, &slant, uniforms)?;
+        let depths = self.depths(r, &slant, uniforms)?;
         if columns.is_empty() || rows.is_empty() {
             return None;
         }
@@ -121,14 +121,17 @@ impl Setup {
         if self.culling.is_on() && !is_edge_on && !is_front(delta, scale_x, scale_y) {
             return None;
         }
+        let m = [beta * ay - alpha * by, alpha * bx - beta * ax];
+        let plane = depths.plane((!is_edge_on).then_some(delta), m);
         let delta = if is_edge_on { self.geometry.quiet_nan() as u32 } else { delta.bits() };
         let footprint = Footprint {
             center: [cx, cy].map(Number::bits),
             a: [ax, ay].map(Number::bits),
             b: [bx, by].map(Number::bits),
             delta,
-            m: [beta * ay - alpha * by, alpha * bx - beta * ax].map(Number::bits),
-            band,
+            m: m.map(Number::bits),
+            band: depths.band(),
+            plane,
         };
         let bounds = Rectangle {
             left: columns.start as u16,
@@ -189,20 +192,54 @@ impl Setup {
         first * samples..(past * samples).min(edge)
     }
 
-    /// Depth and ε-band (eqs. 5.8, 5.9); `None` behind the far plane.
-    fn band(&self, r: Number, slant: &Slant, uniforms: &SetupUniforms) -> Option<Band> {
-        let one = self.constant(1, 0);
-        let b = self.number(uniforms.depth_b) * r;
-        let center = self.number(uniforms.depth_a) + b;
+    /// Depth range and ε (eqs. 5.8, 5.9); `None` behind the far plane.
+    fn depths(&self, r: Number, slant: &Slant, uniforms: &SetupUniforms) -> Option<Depths> {
+        let (zero, one) = (self.number(0), self.constant(1, 0));
+        let scale = self.number(uniforms.depth_b) * r;
+        let center = self.number(uniforms.depth_a) + scale;
         if !center.is_at_most(one) {
             return None;
         }
-        let range = slant.whole.map(|f| (center + b * (slant.squared * f), b.abs() * (slant.squared.sqrt() * f)));
-        let beyond_near = range.filter(|(depth, half)| self.number(0).is_at_most(*depth - *half));
-        let (depth, half_depth) = beyond_near.unwrap_or((center, b.abs().min(one)));
-        let epsilon = half_depth * self.number(uniforms.epsilon_scale) + self.number(uniforms.epsilon_bias);
-        let fixed = |depth: Number| depth.max(self.number(0)).to_fixed(DEPTH_BITS, DEPTH_BITS) as u32;
-        Some(Band { depth: fixed(depth), low: fixed(depth - epsilon), high: fixed(depth + epsilon) })
+        let range =
+            slant.whole.map(|f| (center + scale * (slant.squared * f), scale.abs() * (slant.squared.sqrt() * f)));
+        let beyond_near = range.filter(|(depth, half)| zero.is_at_most(*depth - *half));
+        let (middle, half) = beyond_near.unwrap_or((center, scale.abs().min(one)));
+        let range = beyond_near.map_or([zero, one], |(depth, half)| [depth - half, depth + half]);
+        let epsilon = half * self.number(uniforms.epsilon_scale) + self.number(uniforms.epsilon_bias);
+        Some(Depths { zero, scale, center, middle, range, epsilon })
+    }
+}
+
+/// Depths of a splat.
+struct Depths {
+    zero: Number,
+    /// `b`: the depth is `depth_a + b·u_z/z`.
+    scale: Number,
+    center: Number,
+    middle: Number,
+    range: [Number; 2],
+    epsilon: Number,
+}
+
+impl Depths {
+    fn band(&self) -> Band {
+        let fixed = |depth: Number| depth.max(self.zero).to_fixed(DEPTH_BITS, DEPTH_BITS) as u32;
+        let Self { middle, epsilon, .. } = *self;
+        Band { depth: fixed(middle), low: fixed(middle - epsilon), high: fixed(middle + epsilon) }
+    }
+
+    /// Over the plane, `u_z/z = D/Δ`; level without a `Δ`.
+    fn plane(&self, delta: Option<Number>, m: [Number; 2]) -> DepthPlane {
+        let slope = delta.map_or([self.zero; 2], |delta| {
+            let scale = self.scale * delta.recip();
+            m.map(|m| scale * m)
+        });
+        DepthPlane {
+            center: self.center.bits(),
+            slope: slope.map(Number::bits),
+            range: self.range.map(Number::bits),
+            epsilon: self.epsilon.bits(),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::projection::{Bounds, Culled, Projection};
 use super::sampling;
-use pointcore_spec::{Rendering, Sampling};
+use pointcore_spec::{FragmentDepth, Rendering, Sampling};
 
 /// How a splat's kernel reaches the screen (thesis 3.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,6 +73,18 @@ impl Footprint {
                 on_splat.min(on_screen)
             }
             Shape::Forward { xx, xy, yy, .. } => xx * x * x + 2.0 * xy * x * y + yy * y * y,
+        }
+    }
+
+    /// Depth of the sample in a column and a row.
+    #[must_use]
+    pub fn depth(&self, projection: &Projection, rendering: &Rendering, column: usize, row: usize) -> f64 {
+        match rendering.depth {
+            FragmentDepth::Center => projection.depth,
+            FragmentDepth::Plane => {
+                let [x, y] = sampling::position(self.sampling, column, row);
+                projection.plane_depth(x - self.center[0], y - self.center[1])
+            }
         }
     }
 

@@ -12,7 +12,7 @@ pub mod sampling;
 
 pub use footprint::{Footprint, Mapping};
 pub use projection::{Bounds, Culled, Projection};
-pub use reconstruction::{Decision, Decisions, Fragment, Margins, Pixel};
+pub use reconstruction::{Band, Decision, Decisions, Fragment, Margins, Pixel};
 
 use pointcore_spec::{Camera, Rendering, Splat};
 use rayon::prelude::*;
@@ -112,7 +112,8 @@ pub fn render(splats: &[Splat], camera: &Camera, rendering: &Rendering, mapping:
                         pixel.margins.note_edge(squared_distance);
                         if let Some(weight) = footprint.weight_at(squared_distance) {
                             inside += 1;
-                            pixel.add(splat, projection, weight, rendering);
+                            let depth = footprint.depth(projection, rendering, column, row);
+                            pixel.add(splat, Band::around(depth, projection, rendering), weight);
                         }
                     }
                 }

@@ -91,6 +91,12 @@ pub struct Projection {
     pub depth: f64,
     /// Half the splat's depth range, `h_z` of eq. 5.9.
     pub half_depth: f64,
+    /// Depth at the center.
+    center_depth: f64,
+    /// Change of depth for a change of `1/w` from the center's.
+    depth_scale: f64,
+    /// The splat's depth range; the whole of it where the splat begins before the near plane.
+    depth_range: [f64; 2],
 }
 
 impl Projection {
@@ -124,6 +130,7 @@ impl Projection {
         let beyond_near = e > CROSSING_CLEARANCE && range.0 - range.1 >= 0.0;
         let (depth, half_depth) =
             if beyond_near { range } else { (center_depth, depth_scale.abs().min(HALF_DEPTH_MAX)) };
+        let depth_range = if beyond_near { [depth - half_depth, depth + half_depth] } else { [0.0, 1.0] };
         Ok(Self {
             center: [camera.scale_x * vx + camera.center_x, camera.scale_y * vy + camera.center_y],
             gradient_x: gradient(camera.scale_x, vx, a1.x, a2.x),
@@ -131,7 +138,21 @@ impl Projection {
             slant: [alpha, beta],
             depth,
             half_depth,
+            center_depth,
+            depth_scale,
+            depth_range,
         })
+    }
+
+    /// Depth of the splat's plane where the viewing ray through `c + (x, y)` meets it, within the splat's range: `1/w = D/Δ` there, which is
+    /// linear on the screen. A splat seen edge-on has its center's.
+    #[must_use]
+    pub(super) fn plane_depth(&self, x: f64, y: f64) -> f64 {
+        let ([ax, bx], [ay, by], [alpha, beta]) = (self.gradient_x, self.gradient_y, self.slant);
+        let delta = ax * by - bx * ay;
+        let slope = (x * (beta * ay - alpha * by) + y * (alpha * bx - beta * ax)) / delta;
+        let [near, far] = self.depth_range;
+        (self.center_depth + self.depth_scale * if delta == 0.0 { 0.0 } else { slope }).max(near).min(far)
     }
 
     /// `e`: positive if the splat lies wholly in front of the eye plane.

@@ -61,6 +61,23 @@ pub struct Fragment {
     pub material: u16,
 }
 
+/// A sample's depth and the ends of its ε-band.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    depth: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Band {
+    /// The band of eq. 5.9. Of a splat that ends before the near plane, the far limit is the near plane, where its depth is stored.
+    #[must_use]
+    pub fn around(depth: f64, projection: &Projection, rendering: &Rendering) -> Self {
+        let epsilon = projection.half_depth * rendering.epsilon_scale + rendering.epsilon_bias;
+        Self { depth, low: depth - epsilon, high: (depth + epsilon).max(0.0) }
+    }
+}
+
 /// An accumulating pixel. It is empty iff its weight is zero, since every kernel weight is positive.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pixel {
@@ -79,31 +96,28 @@ pub struct Pixel {
 }
 
 impl Pixel {
-    /// Adds a splat of the given kernel weight.
-    pub fn add(&mut self, splat: &Splat, projection: &Projection, weight: f64, rendering: &Rendering) {
-        match self.test(projection, rendering) {
+    /// Adds a splat's sample of the given depth and kernel weight.
+    pub fn add(&mut self, splat: &Splat, band: Band, weight: f64) {
+        match self.test(band) {
             Decision::Fail => self.decisions.fail += 1,
             Decision::Pass => {
                 *self = Self { decisions: self.decisions, margins: self.margins, ..Self::default() };
                 self.decisions.pass += 1;
-                self.accumulate(splat, projection.depth.clamp(0.0, 1.0), weight);
+                self.accumulate(splat, band.depth.clamp(0.0, 1.0), weight);
             }
             Decision::Blend => {
                 self.decisions.blend += 1;
-                self.accumulate(splat, projection.depth.clamp(0.0, 1.0), weight);
+                self.accumulate(splat, band.depth.clamp(0.0, 1.0), weight);
             }
         }
     }
 
-    /// Eq. 5.8 with the ε of eq. 5.9; the stored depth is normalized first. Equality with a limit blends. Of a splat that
-    /// ends before the near plane, the far limit is the near plane, where its depth is stored.
-    fn test(&mut self, projection: &Projection, rendering: &Rendering) -> Decision {
+    /// Eq. 5.8; the stored depth is normalized first. Equality with a limit blends.
+    fn test(&mut self, Band { low, high, .. }: Band) -> Decision {
         if self.weight == 0.0 {
             return Decision::Pass;
         }
-        let epsilon = projection.half_depth * rendering.epsilon_scale + rendering.epsilon_bias;
         let stored = self.weighted_depth / self.weight;
-        let (low, high) = (projection.depth - epsilon, (projection.depth + epsilon).max(0.0));
         self.margins.depth = self.margins.depth.min((stored - low).abs()).min((stored - high).abs());
         if stored < low {
             Decision::Fail

@@ -1,6 +1,6 @@
 use super::*;
 use glam::DVec3;
-use pointcore_spec::Sampling;
+use pointcore_spec::{FragmentDepth, Sampling};
 
 const CAMERA: Camera = Camera {
     model_view: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
@@ -17,6 +17,7 @@ const RENDERING: Rendering = Rendering {
     width: 64,
     height: 61,
     sampling: Sampling::Center,
+    depth: FragmentDepth::Center,
     kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
     filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
     epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,
@@ -164,6 +165,27 @@ fn bounds_are_tight() {
 }
 
 #[test]
+fn a_plane_has_the_depth_of_its_points() {
+    let mut compared = 0;
+    for splat in random_splats(1000) {
+        let Ok(projection) = Projection::new(&splat, &CAMERA) else { continue };
+        let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
+        for (s, t) in [(0.0, 0.0), (0.5, -0.6), (-0.9, 0.3)] {
+            let point = vector(splat.center) + s * vector(splat.tangents[0]) + t * vector(splat.tangents[1]);
+            if point.z <= CAMERA.near {
+                continue;
+            }
+            let x = CAMERA.scale_x * point.x / point.z + CAMERA.center_x - projection.center[0];
+            let y = CAMERA.scale_y * point.y / point.z + CAMERA.center_y - projection.center[1];
+            let error = projection.plane_depth(x, y) - (CAMERA.depth_a + CAMERA.depth_b / point.z);
+            assert!(error.abs() < 1e-6, "({s}, {t}) of {splat:?}: {error}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 500, "compared {compared} points");
+}
+
+#[test]
 fn the_screen_filter_keeps_a_tiny_splat_visible() {
     let tiny = facing([0.01, 0.01, 10.0], 1e-4);
     assert!(
@@ -257,7 +279,7 @@ fn bands_render_what_one_pixel_at_a_time_renders() {
         for (splat, projection, footprint) in &drawn {
             let weight = footprint.weight(index % RENDERING.width, index / RENDERING.width);
             if let Some(weight) = weight {
-                expected.add(splat, projection, weight, &RENDERING);
+                expected.add(splat, Band::around(projection.depth, projection, &RENDERING), weight);
             }
         }
         assert_eq!((pixel, frame.decisions[index]), (&expected.normalized(), expected.decisions), "pixel {index}");

@@ -2,7 +2,7 @@
 
 use fastrand::Rng;
 use glam::Vec3;
-use pointcore_spec::{Camera, Rendering, Sampling, Splat};
+use pointcore_spec::{Camera, FragmentDepth, Rendering, Sampling, Splat};
 
 pub const CAMERA: Camera = Camera {
     model_view: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 4.0]],
@@ -20,6 +20,7 @@ pub const RENDERING: Rendering = Rendering {
     width: 103,
     height: 83,
     sampling: Sampling::Center,
+    depth: FragmentDepth::Center,
     kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
     filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
     epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,

@@ -8,10 +8,10 @@ use crate::stream;
 use crate::units::datapath::{Inputs, uniform};
 use crate::units::records::{layout, stream_in};
 use pointcore_spec::core_a::config::{
-    COPY_QUEUE_DEPTH, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS, index_bits,
+    COPY_QUEUE_DEPTH, DEPTH_BITS, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS, index_bits,
 };
 use pointcore_spec::core_a::{Config, Field, records};
-use pointcore_spec::{Fixed, Format, Sampling, Signedness, TableShape};
+use pointcore_spec::{Fixed, Format, FragmentDepth, Sampling, Signedness, TableShape};
 use std::rc::Rc;
 
 /// Bits of a pixel's column or row within its tile.
@@ -24,7 +24,8 @@ fn position(config: &Config) -> Vec<Field> {
     record.push(("slot".to_owned(), config.slot_bits()));
     record.push(("column".to_owned(), config.column_bits()));
     record.push(("row".to_owned(), config.row_bits()));
-    record.extend(records::footprint(config).into_iter().filter(|field| !records::band().contains(field)));
+    let shared = records::shared(config);
+    record.extend(records::footprint(config).into_iter().filter(|field| !shared.contains(field)));
     record
 }
 
@@ -71,8 +72,11 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     let weight = distance.to_fixed(argument).kernel(&kernel(config.kernel_gamma)?);
     let local = |name| input.bits(name).bits(LOCAL_BITS - 1, 0);
     let pixel = local("row").concat(&local("column"));
-    let computed = [("inside", inside), ("pixel", pixel), ("weight", weight)];
-    input.output(&program, &records::sample_head(config), &computed);
+    let mut computed = vec![("inside", inside), ("pixel", pixel), ("weight", weight)];
+    if config.depth == FragmentDepth::Plane {
+        computed.extend(depth_band(config, &program, &input, [&x, &y]));
+    }
+    input.output(&program, &records::evaluated(config), &computed);
     compile(&program, options)
 }
 
@@ -92,6 +96,19 @@ fn sample(sampling: Sampling, program: &Program, input: &Inputs, axis: &str) -> 
             (pixel.concat(&eighths), 3)
         }
     }
+}
+
+/// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
+fn depth_band(config: &Config, program: &Program, input: &Inputs, [x, y]: [&Value; 2]) -> [(&'static str, Value); 3] {
+    let format = config.geometry;
+    let number = |name| input.float(format, name);
+    let plane = number("depth_center") + x * number("depth_x") + y * number("depth_y");
+    let depth = plane.max(&number("depth_near")).min(&number("depth_far"));
+    let (low, high) = (&depth - number("epsilon"), &depth + number("epsilon"));
+    let zero = program.float(format, 0.0);
+    let shape = Fixed { width: DEPTH_BITS, fraction: DEPTH_BITS, signed: Signedness::Unsigned };
+    let fixed = |depth: &Value| depth.max(&zero).to_fixed(shape);
+    [("depth", fixed(&depth)), ("depth_low", fixed(&low)), ("depth_high", fixed(&high))]
 }
 
 fn sign(value: &Value, format: Format) -> Value {

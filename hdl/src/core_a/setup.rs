@@ -6,7 +6,7 @@ use crate::float::mul;
 use crate::units::datapath::{Inputs, uniform};
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use pointcore_spec::core_a::{Config, records};
-use pointcore_spec::{Fixed, Format, Sampling, Signedness};
+use pointcore_spec::{Fixed, Format, FragmentDepth, Sampling, Signedness};
 
 /// Where bounds saturate, in px: beyond every image.
 const BOUND_MAX: f64 = 8191.0;
@@ -161,7 +161,6 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let depth = beyond_near.select(&spread_depth, &center_depth);
     let half = beyond_near.select(&spread_half, &b.abs().min(&one));
     let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");
-    let fixed = |depth: &Value| depth.max(&zero).to_fixed(DEPTH);
 
     let mut visible = center_depth.le(&one) & &x.occupied & &y.occupied;
     if config.culling.is_on() {
@@ -170,7 +169,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     }
     let no_delta = program.constant(Type::Float(format), format.quiet_nan());
     program.keep_if(&(splat.bits("end") | visible));
-    let computed = [
+    let mut computed = vec![
         ("center_x", x.center),
         ("center_y", y.center),
         ("ax", x.a),
@@ -178,16 +177,35 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         ("ay", y.a),
         ("by", y.b),
         ("delta", edge_on.select(&no_delta, &delta)),
-        ("mx", mx),
-        ("my", my),
-        ("depth", fixed(&depth)),
-        ("depth_low", fixed(&(&depth - &epsilon))),
-        ("depth_high", fixed(&(&depth + &epsilon))),
+        ("mx", mx.clone()),
+        ("my", my.clone()),
         ("left", x.first),
         ("right", x.last),
         ("top", y.first),
         ("bottom", y.last),
     ];
+    computed.extend(match config.depth {
+        FragmentDepth::Center => {
+            let fixed = |depth: &Value| depth.max(&zero).to_fixed(DEPTH);
+            vec![
+                ("depth", fixed(&depth)),
+                ("depth_low", fixed(&(&depth - &epsilon))),
+                ("depth_high", fixed(&(&depth + &epsilon))),
+            ]
+        }
+        FragmentDepth::Plane => {
+            let scale = &b * delta.recip();
+            let slope = |m: &Value| edge_on.select(&zero, &(&scale * m));
+            vec![
+                ("depth_center", center_depth),
+                ("depth_x", slope(&mx)),
+                ("depth_y", slope(&my)),
+                ("depth_near", beyond_near.select(&(&spread_depth - &spread_half), &zero)),
+                ("depth_far", beyond_near.select(&(&spread_depth + &spread_half), &one)),
+                ("epsilon", epsilon),
+            ]
+        }
+    });
     splat.output(&program, &records::setup(config), &computed);
     // Among so many multipliers some are placed far from their operands.
     let spare = mul::stages(format) + 1;

@@ -1,6 +1,6 @@
 //! `Config`: every parameter of core A, with the ranges the hardware holds.
 
-use crate::{Format, Sampling, bus};
+use crate::{Format, FragmentDepth, Sampling, bus};
 use serde::{Deserialize, Serialize};
 
 /// Edge of a tile in pixels (thesis 5.5.1).
@@ -60,6 +60,8 @@ pub struct Config {
     pub height: u32,
     /// Where samples lie (thesis 5.6.2).
     pub sampling: Sampling,
+    /// Whether all samples of a splat have its depth, or each that of the splat's plane.
+    pub depth: FragmentDepth,
     /// Format of all geometry, from the splat's centre to ρ².
     pub geometry: Format,
     /// Format of attributes and of their accumulators.
@@ -97,6 +99,7 @@ impl Default for Config {
             width: 256,
             height: 256,
             sampling: Sampling::Center,
+            depth: FragmentDepth::Center,
             geometry: Format::F32.flushed(),
             attribute: Format::F16,
             continuous: 6,

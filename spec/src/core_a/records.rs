@@ -6,6 +6,7 @@
 use super::config::{
     Config, DEPTH_BITS, DEPTH_SUM_BITS, TILE_PIXELS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS, index_bits,
 };
+use crate::FragmentDepth;
 
 /// A field: its name and its width in bits.
 pub type Field = (String, u32);
@@ -44,11 +45,21 @@ pub fn splat(config: &Config) -> Vec<Field> {
 pub fn footprint(config: &Config) -> Vec<Field> {
     let coefficients = ["center_x", "center_y", "ax", "bx", "ay", "by", "delta", "mx", "my"];
     let mut record = fields(coefficients, config.geometry.width());
-    record.extend(band());
+    record.extend(match config.depth {
+        FragmentDepth::Center => band(),
+        FragmentDepth::Plane => depth_plane(config),
+    });
     record
 }
 
-/// Depth of a splat and the ends of its ε-band (eq. 5.8, 5.9).
+/// Depth over a splat's plane: at its centre, its change a pixel, the ends of its range, and half the ε-band (eq. 5.9).
+#[must_use]
+pub fn depth_plane(config: &Config) -> Vec<Field> {
+    let names = ["depth_center", "depth_x", "depth_y", "depth_near", "depth_far", "epsilon"];
+    fields(names, config.geometry.width())
+}
+
+/// Depth of a splat, or of a sample, and the ends of its ε-band (eq. 5.8, 5.9).
 #[must_use]
 pub fn band() -> Vec<Field> {
     fields(["depth", "depth_low", "depth_high"], DEPTH_BITS)
@@ -101,19 +112,32 @@ pub fn sample_head(config: &Config) -> Vec<Field> {
     record
 }
 
-/// What all samples of a copy share: its splat's depth band and attributes.
+/// What is computed of a sample: place and weight, and its depth band where splats have none.
+#[must_use]
+pub fn evaluated(config: &Config) -> Vec<Field> {
+    let mut record = sample_head(config);
+    if config.depth == FragmentDepth::Plane {
+        record.extend(band());
+    }
+    record
+}
+
+/// What all samples of a copy share: its splat's attributes, and its depth band where it has one.
 #[must_use]
 pub fn shared(config: &Config) -> Vec<Field> {
-    let mut record = band();
+    let mut record = match config.depth {
+        FragmentDepth::Center => band(),
+        FragmentDepth::Plane => Vec::new(),
+    };
     record.extend(attributes(config));
     record
 }
 
-/// A sample: where, how much, and its splat's depth band and attributes. `last` closes its copy; a sample outside the splat
+/// A sample: where, how much, depth band and its splat's attributes. `last` closes its copy; a sample outside the splat
 /// is passed on only to say so.
 #[must_use]
 pub fn sample(config: &Config) -> Vec<Field> {
-    let mut record = sample_head(config);
+    let mut record = evaluated(config);
     record.extend(shared(config));
     record
 }

@@ -51,11 +51,12 @@ pub struct Point {
 pub struct UnknownKnob(String);
 
 /// Keys of a scene by the names of knobs.
-const KEYS: [(&str, &[&str]); 7] = [
+const KEYS: [(&str, &[&str]); 8] = [
     ("geometry", &["overrides.geometry"]),
     ("attribute", &["overrides.attribute"]),
     ("samples", &["image.samples"]),
     ("sampling", &["image.sampling"]),
+    ("depth", &["splatting.depth"]),
     ("cutoff", &["splatting.cutoff"]),
     // One number shares the operators of both units.
     ("sharing", &["overrides.transform_interval", "overrides.setup_interval"]),
@@ -86,6 +87,7 @@ impl Knob {
             Self::new("attribute", &["f32", "f24"], &["f16", "bf16"]),
             Self::new("samples", &["3"], &["1", "2", "4"]),
             Self::new("sampling", &["flipquad"], &[]),
+            Self::new("depth", &["plane"], &[]),
             Self::new("cutoff", &["0.7", "0.85"], &[]),
             Self::new("sharing", &["1", "2", "4"], &["8"]),
         ]

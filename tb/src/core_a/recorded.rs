@@ -45,6 +45,7 @@ fn rendering(config: &Config) -> Rendering {
         width: config.width as usize,
         height: config.height as usize,
         sampling: config.sampling,
+        depth: config.depth,
         kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
         filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
         epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,

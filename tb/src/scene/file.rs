@@ -2,7 +2,7 @@
 
 use super::error::SceneError;
 use super::model::NormalSource;
-use pointcore_spec::Sampling;
+use pointcore_spec::{FragmentDepth, Sampling};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -105,6 +105,8 @@ pub(super) struct SplattingTable {
     pub epsilon_scale: Option<f64>,
     /// By default derived from the splats' radii.
     pub epsilon_bias: Option<f64>,
+    /// Whether samples have their splat's depth, or that of its plane.
+    pub depth: FragmentDepth,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]

@@ -191,6 +191,7 @@ fn rendering(
         width,
         height,
         sampling: image.sampling,
+        depth: splatting.depth,
         kernel_gamma,
         filter_radius_px: (filter_radius_px > 0.0).then_some(filter_radius_px),
         epsilon_scale,

@@ -11,7 +11,7 @@ use pointcore::verilated::Library;
 use pointcore_golden::unit::{Model, Ported, Unit};
 use pointcore_hdl::rtl::Module;
 use pointcore_spec::core_a::{Config, Direction, Feature, Port};
-use pointcore_spec::{Format, Sampling};
+use pointcore_spec::{Format, FragmentDepth, Sampling};
 
 use crate::support;
 
@@ -69,6 +69,7 @@ pub fn configs() -> [Config; 3] {
     let mixed = Config {
         width: 62,
         height: 45,
+        depth: FragmentDepth::Plane,
         sampling: Sampling::Flipquad,
         continuous: 3,
         cardinal: 2,
