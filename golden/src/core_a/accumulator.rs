@@ -74,6 +74,8 @@ pub struct Accumulator {
     input: Fifo<WeightedSample>,
     /// The sample that issues next.
     head: Option<WeightedSample>,
+    /// [`In::slot_ready`] of the cycle before.
+    slot_ready: u64,
     /// The pixels of all slots.
     pixels: Vec<Pixel>,
     /// Front: the sample issued last. As many as a sum takes, and one that writes.
@@ -95,6 +97,7 @@ impl Accumulator {
             attribute: config.attribute,
             input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
             head: None,
+            slot_ready: 0,
             pixels: vec![Pixel::default(); (config.tile_slots * TILE_PIXELS) as usize],
             stages: vec![None; config.accumulate_stages as usize + 1].into(),
             retire: None,
@@ -106,10 +109,10 @@ impl Accumulator {
     }
 
     /// Whether the sample at the head waits, and for what.
-    fn stall(&self, sample: &WeightedSample, slot_ready: u64) -> Events {
+    fn stall(&self, sample: &WeightedSample) -> Events {
         let place = &sample.place;
         let index = index(place.slot, place.pixel);
-        let slot_wait = place.inside && slot_ready >> place.slot & 1 == 0;
+        let slot_wait = place.inside && self.slot_ready >> place.slot & 1 == 0;
         let hazard = place.inside && !slot_wait && self.stages.iter().flatten().any(|stage| stage.index == Some(index));
         Events { accumulate: place.inside && !slot_wait && !hazard, hazard, slot_wait }
     }
@@ -183,7 +186,7 @@ impl Model for Accumulator {
                 issued = self.stages.iter().all(Option::is_none);
                 self.frame_end = issued;
             } else {
-                self.events = self.stall(sample, inputs.slot_ready);
+                self.events = self.stall(sample);
                 issued = !self.events.hazard && !self.events.slot_wait;
                 started = issued.then(|| self.start(sample));
             }
@@ -201,6 +204,7 @@ impl Model for Accumulator {
         if let Some(Fill { place, value }) = inputs.fill {
             self.pixels[index(place.slot, place.pixel)] = value;
         }
+        self.slot_ready = inputs.slot_ready;
         let taken = issued || self.head.is_none();
         if taken {
             self.head = self.input.out().copied();
@@ -286,7 +290,7 @@ mod tests {
         assert_eq!(retired, [10, 17], "issued in the cycle after stage E + 1 wrote");
         assert!(seen.hazard && !seen.slot_wait);
         let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000)], 50);
-        assert_eq!(retired, [57]);
+        assert_eq!(retired, [58], "issued in the cycle after the slot was seen to be ready");
         assert!(seen.slot_wait);
     }
 

@@ -83,11 +83,13 @@ struct Issue {
 
 impl Issue {
     fn new(m: &mut Module, head: &Head, slot_ready: &Expr, stages: &[Stage]) -> Self {
-        let slot = head.record.get("slot");
         let on_the_way = collisions(m, head, stages).any();
         let on_the_way = m.wire("on_the_way", &on_the_way);
         let occupied = stages.iter().fold(bit(false), |any, stage| any | &stage.valid);
-        let arrived = m.wire("arrived", &slot_ready.shr_by(&slot).bit(0));
+        // Chosen a cycle before it is asked for: what the head's going depends on reaches as far as the queue's memories.
+        let arrived = m.reg("arrived", 1);
+        let is_ready = |record: &Record| slot_ready.shr_by(&record.get("slot")).bit(0);
+        m.next(&arrived, &head.takes.mux(&is_ready(&head.arriving), &is_ready(&head.record)));
 
         let end = &head.valid & head.record.get("end");
         let sample = &head.valid & !head.record.get("end");
