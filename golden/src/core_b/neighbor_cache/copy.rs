@@ -65,12 +65,14 @@ pub(super) struct Copy {
     geometry: Format,
     found: Skid<QueryResult>,
     copying: Option<Copying>,
+    /// A complete neighborhood whose comparison value is to be computed.
+    closed: Option<(usize, Reference)>,
     cover: Datapath<(usize, Reference)>,
 }
 
 impl Copy {
     pub(super) fn new(geometry: Format, latency: u32) -> Self {
-        Self { geometry, found: Skid::default(), copying: None, cover: Datapath::new(latency, 1) }
+        Self { geometry, found: Skid::default(), copying: None, closed: None, cover: Datapath::new(latency, 1) }
     }
 
     pub(super) fn in_ready(&self) -> bool {
@@ -105,7 +107,7 @@ impl Copy {
         entries: &mut Entries,
         setup: &CacheSetup,
     ) {
-        let mut closed = None;
+        let judged = self.closed.take();
         match *step {
             Step::Wait => {}
             Step::Start { entry, .. } => {
@@ -116,7 +118,7 @@ impl Copy {
                 let Closing { extent, count } = copying.close(&result, setup);
                 entries.set_count(copying.entry, count);
                 let cover = extent.cover(self.geometry, setup);
-                closed = Some((copying.entry, Reference { point: copying.query.point, cover }));
+                self.closed = Some((copying.entry, Reference { point: copying.query.point, cover }));
                 self.copying = None;
             }
             Step::Take { copying, result } if result.found => {
@@ -125,7 +127,7 @@ impl Copy {
             }
             Step::Take { .. } => {}
         }
-        if let Some((entry, reference)) = self.cover.step(closed, true) {
+        if let Some((entry, reference)) = self.cover.step(judged, true) {
             entries.stop_writing(entry, reference);
         }
         self.found.step(found, matches!(step, Step::Take { .. }));

@@ -60,9 +60,11 @@ pub(super) fn copy(
     let place = Chosen { valid: stores, entry: target.expr() };
     neighborhoods.store(m, &place, &rank, &Record::from(&found));
 
+    // Whether this neighbor is one only chooses among comparisons that need not wait for it.
     let wanted = query.get("k");
-    let full = m.wire("copy_full", &total.eq(&wanted));
-    let one_less = total.add_lit(1).eq(&wanted);
+    let [none_left, one_left, two_left] = [0, 1, 2].map(|more| rank.add_lit(more).eq(&wanted));
+    let full = m.wire("copy_full", &is_found.mux(&one_left, &none_left));
+    let one_less = is_found.mux(&two_left, &one_left);
     let surplus = &full & !is_ball;
     let end = Chosen { valid: ends, entry: target.expr() };
     neighborhoods.close(m, &end, &(&total - surplus.zext(rank_bits)));

@@ -69,7 +69,10 @@ impl Covers {
     ) -> Result<(Chosen, Manifest), CompileError> {
         let Datapath { module, manifest } = comparison_value(config, options)?;
         let datapath = m.instance("judge", module);
-        m.connect(&datapath, "in_valid", valid);
+        let reach_valid = m.reg_reset("reach_valid", 1, 0);
+        m.next(&reach_valid, valid);
+        let reach = reach.register(m, "reach_", &bit(true));
+        m.connect(&datapath, "in_valid", &reach_valid);
         reach.connect(m, &datapath, "in_");
         m.connect(&datapath, "far_scale", &settings.get("far_scale"));
         let out = m.stream_from(&datapath, "out");

@@ -65,20 +65,22 @@ impl Deliveries {
         let count = from.count(m, &takes, &head.field("entry"));
         let rank_bits = config.rank_bits() as usize;
         let rank = m.reg("d0_rank", rank_bits);
-        let next_rank = m.wire("d0_next_rank", &rank.add_lit(1));
+        let next_rank = m.reg("d0_next_rank", rank_bits);
 
         // d1: the neighbor is read.
         let d1_valid = m.reg_reset("d1_valid", 1, 0);
         let advance = m.wire("d_advance", &(!&d1_valid | &result.room));
         let reads = m.wire("d0_reads", &(&d0_valid & &advance));
-        let last = m.wire("d0_last", &next_rank.ge(&count));
+        // Ranks are counted up to the last one: it need not be told from those behind it.
+        let last = m.wire("d0_last", &(next_rank.eq(&count) | count.is_zero()));
         let releases = m.wire("releases", &(&reads & &last));
         m.next_if(&rank, &(&takes | &reads), &takes.mux(&lit(rank_bits, 0), &next_rank));
+        m.next_if(&next_rank, &(&takes | &reads), &takes.mux(&lit(rank_bits, 1), &next_rank.add_lit(1)));
         m.next(&d0_valid, &(&takes | (&d0_valid & !&releases)));
         m.next_if(&d1_valid, &advance, &d0_valid);
         let known = Record::new(&known_fields(config), |name| match name {
             "last" => last.clone(),
-            "found" => rank.lt(&count),
+            "found" => count.any(),
             field => answer.get(field),
         });
         let known = known.register(m, "d1_", &reads);
