@@ -3,8 +3,8 @@
 //! A row a thread, of which one at a time is worked on. A row's last entry is its farthest neighbor or, while there are fewer
 //! than k, a placeholder at the query's radius; when k is smaller than a row, sentinels of distance 0 fill its front.
 //!
-//! Three stages: a beat chooses its candidates by the radius of the thread's last leaf, the row comes from memory, the
-//! candidate is inserted if it is still nearer than the farthest neighbor.
+//! Four stages: a beat's lanes are compared with the radius of the thread's last leaf, one after the other is chosen, its row
+//! comes from memory, and it is inserted if it is still nearer than the farthest neighbor.
 //!
 //! Distances are compared as unsigned integers. Of points at equal distance the first to come stays, and stays in front.
 
@@ -53,15 +53,31 @@ impl Search {
     }
 }
 
+/// The next beat: stage a.
+#[derive(Clone, Copy, Debug)]
+struct Arrival {
+    candidates: Candidates,
+    /// Only what is nearer counts.
+    limit: u32,
+}
+
 /// The beat that chooses its candidates: stage b.
 #[derive(Clone, Copy, Debug)]
 struct Work {
     candidates: Candidates,
     /// The thread's row has to be read from memory.
     reads: bool,
-    /// Only what is nearer counts.
-    limit: u32,
+    /// Lanes to be chosen.
     pending: [bool; LANES_MAX],
+}
+
+impl Work {
+    /// Lanes that are not nearer than this are not to be chosen.
+    fn narrow(&mut self, radius2: u32) {
+        for (pending, distance) in self.pending.iter_mut().zip(self.candidates.distances) {
+            *pending &= distance < radius2;
+        }
+    }
 }
 
 /// A candidate on its way to its row: stage c.
@@ -117,6 +133,7 @@ pub struct Queue {
     working: Vec<Entry>,
     /// The squared radii of the threads' last leaves.
     limits: Vec<u32>,
+    arrival: Option<Arrival>,
     work: Option<Work>,
     item: Option<Item>,
     insertion: Option<Insertion>,
@@ -147,6 +164,7 @@ impl Queue {
             owner: None,
             working: row.clone(),
             limits: vec![0; threads],
+            arrival: None,
             work: None,
             item: None,
             insertion: None,
@@ -249,15 +267,9 @@ impl Queue {
         self.insertion = Some(Insertion { thread, last, neighbor });
     }
 
-    /// Stage b: the nearest lane of a beat goes on; returns what is left of it.
+    /// Stage b: the lowest lane of a beat goes on; returns what is left of it.
     fn choose(&mut self, mut work: Work, farthest: Option<Radius>) -> Option<Work> {
-        let place = work.candidates.place;
-        let known = farthest.filter(|farthest| farthest.thread == place.thread && !work.reads);
-        let limit = known.map_or(work.limit, |farthest| work.limit.min(farthest.radius2));
-        let distances = work.candidates.distances;
-        for (pending, distance) in work.pending.iter_mut().zip(distances) {
-            *pending &= distance < limit;
-        }
+        let Candidates { place, distances } = work.candidates;
         let lanes = self.shape.lanes;
         let chosen = work.pending[..lanes].iter().position(|pending| *pending);
         let neighbor = chosen.map(|lane| {
@@ -272,6 +284,9 @@ impl Queue {
         });
         self.item = Some(Item { thread: place.thread, row, last: place.last && !stays, neighbor });
         work.reads = false;
+        if let Some(farthest) = farthest.filter(|farthest| farthest.thread == place.thread) {
+            work.narrow(farthest.radius2);
+        }
         self.events.beat = !stays;
         self.events.insert_wait = stays;
         stays.then_some(work)
@@ -323,7 +338,8 @@ impl Model for Queue {
         // What a beat reads and whose row it displaces is judged by the stages as they were.
         let next_owner = self.next_owner();
         let reads = self.item.is_some_and(|item| item.row.is_some());
-        let farthest = self.farthest.filter(|_| !reads);
+        let is_current = !reads && self.work.is_none_or(|work| !work.reads);
+        let farthest = self.farthest.filter(|_| is_current);
         self.farthest = self.owner.filter(|_| !reads).map(|thread| Radius { thread, radius2: self.last_distance() });
         self.pass_item();
         let waits = is_idle && self.finish.out().is_some() && self.work.is_some_and(|work| work.reads);
@@ -332,23 +348,31 @@ impl Model for Queue {
             self.work = self.work.and_then(|work| self.choose(work, farthest));
         }
 
-        let next = self.candidates.out().copied();
         // The row that the beat before drives out is not in memory yet.
         let is_driven_out = |thread| before.is_some_and(|before| before != thread) && next_owner == Some(thread);
         let is_free = self.work.is_none();
-        let taken = next.filter(|next| is_free && !is_driven_out(next.place.thread));
-        if let Some(candidates) = taken {
+        let taken = self.arrival.filter(|next| is_free && !is_driven_out(next.candidates.place.thread));
+        if let Some(Arrival { candidates, limit }) = taken {
             let thread = candidates.place.thread;
             let begins = before.is_none() && self.searches[thread.index()].fresh;
             let reads = begins || before.or(next_owner) != Some(thread);
-            let limit = self.limits[thread.index()];
-            self.work = Some(Work { candidates, reads, limit, pending: [true; LANES_MAX] });
+            let mut work = Work { candidates, reads, pending: [true; LANES_MAX] };
+            work.narrow(limit);
+            if let Some(farthest) = farthest.filter(|farthest| farthest.thread == thread && !reads) {
+                work.narrow(farthest.radius2);
+            }
+            self.work = Some(work);
+        }
+        let arrives = self.arrival.is_none() || taken.is_some();
+        if arrives {
+            let limit = |candidates: &Candidates| self.limits[candidates.place.thread.index()];
+            self.arrival = self.candidates.out().map(|next| Arrival { candidates: *next, limit: limit(next) });
         }
         if let Some(thread) = finished {
             self.read_row(thread);
             self.readout = Readout::Fetch(thread);
         }
-        self.candidates.step(inputs.candidates, taken.is_some());
+        self.candidates.step(inputs.candidates, arrives);
         self.finish.step(inputs.finish, finished.is_some());
 
         if let Some(Radius { thread, radius2 }) = shown_radius {

@@ -1,58 +1,62 @@
 //! Priority queues (thesis 6.5.2, 6.6.2): a sorted row of neighbors for each thread, an insertion a cycle; golden twin:
 //! `pointcore_golden::core_b::queue`.
 //!
-//! The row of the thread whose points came last, its owner, is in a register; the others are in a memory. Three stages: a beat
-//! `b` chooses a candidate, whose place in its row is found in `c`, and which is moved there in `d`.
+//! The row of the thread whose points came last, its owner, is in a register; the others are in a memory. Four stages: of a beat
+//! in `a` the lanes that may be near are found, of which `b` chooses a candidate, whose place in its row is found in `c`, and
+//! which is moved there in `d`. What stages decide about each other follows from flip-flops, for it moves hundreds of them.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
-use super::queue_readout::{Readout, Rows};
+use super::queue_readout::{Readout, Rows, Whose};
 use super::queue_row::{entries, entry_fields, initial, insert, is_sentinel, row, row_bits};
 use super::radii::radii;
 use super::sets::{contains, decode, index_of, lowest, set};
-use crate::rtl::{Expr, Module, Reg, bit, cat, lit};
-use crate::units::records::{Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, width};
+use crate::rtl::{Expr, Module, Reg, bit, cat};
+use crate::units::records::{Head, Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, width};
 
 /// The beat that chooses its candidates.
 struct Beat {
     valid: Reg,
     /// Its thread's row has to be read from memory.
     reads: Reg,
-    /// Lanes that may still be chosen.
+    /// Lanes that are to be chosen.
     pending: Reg,
     record: Record,
 }
 
-impl Beat {
-    fn lane_distance(&self, lane: u32) -> Expr {
-        self.record.get(&format!("distance{lane}"))
-    }
-}
-
 /// What becomes of the beat in this cycle.
 struct Choice {
-    /// The lanes that are nearer than the limit, but for the one chosen.
+    /// The pending lanes but for the one chosen.
     rest: Expr,
     any: Expr,
     stays: Expr,
     neighbor: Record,
 }
 
+fn lane_distance(beat: &Record, lane: u32) -> Expr {
+    beat.get(&format!("distance{lane}"))
+}
+
+/// The lanes of a beat that are nearer than each of the limits that counts.
+fn near_lanes(config: &Config, beat: &Record, limits: &[(&Expr, &Expr)]) -> Expr {
+    let is_near = |distance: &Expr| {
+        let within = limits.iter().map(|(counts, limit)| !*counts | distance.lt(limit));
+        within.fold(bit(true), |all, one| all & one)
+    };
+    let near: Vec<_> = (0..config.lanes).map(|lane| is_near(&lane_distance(beat, lane))).collect();
+    set(&near)
+}
+
 impl Choice {
-    /// Chooses among the lanes that are nearer than each of the limits that counts.
-    fn new(m: &mut Module, config: &Config, beat: &Beat, limits: &[(Expr, Expr)]) -> Self {
-        let is_near = |distance: &Expr| {
-            let within = limits.iter().map(|(counts, limit)| !counts | distance.lt(limit));
-            within.fold(bit(true), |all, one| all & one)
-        };
-        let nearer: Vec<_> = (0..config.lanes).map(|lane| is_near(&beat.lane_distance(lane))).collect();
-        let candidates = m.wire("candidate_lanes", &(&beat.pending & set(&nearer)));
-        let chosen = m.wire("chosen", &lowest(&candidates));
-        let rest = m.wire("rest", &(&candidates & !&chosen));
-        let nearest_lane = (1..config.lanes).rev().fold(beat.lane_distance(config.lanes - 1), |other, lane| {
-            chosen.bit(lane as usize - 1).mux(&beat.lane_distance(lane - 1), &other)
-        });
+    /// Chooses among the pending lanes.
+    fn new(m: &mut Module, config: &Config, beat: &Beat) -> Self {
+        let chosen = m.wire("chosen", &lowest(&beat.pending));
+        let rest = m.wire("rest", &(&beat.pending & !&chosen));
+        let nearest_lane =
+            (1..config.lanes).rev().fold(lane_distance(&beat.record, config.lanes - 1), |other, lane| {
+                chosen.bit(lane as usize - 1).mux(&lane_distance(&beat.record, lane - 1), &other)
+            });
         let address = beat.record.get("address");
         let index = match config.lanes.ilog2() as usize {
             0 => address,
@@ -64,7 +68,7 @@ impl Choice {
             _ => nearest_lane.clone(),
         });
         let stays = m.wire("stays", &(&beat.valid & rest.any()));
-        Self { any: candidates.any(), rest, stays, neighbor }
+        Self { any: beat.pending.any(), rest, stays, neighbor }
     }
 }
 
@@ -150,9 +154,10 @@ pub fn module(config: &Config) -> Module {
     m.parameter("neighbors", config.neighbors);
     m.parameter("lanes", lanes);
     let start = pulse_in(&mut m, "start", &records::start(config));
-    let head = queue_in(&mut m, "candidates", &records::candidates(config));
+    let candidates = queue_in(&mut m, "candidates", &records::candidates(config));
     let finish = queue_in(&mut m, "finish", &records::thread_only(config));
-    let head_thread = head.field("thread");
+    let head = Head::new(&mut m, &candidates);
+    let head_thread = head.record.get("thread");
 
     let owned = m.reg_reset("owned", 1, 0);
     let owner = m.reg("owner", thread_bits);
@@ -163,7 +168,7 @@ pub fn module(config: &Config) -> Module {
         valid: m.reg_reset("beat_valid", 1, 0),
         reads: m.reg_reset("beat_reads", 1, 0),
         pending: m.reg("beat_pending", lanes),
-        record: Record::from(&head).register(&mut m, "beat_", &take),
+        record: head.record.register(&mut m, "beat_", &take),
     };
     let thread = beat.record.get("thread");
     let item = Item::new(&mut m, config);
@@ -188,11 +193,11 @@ pub fn module(config: &Config) -> Module {
     m.next(&farthest, &inserted[inserted.len() - 1].get("distance2"));
     m.next(&farthest_thread, &owner);
     m.next(&farthest_valid, &(&owned & !&item.reads));
-    let still = &farthest_valid & farthest_thread.eq(&thread);
-    let is_known = m.wire("farthest_is_known", &(still & !(&beat.reads | &item.reads)));
+    let is_current = m.wire("farthest_is_current", &(&farthest_valid & !(&beat.reads | &item.reads)));
 
     // Rows and queries are read for a beat that moves on or for a readout that may start, never for both.
-    let readout = Readout::new(&mut m, config, &finish, &(&write_back & owner.eq(&finish.field("thread"))));
+    let whose = Whose { fresh: &fresh, owned: &owned, owner: &owner, displaced: &item.reads };
+    let readout = Readout::new(&mut m, config, &finish, &whose);
     let waits = m.wire("waits", &(&beat.reads & &readout.reads));
     let moves = m.wire("moves", &(&beat.valid & !&waits));
     let reads = m.wire("reads", &(&moves & &beat.reads));
@@ -203,10 +208,11 @@ pub fn module(config: &Config) -> Module {
     let query = queries(&mut m, config, &start, &read_thread);
     let initial = m.wire("initial_row", &initial(config, &query.get("k"), &query.get("radius2")));
 
-    // b: the lowest lane that is nearer than the radius of the thread's last leaf goes on.
-    let limit = radii(&mut m, config, [&start, &radius], &take, &head.field("thread"));
-    let limits = [(bit(true), limit), (is_known, farthest.expr())];
-    let choice = Choice::new(&mut m, config, &beat, &limits);
+    // b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
+    let choice = Choice::new(&mut m, config, &beat);
+    let is_known = m.wire("farthest_is_known", &(&is_current & farthest_thread.eq(&thread)));
+    let near = near_lanes(config, &beat.record, &[(&is_known, &farthest)]);
+    let left = m.wire("left", &waits.mux(&beat.pending, &(&choice.rest & near)));
     let done = m.wire("done", &(&moves & !&choice.stays));
     m.next(&item.valid, &moves);
     m.next(&item.reads, &reads);
@@ -218,20 +224,24 @@ pub fn module(config: &Config) -> Module {
     let started = decode(&start.valid, &start.record.get("thread"), threads);
     m.next(&fresh, &((&fresh & !decode(&reads, &thread, threads)) | started));
 
-    // A row that the beat at work will drive out is not in memory when the next beat's is read.
+    // a: a row that the beat at work will drive out is not in memory when the next beat's is read.
     let tail = m.wire("tail", &item.valid.mux(&item.thread, &owner));
     let follows_tail = m.wire("follows_tail", &((&item.valid | &owned) & tail.eq(&head_thread)));
     let follows_beat = m.wire("follows_beat", &thread.eq(&head_thread));
     let driven_out = &beat.valid & (&follows_tail & !&follows_beat);
     let free = !&beat.valid | (&moves & !&choice.stays);
     m.drive(&take, &(&head.valid & (free & !driven_out)));
-    m.ready(&head, &take);
+    head.leaves(&mut m, &take);
     m.next(&beat.valid, &(&take | (&choice.stays | &waits)));
     let is_fresh = m.wire("is_fresh", &contains(&fresh, &head_thread));
     let take_reads = beat.valid.mux(&!&follows_beat, &(!&follows_tail | is_fresh));
     m.next(&beat.reads, &take.mux(&take_reads, &(&beat.reads & &waits)));
-    let left = waits.mux(&beat.pending, &choice.rest);
-    m.next(&beat.pending, &take.mux(&!lit(lanes, 0), &left));
+    // Pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
+    let limit = radii(&mut m, config, [&start, &radius], &head.takes, &head.arriving.get("thread"));
+    let will_be_known = &is_current & (farthest_thread.eq(&head_thread) & !&take_reads);
+    let will_be_known = m.wire("farthest_will_be_known", &will_be_known);
+    let near = near_lanes(config, &head.record, &[(&bit(true), &limit), (&will_be_known, &farthest)]);
+    m.next(&beat.pending, &take.mux(&near, &left));
 
     // c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders.
     let base = m.wire("base", &item.reads.mux(&stored, &working));
@@ -249,9 +259,7 @@ pub fn module(config: &Config) -> Module {
     m.next_if(&owner, &item.valid, &item.thread);
     m.next(&owned, &(&owned | &item.valid));
 
-    let owner_row =
-        Rows { fresh: &fresh, initial: &initial, owned: &owned, owner: &owner, working: &working, stored: &stored };
-    readout.send(&mut m, config, &owner_row, &query);
+    readout.send(&mut m, config, &Rows { initial: &initial, working: &working, stored: &stored }, &query);
     event_out(&mut m, "event_beat", &done);
     event_out(&mut m, "event_insert_wait", &(&moves & &choice.stays));
     m

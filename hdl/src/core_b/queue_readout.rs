@@ -11,39 +11,60 @@ use crate::units::records::{Record, registered_pulse_out};
 pub(super) struct Readout {
     /// It is idle and a thread has finished, whose row is read; no other is in this cycle.
     pub reads: Expr,
+    starts: Expr,
     fetching: Reg,
     sending: Reg,
+    idle: Reg,
+    from_working: Reg,
+    from_nothing: Reg,
     thread: Reg,
+}
+
+/// Whose row is where.
+pub(super) struct Whose<'a> {
+    pub fresh: &'a Expr,
+    pub owned: &'a Expr,
+    pub owner: &'a Expr,
+    /// The owner's row is written back in this cycle.
+    pub displaced: &'a Expr,
 }
 
 /// Where a thread's row may be.
 pub(super) struct Rows<'a> {
-    pub fresh: &'a Expr,
     pub initial: &'a Expr,
-    pub owned: &'a Expr,
-    pub owner: &'a Expr,
     pub working: &'a Expr,
     pub stored: &'a Expr,
 }
 
 impl Readout {
     /// Takes a finished thread when idle, unless its row is written back in this cycle.
-    pub fn new(m: &mut Module, config: &Config, finish: &Stream, written_back: &Expr) -> Self {
+    pub fn new(m: &mut Module, config: &Config, finish: &Stream, rows: &Whose<'_>) -> Self {
         let [fetching, sending] = ["fetching", "sending"].map(|name| m.reg_reset(name, 1, 0));
-        let reads = m.wire("readout_reads", &(&finish.valid & !(&fetching | &sending)));
-        let starts = m.wire("readout_starts", &(&reads & !written_back));
+        // Not `sending`, which is where the results leave: beats ask whether a row is read.
+        let idle = m.reg_reset("readout_idle", 1, 1);
+        let reads = m.wire("readout_reads", &(&finish.valid & &idle));
+        let finished = finish.field("thread");
+        let owns = m.wire("finished_owns", &(rows.owned & rows.owner.eq(&finished)));
+        let starts = m.wire("readout_starts", &(&reads & !(rows.displaced & &owns)));
         m.ready(finish, &starts);
         m.next(&fetching, &starts);
         let thread = m.reg("readout_thread", config.thread_bits() as usize);
-        m.next_if(&thread, &starts, &finish.field("thread"));
-        Self { reads, fetching, sending, thread }
+        m.next_if(&thread, &starts, &finished);
+        // Where the row is does not change while it is fetched: its search is over, and it is not displaced.
+        let from_working = m.reg("fetch_from_working", 1);
+        m.next(&from_working, &owns);
+        let from_nothing = m.reg("fetch_from_nothing", 1);
+        m.next(&from_nothing, &contains(rows.fresh, &finished));
+        let owns_now = rows.owned & rows.owner.eq(&thread);
+        m.assert("a_fetched_row_stays_where_it_is", &(!&fetching | from_working.eq(&owns_now)));
+        m.assert("a_fetched_row_stays_fresh", &(!&fetching | from_nothing.eq(&contains(rows.fresh, &thread))));
+        Self { reads, starts, fetching, sending, idle, from_working, from_nothing, thread }
     }
 
     /// Fetches the row from where it is and sends it.
     pub fn send(self, m: &mut Module, config: &Config, rows: &Rows<'_>, query: &Record) {
-        let Self { fetching, sending, thread, .. } = self;
-        let owns = rows.owned & rows.owner.eq(&thread);
-        let fetched = contains(rows.fresh, &thread).mux(rows.initial, &owns.mux(rows.working, rows.stored));
+        let Self { starts, fetching, sending, idle, from_working, from_nothing, thread, .. } = self;
+        let fetched = from_nothing.mux(rows.initial, &from_working.mux(rows.working, rows.stored));
         let row = m.reg("sent_row", row_bits(config));
         m.next_if(&row, &fetching, &fetched);
         let number = m.reg("sent_number", config.index_bits as usize);
@@ -76,6 +97,9 @@ impl Readout {
         let fields: Vec<_> = fields.iter().map(|(value, name)| (name.as_str(), value)).collect();
         let ready = m.stream_out("result", &sending, &fields);
         m.drive(&transfer, &(&sending & ready));
-        m.next(&sending, &(&fetching | (&sending & !(&transfer & last))));
+        let ends = m.wire("result_ends", &(&transfer & last));
+        m.next(&sending, &(&fetching | (&sending & !&ends)));
+        m.next(&idle, &((&idle & !starts) | ends));
+        m.assert("idle_when_neither", &idle.eq(&!(&fetching | &sending)));
     }
 }
