@@ -9,7 +9,7 @@ use super::sliced::Sliced;
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::rtl::Module;
 use crate::units::datapath::{Inputs, dot};
-use crate::units::records::{Record, pulse_in, queue_in, queue_out, width};
+use crate::units::records::{Record, pulse_in, queue_in, queue_out};
 
 const QUERY: [&str; 3] = ["query_x", "query_y", "query_z"];
 
@@ -42,9 +42,9 @@ fn request_points(m: &mut Module, config: &Config) {
     let leaf = queue_in(m, "leaf", &records::leaf(config));
     let fetch = queue_out(m, "fetch", &records::fetch(config));
     let entry = records::bucket(config);
-    let table = Sliced::new(m, "leaves", config.tree_depth as usize, width(&entry));
-    let writes = &tree.valid & tree.record.get("is_leaf");
-    table.write(m, &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
+    let writes = m.wire("writes_leaf", &(&tree.valid & tree.record.get("is_leaf")));
+    let table = Sliced::new(m, "leaves", &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
+    m.assert("no_leaf_is_looked_up_while_one_is_written", &!(&writes & &leaf.valid));
     // f0: the table shows the entry; f1: it is in a register, for a block RAM is slow to show it.
     let [f0_valid, f1_valid] = ["f0_valid", "f1_valid"].map(|name| m.reg_reset(name, 1, 0));
     let [f0_thread, f1_thread] = ["f0_thread", "f1_thread"].map(|name| m.reg(name, config.thread_bits() as usize));

@@ -4,7 +4,7 @@ use pointcore_spec::core_b::{Config, records};
 
 use super::sliced::Sliced;
 use crate::rtl::{Expr, Module, Reg, Stream, bit};
-use crate::units::records::{QueueOut, Record, pulse_in, queue_in, queue_out, width};
+use crate::units::records::{QueueOut, Record, pulse_in, queue_in, queue_out};
 
 /// A thread at a node, or nothing.
 pub(super) struct Place {
@@ -74,9 +74,7 @@ impl Nodes {
         let word = tree.record.only(&fields).pack();
         Self::Memories([("even", !&is_odd), ("odd", is_odd)].map(|(name, is_here)| {
             let writes = m.wire(&format!("writes_{name}"), &(&writes & is_here));
-            let memory = Sliced::new(m, &format!("{name}_nodes"), pair_bits(config), width(&fields));
-            memory.write(m, &writes, &written, &word);
-            memory
+            Sliced::new(m, &format!("{name}_nodes"), &writes, &written, &word)
         }))
     }
 
@@ -90,16 +88,24 @@ impl Nodes {
 
     /// On `advance`, `next` goes into `f` without its lowest bit; what is in `f`, which is known by now, goes into `v`: returns
     /// its place and, as it is in `v`, its node.
-    pub fn fetch(self, m: &mut Module, config: &Config, advance: &Expr, next: &Expr, wanted: Place) -> (Place, Record) {
+    pub fn fetch(
+        self,
+        m: &mut Module,
+        config: &Config,
+        advance: &Expr,
+        next: &Expr,
+        (wanted, v): (Place, &Token),
+    ) -> (Place, Record) {
         let fields = records::node(config);
         match self {
             Self::Memories(memories) => {
                 let address = pair(config, next);
+                // Chosen behind registers: in one cycle a block RAM only gets as far as these.
                 let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
-                    Record::unpack(&fields, &memory.read_if(m, &format!("{name}_node"), advance, &address))
+                    let node = memory.read_if(m, &format!("{name}_node"), advance, &address);
+                    Record::unpack(&fields, &node).register(m, &format!("v_{name}_"), advance)
                 });
-                let record = odd.mux(&wanted.node.bit(0), &even);
-                (wanted, record.register(m, "v_", advance))
+                (wanted, odd.mux(&v.node.bit(0), &even))
             }
             Self::Cache { node, record } => {
                 node.push(m, &(advance & &wanted.valid), |name| match name {

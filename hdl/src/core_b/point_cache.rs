@@ -170,7 +170,8 @@ pub fn module(config: &Config) -> Module {
     let step = m.wire("run_step", &(&advance_r & &runs));
     m.next_if(&run_count, &step, &run_last.mux(&lit(run_count.width(), 0), &run_count.add_lit(1)));
     m.next(&run.valid, &(&hits | (&run.valid & !(&step & &run_last))));
-    let read = m.read_if(&points, "read", &advance_r, &place(config, &run.slot, &run_count));
+    // Never in a cycle in which one is stored: what is written need not be told from what is read.
+    let read = m.read_if(&points, "read", &step, &place(config, &run.slot, &run_count));
 
     let r_valid = m.reg_reset("r_valid", 1, 0);
     m.drive(&advance_r, &(!&r_valid | &beat.room));

@@ -1,5 +1,5 @@
 //! Large memories, cut into slices of a few bits that a block RAM holds all words of: none is chosen among behind their slow
-//! outputs.
+//! outputs. Nor is a word that is written chosen there instead, for none is read in the cycle of a write.
 
 use crate::rtl::{Expr, Memory, Module, cat};
 
@@ -7,36 +7,35 @@ use crate::rtl::{Expr, Memory, Module, cat};
 const BLOCK_BITS: usize = 1 << 14;
 
 /// A memory in slices, the lowest bits first.
-pub(super) struct Sliced(Vec<Slice>);
+pub(super) struct Sliced {
+    slices: Vec<Slice>,
+    written: Expr,
+}
 
 struct Slice {
     memory: Memory,
-    high: usize,
     low: usize,
 }
 
 impl Sliced {
-    /// A memory of `2^address_bits` words.
-    pub fn new(m: &mut Module, name: &str, address_bits: usize, width: usize) -> Self {
+    /// A memory of a word for each address, written where `enable` is set.
+    pub fn new(m: &mut Module, name: &str, enable: &Expr, address: &Expr, word: &Expr) -> Self {
+        let (address_bits, width) = (address.width(), word.width());
         let bits = (BLOCK_BITS >> address_bits).clamp(1, width);
         let slice = |low: usize| {
             let high = width.min(low + bits) - 1;
-            Slice { memory: m.memory(&format!("{name}_{low}"), 1 << address_bits, high + 1 - low), high, low }
+            let memory = m.memory(&format!("{name}_{low}"), 1 << address_bits, high + 1 - low);
+            m.write(&memory, enable, address, &word.bits(high, low));
+            Slice { memory, low }
         };
-        Self((0..width).step_by(bits).map(slice).collect())
+        Self { slices: (0..width).step_by(bits).map(slice).collect(), written: enable.clone() }
     }
 
-    /// Its write port.
-    pub fn write(&self, m: &mut Module, enable: &Expr, address: &Expr, word: &Expr) {
-        for Slice { memory, high, low } in &self.0 {
-            m.write(memory, enable, address, &word.bits(*high, *low));
-        }
-    }
-
-    /// A read port that keeps its word while `enable` is low.
+    /// A read port that keeps its word while `enable` is low or a word is written.
     pub fn read_if(&self, m: &mut Module, name: &str, enable: &Expr, address: &Expr) -> Expr {
-        let read = |slice: &Slice| m.read_if(&slice.memory, &format!("{name}_{}", slice.low), enable, address);
-        let word: Vec<_> = self.0.iter().map(read).collect();
+        let enable = enable & !&self.written;
+        let read = |slice: &Slice| m.read_if(&slice.memory, &format!("{name}_{}", slice.low), &enable, address);
+        let word: Vec<_> = self.slices.iter().map(read).collect();
         cat(&word.iter().rev().collect::<Vec<_>>())
     }
 }

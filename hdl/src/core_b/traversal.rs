@@ -82,7 +82,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let wanted = Place { valid: f.valid.expr(), thread: f.thread.expr(), node };
     let next_node = m.forward("next_node", tree_depth + 1);
     let nodes_room = nodes.room();
-    let (entering, node) = nodes.fetch(&mut m, config, &advance, &next_node, wanted);
+    let (entering, node) = nodes.fetch(&mut m, config, &advance, &next_node, (wanted, &v));
     v.take(&mut m, &advance, &entering);
     let point = coordinates(&mut m, config, &start, &advance, &entering.thread);
 
