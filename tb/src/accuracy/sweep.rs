@@ -20,8 +20,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Hash of the sources that decide what a point comes to; the build script makes it.
 pub(super) const SOURCES: &str = env!("POINTCORE_MODEL_SOURCES");
-/// What the truth is rendered with: so many samples along each edge of a pixel, and whole kernels.
-const TRUTH: [&str; 3] = ["image.samples=4", "image.sampling=center", "splatting.cutoff=1.0"];
+/// What the truth is rendered with: so many samples along each edge of a pixel, whole kernels, and each sample's own depth.
+const TRUTH: [&str; 4] = ["image.samples=4", "image.sampling=center", "splatting.cutoff=1.0", "splatting.depth=plane"];
 /// How much difference pictures magnify.
 const MAGNIFICATION: f64 = 16.0;
 /// The picture of an entry, or of the truth.
