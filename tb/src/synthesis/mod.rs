@@ -18,7 +18,7 @@ pub use steps::{Progress, State, Step};
 pub use table::{Style, table};
 pub use target::Target;
 pub use timing::Timing;
-pub use units::{GROUPS, Group, Unit, all, known, standard};
+pub use units::{Extent, GROUPS, Group, Unit, all, known, standard};
 
 use crate::cache::{Cache, FileError, file, key};
 use crate::generated::GenerateError;
@@ -136,7 +136,7 @@ impl Synthesizer {
         if let Some((device, router)) = &self.router {
             check_capacity(name, device, &area)?;
             let route = |seed| {
-                let run = || self.route(name, device, router, &synthesis, &synthesis_key, seed);
+                let run = || self.route(unit, device, router, &synthesis, &synthesis_key, seed);
                 watched(name, Some(seed), progress, run)
             };
             runs = (1..=seeds).into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
@@ -173,7 +173,7 @@ impl Synthesizer {
     /// The clock of a netlist with one seed.
     fn route(
         &self,
-        unit: &str,
+        unit: &Unit,
         device: &Device,
         router: &Tool,
         synthesis: &Path,
@@ -182,16 +182,17 @@ impl Synthesizer {
     ) -> Result<Timing, SynthesisError> {
         let seed = seed.to_string();
         let parts = [synthesis_key, &router.description, &seed];
-        let key = key(parts.into_iter().chain(device.arguments.iter().copied()));
+        let key = key(parts.into_iter().chain(device.arguments(unit.extent)));
         let entry = self.cache.entry(&key, |content| {
             let netlist = content.join(NETLIST);
             fs::copy(synthesis.join(NETLIST), &netlist).map_err(file("copy the netlist to", &netlist))?;
             let files = ["--seed", &seed, "--json", NETLIST, "--report", TIMING, "--log", ROUTING];
-            router.run(unit, content, &[&["-q", "--timing-allow-fail"], &files[..], device.arguments].concat())?;
+            let arguments = ["-q", "--timing-allow-fail"].into_iter().chain(files).chain(device.arguments(unit.extent));
+            router.run(&unit.name, content, &arguments.collect::<Vec<_>>())?;
             Ok::<_, SynthesisError>(fs::remove_file(&netlist).map_err(file("remove", &netlist))?)
         })?;
         timing::parse(&read(&entry.join(TIMING))?)
-            .map_err(|problem| SynthesisError::Report { unit: unit.to_owned(), problem })
+            .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
     }
 }
 
@@ -208,8 +209,8 @@ fn design(unit: &Unit) -> Result<Shelled, SynthesisError> {
 pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError> {
     let design = design(unit)?;
     let script = target.script(&design);
-    let arguments = target.device().map_or(&[][..], |device| device.arguments);
-    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments.iter().copied())))
+    let arguments = target.device().into_iter().flat_map(|device| device.arguments(unit.extent));
+    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments)))
 }
 
 /// What yosys counts.

@@ -2,11 +2,16 @@
 
 use super::cells::Area;
 use super::shell::Shelled;
+use super::units::Extent;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
-/// Clock frequency in MHz that place and route aim at: beyond what the units reach, so that the tools do not stop early.
-const GOAL_MHZ: &str = "160";
+/// A clock in MHz beyond what the units reach, so that the tools do not stop early.
+const ALONE: &[&str] = &["--freq", "160"];
+/// A core fills its device, and what counts first is that all wires find a way: the router that negotiates, cells less dense than they could be, and
+/// short wires rather than short critical paths.
+const WHOLE: &[&str] =
+    &["--freq", "100", "--router", "router2", "--placer-heap-beta", "0.75", "--placer-heap-timingweight", "3"];
 
 /// A technology.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum, Serialize, Deserialize)]
@@ -38,7 +43,7 @@ pub(super) struct Device {
     pub name: &'static str,
     /// The program that places and routes it.
     pub program: &'static str,
-    /// Its arguments beside files and seed.
+    /// Its arguments for the device.
     pub arguments: &'static [&'static str],
     /// What is checked before.
     pub capacities: &'static [Capacity],
@@ -47,7 +52,7 @@ pub(super) struct Device {
 const ECP5: Device = Device {
     name: "LFE5U-85F",
     program: "nextpnr-ecp5",
-    arguments: &["--85k", "--speed", "6", "--package", "CABGA756", "--lpf-allow-unconstrained", "--freq", GOAL_MHZ],
+    arguments: &["--85k", "--speed", "6", "--package", "CABGA756", "--lpf-allow-unconstrained"],
     capacities: &[
         Capacity {
             name: "LUT4",
@@ -63,7 +68,7 @@ const ECP5: Device = Device {
 const ICE40: Device = Device {
     name: "iCE40HX8K",
     program: "nextpnr-ice40",
-    arguments: &["--hx8k", "--package", "ct256", "--pcf-allow-unconstrained", "--freq", GOAL_MHZ],
+    arguments: &["--hx8k", "--package", "ct256", "--pcf-allow-unconstrained"],
     capacities: &[
         // A logic cell holds a LUT, a flip-flop and a carry; they are not always in the same cell, so this is what is needed at least.
         Capacity { name: "LUT4", taken: |area| area.lut, available: 7_680 },
@@ -71,6 +76,17 @@ const ICE40: Device = Device {
         Capacity { name: "block RAMs", taken: |area| area.block_ram, available: 32 },
     ],
 };
+
+impl Device {
+    /// The arguments of place and route, beside files and seed, for a unit alone or a whole core.
+    pub(super) fn arguments(&self, extent: Extent) -> impl Iterator<Item = &str> {
+        let effort = match extent {
+            Extent::Unit => ALONE,
+            Extent::Core => WHOLE,
+        };
+        self.arguments.iter().chain(effort).copied()
+    }
+}
 
 impl Target {
     /// Its name on the command line.

@@ -22,10 +22,21 @@ const HEAPS: [(&str, u32, [u32; 2]); 2] = [("heap1023", 10, [64, 32]), ("heap409
 
 type Build = Box<dyn Fn() -> Result<Rc<Module>, GenerateError> + Send + Sync>;
 
+/// Whether something is a part of a core or the whole of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// A part.
+    Unit,
+    /// The whole.
+    Core,
+}
+
 /// Something to synthesize.
 pub struct Unit {
     /// What it is called on the command line and in tables.
     pub name: String,
+    /// How much of a core it is.
+    pub extent: Extent,
     build: Build,
 }
 
@@ -42,18 +53,19 @@ impl Unit {
         name: impl Into<String>,
         build: impl Fn() -> Result<M, CompileError> + Send + Sync + 'static,
     ) -> Self {
-        Self { name: name.into(), build: Box::new(move || Ok(build()?.into())) }
+        Self { name: name.into(), extent: Extent::Unit, build: Box::new(move || Ok(build()?.into())) }
     }
 
     /// The whole core of a configuration.
     #[must_use]
     pub fn core(name: impl Into<String>, configuration: Configuration) -> Self {
-        Self::new(name, move || {
+        let unit = Self::new(name, move || {
             Ok(match &configuration {
                 Configuration::CoreA(config) => core_a::top::core(config, &Options::default())?.module,
                 Configuration::CoreB(config) => core_b::top::core(config, &Options::default())?.module,
             })
-        })
+        });
+        Self { extent: Extent::Core, ..unit }
     }
 }
 
