@@ -24,7 +24,7 @@ pub use heap::Heap;
 pub use normalizer::Normalizer;
 pub use rasterizer::Rasterizer;
 pub use reorder::Reorder;
-pub use setup::Setup;
+pub use setup::{Setup, Slant};
 pub use splitter::Splitter;
 pub use tile_cache::TileCache;
 pub use top::Top;

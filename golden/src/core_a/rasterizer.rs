@@ -9,10 +9,10 @@ use crate::float::{Table, kernel_table};
 use crate::number::Number;
 use crate::stream::Fifo;
 use crate::unit::{Model, Record, Visitor, stream};
-use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::{
     COPY_QUEUE_DEPTH, DEPTH_BITS, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS,
 };
+use pointcore_spec::core_a::{Config, Feature};
 use pointcore_spec::{Format, FragmentDepth, Sampling, TableShape};
 use std::sync::Arc;
 
@@ -86,6 +86,7 @@ pub struct Rasterizer {
     shape: Shape,
     geometry: Format,
     sampling: Sampling,
+    eye_plane: Feature,
     tile_column_bits: u32,
     kernel: Arc<Table>,
     scan: Option<Scan>,
@@ -105,6 +106,7 @@ impl Rasterizer {
             shape: Shape::new(config),
             geometry: config.geometry,
             sampling: config.sampling,
+            eye_plane: config.eye_plane,
             tile_column_bits: config.tile_column_bits(),
             kernel: Arc::new(kernel_table(config.kernel_gamma, kernel)),
             scan: None,
@@ -186,11 +188,12 @@ impl Rasterizer {
         let delta = number(footprint.delta);
 
         let determinant = delta + x * mx + y * my;
-        let on_splat = if determinant.is_negative() == delta.is_negative() {
+        let is_behind = determinant.is_negative() != delta.is_negative();
+        let on_splat = if is_behind && self.eye_plane.is_on() {
+            number(self.geometry.infinity() as u32)
+        } else {
             let (s1, s2) = (x * ay - y * ax, x * by - y * bx);
             (s1 * s1 + s2 * s2) / (determinant * determinant)
-        } else {
-            number(self.geometry.infinity() as u32)
         };
         if self.shape.screen_filter.is_on() { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
     }

@@ -1,8 +1,8 @@
 //! Setup unit: projection, bounds and depth band of a splat (thesis tables 5.1 and 5.2, recentred as docs/core_a.md derives).
 //!
 //! A datapath of interval `setup_interval`, in the geometry format. Bounds are rounded outwards to pixels; a splat that crosses
-//! the eye plane has the viewport for bounds. Dropped are splats behind the far plane, splats without a pixel and, with culling,
-//! splats that face away. A splat seen edge-on has no `Δ` to speak of, and draws its screen filter's disc at most.
+//! the eye plane has the viewport for bounds, unless that part is left out. Dropped are splats behind the far plane, splats without
+//! a pixel and, with culling, splats that face away. A splat seen edge-on has no `Δ` to speak of, and draws its screen filter's disc at most.
 
 use super::records::{Band, DepthPlane, Footprint, Rectangle, SetupSplat, Shape, Splat};
 use super::uniforms::SetupUniforms;
@@ -54,19 +54,25 @@ pub struct Setup {
     shape: Shape,
     geometry: Format,
     culling: Feature,
+    eye_plane: Feature,
     edges: [u64; 2],
     sampling: Sampling,
     datapath: Datapath<SetupSplat>,
 }
 
-/// What the bounds of both axes and the depth share.
-struct Slant {
-    alpha: Number,
-    beta: Number,
+/// How far a splat leans towards the eye: what the bounds of both axes and the depth share.
+#[derive(Clone, Copy, Debug)]
+pub struct Slant {
+    /// The first tangent's depth relative to the centre's.
+    pub alpha: Number,
+    /// The second tangent's.
+    pub beta: Number,
     /// `q = α² + β²`.
     squared: Number,
-    /// `f = 1/e`, `None` if the splat crosses the eye plane.
-    whole: Option<Number>,
+    /// Whether `e = 1 − q` says that the splat lies wholly in front of the eye.
+    pub is_whole: bool,
+    /// `f = 1/e`; `None` of a splat that is not whole, where there is a part that sees to it.
+    reciprocal: Option<Number>,
 }
 
 impl Setup {
@@ -77,6 +83,7 @@ impl Setup {
             shape: Shape::new(config),
             geometry: config.geometry,
             culling: config.culling,
+            eye_plane: config.eye_plane,
             edges: [config.width, config.height].map(u64::from),
             sampling: config.sampling,
             datapath: Datapath::new(latency, config.setup_interval),
@@ -98,13 +105,13 @@ impl Setup {
             return Some(SetupSplat { end: true, ..SetupSplat::default() });
         }
         let [ux, uy, uz] = splat.center.map(|bits| self.number(bits));
-        let [[a1x, a1y, a1z], [a2x, a2y, a2z]] = splat.tangents.map(|tangent| tangent.map(|bits| self.number(bits)));
+        let [[a1x, a1y, _], [a2x, a2y, _]] = splat.tangents.map(|tangent| tangent.map(|bits| self.number(bits)));
         let [scale_x, scale_y] = uniforms.scale.map(|bits| self.number(bits));
         let [origin_x, origin_y] = uniforms.origin.map(|bits| self.number(bits));
 
         let r = uz.recip();
         let (vx, vy) = (ux * r, uy * r);
-        let slant = self.slant(a1z * r, a2z * r);
+        let slant = self.slant(splat, r);
         let (alpha, beta) = (slant.alpha, slant.beta);
         let (ax, bx) = (scale_x * (a1x * r - vx * alpha), scale_x * (a2x * r - vx * beta));
         let (ay, by) = (scale_y * (a1y * r - vy * alpha), scale_y * (a2y * r - vy * beta));
@@ -149,13 +156,22 @@ impl Setup {
         exponent == 0 || exponent + resolution < term.exponent_field()
     }
 
-    fn slant(&self, alpha: Number, beta: Number) -> Slant {
+    /// The slant of a splat in camera space, whose centre's reciprocal depth is `r`.
+    fn slant(&self, splat: &Splat, r: Number) -> Slant {
+        let [alpha, beta] = splat.tangents.map(|[.., z]| self.number(z) * r);
         let squared = alpha * alpha + beta * beta;
         let e = self.constant(1, 0) - squared;
         let is_fine = self.geometry.mantissa >= FINE_MANTISSA_BITS;
         let clearance = if is_fine { CLEARANCE_FRACTION_BITS } else { COARSE_CLEARANCE_FRACTION_BITS };
-        let whole = self.constant(1, clearance).is_below(e).then(|| e.recip());
-        Slant { alpha, beta, squared, whole }
+        let is_whole = self.constant(1, clearance).is_below(e);
+        let reciprocal = (is_whole || !self.eye_plane.is_on()).then(|| e.recip());
+        Slant { alpha, beta, squared, is_whole, reciprocal }
+    }
+
+    /// How far a splat in camera space leans towards the eye.
+    #[must_use]
+    pub fn slant_of(&self, splat: &Splat) -> Slant {
+        self.slant(splat, self.number(splat.center[2]).recip())
     }
 
     /// Rows or columns of samples that may lie inside the splat; all of a pixel's, or none.
@@ -169,7 +185,7 @@ impl Setup {
         uniforms: &SetupUniforms,
     ) -> Range<u64> {
         let edge = self.edges[axis];
-        let Some(f) = slant.whole else { return 0..edge };
+        let Some(f) = slant.reciprocal else { return 0..edge };
         let t = (a * slant.alpha + b * slant.beta) * f;
         let h = (t * t + (a * a + b * b) * f).sqrt();
         let (mut low, mut high) = ((c - t) - h, (c - t) + h);
@@ -201,7 +217,7 @@ impl Setup {
             return None;
         }
         let range =
-            slant.whole.map(|f| (center + scale * (slant.squared * f), scale.abs() * (slant.squared.sqrt() * f)));
+            slant.reciprocal.map(|f| (center + scale * (slant.squared * f), scale.abs() * (slant.squared.sqrt() * f)));
         let beyond_near = range.filter(|(depth, half)| zero.is_at_most(*depth - *half));
         let (middle, half) = beyond_near.unwrap_or((center, scale.abs().min(one)));
         let range = beyond_near.map_or([zero, one], |(depth, half)| [depth - half, depth + half]);
@@ -353,6 +369,23 @@ mod tests {
         let splat = setup([[0.2, 0.0, 1.5], [0.0, 0.2, 0.0]]).expect("it is in view");
         assert_ne!(bounds(&splat), [0, 255, 0, 127]);
         assert_eq!(splat.footprint.band, Band { depth: 1 << 23, low: 0, high: (1 << 24) - 1 });
+    }
+
+    #[test]
+    fn without_the_part_for_the_eye_plane_whole_splats_are_what_they_were() {
+        let unit =
+            |eye_plane| Setup::new(&Config { height: 128, geometry: Format::F32, eye_plane, ..Config::default() }, 1);
+        let [with, without] = [Feature::On, Feature::Off].map(unit);
+        let splat = |reach: f32| {
+            let tangents = [[0.0, 0.2, 0.0], [0.2, 0.0, 2.0 * reach]].map(|tangent| tangent.map(f32::to_bits));
+            Splat { center: [0.0, 0.0, 2.0].map(f32::to_bits), tangents, ..Splat::default() }
+        };
+        for (reach, is_whole) in [(0.0, true), (0.9, true), (0.999_94, false), (1.5, false)] {
+            let splat = splat(reach);
+            assert_eq!(with.slant_of(&splat).is_whole, is_whole, "{reach}");
+            let same = with.setup(&splat, &uniforms()) == without.setup(&splat, &uniforms());
+            assert_eq!(same, is_whole, "{reach}: only splats across the eye plane need the part");
+        }
     }
 
     #[test]

@@ -60,6 +60,7 @@ mod tests {
             width: 8,
             culling: Feature::Off,
             screen_filter: Feature::Off,
+            eye_plane: Feature::Off,
             ..Config::default()
         };
         for config in [Config::default(), small] {

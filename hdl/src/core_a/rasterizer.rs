@@ -52,10 +52,12 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     let s1 = &x * coefficient("ay") - &y * coefficient("ax");
     let s2 = &x * coefficient("by") - &y * coefficient("bx");
     let d = coefficient("delta") + &x * coefficient("mx") + &y * coefficient("my");
-    let distance = (&s1 * &s1 + &s2 * &s2) / (&d * &d);
-    let behind = sign(&d, format) ^ sign(&coefficient("delta"), format);
-    let infinity = program.constant(Type::Float(format), format.infinity());
-    let mut distance = behind.select(&infinity, &distance);
+    let mut distance = (&s1 * &s1 + &s2 * &s2) / (&d * &d);
+    if config.eye_plane.is_on() {
+        let behind = sign(&d, format) ^ sign(&coefficient("delta"), format);
+        let infinity = program.constant(Type::Float(format), format.infinity());
+        distance = behind.select(&infinity, &distance);
+    }
     if config.screen_filter.is_on() {
         let screen = (&x * &x + &y * &y) * uniform(&program, format, "filter_scale");
         distance = distance.min(&screen);

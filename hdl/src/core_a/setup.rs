@@ -54,8 +54,8 @@ struct Frame<'a> {
     beta: Value,
     /// `1/e`.
     f: Value,
-    /// The splat lies wholly in front of the eye.
-    whole: Value,
+    /// The splat lies wholly in front of the eye; none where every splat is taken to.
+    whole: Option<Value>,
     /// Radius of the screen filter, where there is one.
     filter_radius: Option<Value>,
 }
@@ -104,8 +104,10 @@ impl Frame<'_> {
         let first = round(low.max(&zero), first_offset);
         let past = round(high.min(&self.constant(BOUND_MAX)).max(&zero), past_offset);
         let edge = constant(edge.into());
-        let first = self.whole.select(&first, &constant(0));
-        let past = self.whole.select(&past.min(&edge), &edge);
+        let (first, past) = match &self.whole {
+            Some(whole) => (whole.select(&first, &constant(0)), whole.select(&past.min(&edge), &edge)),
+            None => (first, past.min(&edge)),
+        };
         let last = &past - constant(1);
         (first.resize(bits), last.resize(bits), first.lt(&past))
     }
@@ -139,7 +141,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let q = &alpha * &alpha + &beta * &beta;
     let e = &one - &q;
     let f = e.recip();
-    let whole = program.float(format, clearance(format)).lt(&e).named("whole");
+    let whole = config.eye_plane.is_on().then(|| program.float(format, clearance(format)).lt(&e).named("whole"));
     let filter_radius = config.screen_filter.is_on().then(|| uniform(&program, format, "filter_radius"));
     let frame = Frame { config, program: &program, splat: &splat, r, alpha, beta, f, whole, filter_radius };
     let x = frame.axis("x", config.width, config.sampling.columns(), config.column_bits());
@@ -157,7 +159,9 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let spread_depth = &center_depth + &b * (&q * f);
     let spread_half = b.abs() * (q.sqrt() * f);
     let zero = program.float(format, 0.0);
-    let beyond_near = (whole & zero.le(&(&spread_depth - &spread_half))).named("beyond_near");
+    let beyond_near = zero.le(&(&spread_depth - &spread_half));
+    let beyond_near =
+        whole.as_ref().map_or_else(|| beyond_near.clone(), |whole| whole & &beyond_near).named("beyond_near");
     let depth = beyond_near.select(&spread_depth, &center_depth);
     let half = beyond_near.select(&spread_half, &b.abs().min(&one));
     let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");

@@ -80,6 +80,8 @@ pub struct Config {
     pub culling: Feature,
     /// The screen-space filter of thesis 5.4.2.
     pub screen_filter: Feature,
+    /// Splats that reach the eye plane get the viewport for bounds, and samples behind the eye are none of theirs.
+    pub eye_plane: Feature,
     /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
     pub kernel_gamma: f64,
     /// Cycles a splat takes in the transform unit (initiation interval).
@@ -109,6 +111,7 @@ impl Default for Config {
             tile_slots: 4,
             culling: Feature::On,
             screen_filter: Feature::On,
+            eye_plane: Feature::On,
             kernel_gamma: 2.0,
             transform_interval: 2,
             setup_interval: 4,

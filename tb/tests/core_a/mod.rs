@@ -47,6 +47,7 @@ pub fn configs() -> [Config; 3] {
         tile_slots: 2,
         culling: Feature::Off,
         screen_filter: Feature::Off,
+        eye_plane: Feature::Off,
         transform_interval: 1,
         setup_interval: 4,
         accumulate_stages: 5,
