@@ -102,6 +102,7 @@ impl Failure {
             },
             Self::Scene(_)
             | Self::Plan { .. }
+            | Self::Excluded { .. }
             | Self::Configuration(_)
             | Self::Usage(_)
             | Self::Synthesis(SynthesisError::TooLarge { .. })

@@ -139,6 +139,10 @@ mod tests {
 
     /// One white fragment with the given normal in the middle of the view, the light behind the eye.
     fn shade_one(normal: [f64; 3], material: u16) -> [f64; 3] {
+        shade_under(0.6, normal, material)
+    }
+
+    fn shade_under(diffuse: f64, normal: [f64; 3], material: u16) -> [f64; 3] {
         let scene = Scene {
             camera: pointcore_spec::Camera {
                 model_view: [[1.0, 0.0, 0.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0]],
@@ -161,7 +165,7 @@ mod tests {
                 epsilon_bias: 0.0,
             },
             splats: Vec::new(),
-            light: crate::scene::Light { direction: [0.0, 0.0, 3.0], ambient: 0.1, diffuse: 0.6 },
+            light: crate::scene::Light { direction: [0.0, 0.0, 3.0], ambient: 0.1, diffuse },
             materials: [0.0, 0.5].map(|specular| crate::scene::Material { specular, shininess: 10.0 }).to_vec(),
             background: [0.0, 0.5, 1.0],
             samples: 1,
@@ -210,6 +214,16 @@ mod tests {
         pixels[6 + 3] = [1.0; 3];
         let resolved = resolve(Picture { width: 6, height: 2, pixels }, Sampling::Flipquad, 1);
         assert!(resolved.pixels[0][0].abs() < 1e-9 && (resolved.pixels[1][0] - srgb_from_linear(0.25)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn without_light_neither_normal_nor_material_is_read() {
+        let bits = |normal, material| shade_under(0.0, normal, material).map(f64::to_bits);
+        let unread = bits([0.0; 3], 0);
+        for (normal, material) in [([0.0, 0.0, 1.0], 0), ([0.3, -0.2, 0.9], 1), ([1.0, 0.0, -1.0], 1)] {
+            assert_eq!(bits(normal, material), unread, "{normal:?}, material {material}");
+        }
+        assert_ne!(shade_under(0.6, [0.0, 0.0, 1.0], 0).map(f64::to_bits), unread);
     }
 
     #[test]

@@ -97,6 +97,8 @@ fn wrong_input_is_one_message_and_exit_code_2() {
     let header = "ply\nformat ascii 1.0\nelement vertex 1000000000000000000\nproperty float x\nproperty float y\n\
                   property float z\nend_header\n";
     workplace.write("absurd.ply", &format!("{header}0 0 0\n"));
+    workplace.write("unculled_config.toml", "culling = \"off\"\n");
+    workplace.write("knn.toml", "core = \"b\"\n");
     workplace.write("nan.obj", "v 0 0 0\nv 0 nan 0\nv 0 1 0\n");
     for (arguments, parts) in [
         (&["plan", "gone.toml"][..], ["gone.toml", "cannot be read"]),
@@ -108,6 +110,12 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         (&["run", "scene.toml", "--stalls", "1"], ["--stalls 1", "expected"]),
         (&["run", "scene.toml", "--model", "golden", "--trace"], ["--trace", "--model rtl"]),
         (&["run", "scene.toml", "--set", "object.0.points"], ["object.0.points", "key=value"]),
+        (
+            &["run", "scene.toml", "--config", "unculled_config.toml"],
+            ["scene.toml on unculled_config.toml", "`culling` = \"off\""],
+        ),
+        (&["run", "scene.toml", "--config", "knn.toml"], ["knn.toml", "core A"]),
+        (&["plan", "scene.toml", "scene.toml"], ["several scenes", "--table"]),
         (&["gen", "gone.toml", "-o", "out"], ["gone.toml", "cannot be read"]),
         (&["gen", "config.toml", "-o", "out"], ["config.toml: `tile_slots` = 1", "2 to 64"]),
         (&["gen", "unknown.toml", "-o", "out"], ["unknown.toml", "line 1"]),
@@ -143,7 +151,16 @@ fn plan_explains_its_choices() {
     let workplace = Workplace::new();
     workplace.write("scene.toml", &format!("{SCENE}[splatting]\nfilter_radius_px = 0\n[overrides]\nheap_levels = 7\n"));
     let text = workplace.succeeds(&["plan", "scene.toml"]);
-    for part in ["500 splats", "back-face culling", "generated", "screen filter", "left out", "heap_levels = 7"] {
+    for part in [
+        "500 splats",
+        "back-face culling",
+        "generated",
+        "screen filter",
+        "left out",
+        "heap_levels = 7",
+        "eye plane",
+        "what it costs",
+    ] {
         assert!(text.contains(part), "`{part}` is missing in: {text}");
     }
     let plan = json(&workplace.succeeds(&["plan", "scene.toml", "--json", "--set", "object.0.points=300"]));
@@ -152,6 +169,13 @@ fn plan_explains_its_choices() {
         (&plan["config"]["culling"], &plan["config"]["screen_filter"]),
         (&Value::from("on"), &Value::from("off"))
     );
+    let effects = plan["effects"].as_array().expect("a list");
+    let figure = |effect: &str, side: &str, figure: &str| {
+        let found = effects.iter().find(|entry| entry["effect"] == effect);
+        found.and_then(|entry| entry[side][figure].as_i64()).unwrap_or_else(|| panic!("{effect} has no {side}"))
+    };
+    assert!(figure("culling", "cost", "register_bits") > 0 && figure("culling", "saved", "register_bits") == 0);
+    assert!(figure("eye_plane", "saved", "register_bits") > 0 && figure("eye_plane", "cost", "register_bits") == 0);
 }
 
 #[test]

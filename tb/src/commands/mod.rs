@@ -14,7 +14,7 @@ pub mod stability;
 pub mod vectors;
 
 use pointcore::accuracy::AccuracyError;
-use pointcore::configuration::{self, ConfigurationError};
+use pointcore::configuration::{self, Configuration, ConfigurationError};
 use pointcore::core_b::{Difference, Error as SearchError};
 use pointcore::driver::Error as DriverError;
 use pointcore::float_check::FloatCheckError;
@@ -22,7 +22,7 @@ use pointcore::generated::GenerateError;
 use pointcore::lockstep::LockstepError;
 use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
-use pointcore::plan::{Plan, PlanError};
+use pointcore::plan::{CostError, Plan, PlanError};
 use pointcore::plot::PlotError;
 use pointcore::scene::{Scene, SceneError};
 use pointcore::synthesis::SynthesisError;
@@ -62,7 +62,17 @@ pub enum Failure {
         /// The scene file.
         path: PathBuf,
         /// What is wrong with its overrides.
-        source: PlanError,
+        source: Box<PlanError>,
+    },
+    /// A scene on the hardware of a configuration that excludes what it calls for.
+    #[error("{} on {}: {source}", path.display(), config.display())]
+    Excluded {
+        /// The scene file.
+        path: PathBuf,
+        /// The configuration file.
+        config: PathBuf,
+        /// The effect.
+        source: Box<PlanError>,
     },
     /// A configuration file.
     #[error(transparent)]
@@ -124,10 +134,35 @@ pub enum Failure {
     Plot(#[from] PlotError),
 }
 
+impl From<CostError> for Failure {
+    fn from(error: CostError) -> Self {
+        match error {
+            CostError::Generate(error) => Self::Generate(error),
+            CostError::Run(error) => Self::Mismatch(error),
+        }
+    }
+}
+
 /// Loads a scene and derives its hardware.
 pub fn load(path: &Path, settings: &[String]) -> Result<(Scene, Plan), Failure> {
     let scene = Scene::load(path, settings)?;
-    let plan = Plan::of(&scene).map_err(|source| Failure::Plan { path: path.to_owned(), source })?;
+    let plan = Plan::of(&scene).map_err(|source| Failure::Plan { path: path.to_owned(), source: Box::new(source) })?;
+    Ok((scene, plan))
+}
+
+/// Loads a scene to be rendered on the hardware of a configuration file as it is, or else on its own.
+pub fn load_on(path: &Path, settings: &[String], config: Option<&Path>) -> Result<(Scene, Plan), Failure> {
+    let Some(config_path) = config else { return load(path, settings) };
+    let Configuration::CoreA(config) = configuration::parse(config_path, &configuration::read_text(config_path)?)?
+    else {
+        return Err(
+            configuration::wrong(config_path, "is for core B: rendering needs a configuration of core A").into()
+        );
+    };
+    let scene = Scene::load(path, settings)?;
+    let excluded =
+        |source| Failure::Excluded { path: path.to_owned(), config: config_path.to_owned(), source: Box::new(source) };
+    let plan = Plan::on(&scene, &config).map_err(excluded)?;
     Ok((scene, plan))
 }
 

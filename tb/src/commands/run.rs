@@ -1,7 +1,7 @@
 //! `pointcore run SCENE`.
 
 use super::progress::{with_progress, with_spinner};
-use super::{Failure, Output, generate, load, scene_name, write};
+use super::{Failure, Output, generate, load_on, scene_name, write};
 use pointcore::core_a::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble};
 use pointcore::generated::verilate;
 use pointcore::lockstep::Stall;
@@ -31,6 +31,10 @@ pub enum Model {
 pub struct Arguments {
     /// The scene file.
     scene: PathBuf,
+    /// A hardware configuration of core A, such as configs/fpga.toml, to render on as it is, in the place of the hardware that the scene calls
+    /// for; the scene's [overrides] are ignored. A scene that asks for an effect the configuration excludes is an error.
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
     /// What renders the scene.
     #[arg(long, value_enum, default_value = "rtl")]
     model: Model,
@@ -95,7 +99,7 @@ impl Arguments {
 /// Renders a scene.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     arguments.check()?;
-    let (scene, plan) = load(&arguments.scene, &arguments.settings)?;
+    let (scene, plan) = load_on(&arguments.scene, &arguments.settings, arguments.config.as_deref())?;
     let name = scene_name(&arguments.scene);
     let folder = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(&name));
     std::fs::create_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;

@@ -17,7 +17,7 @@ pub struct Frame {
 }
 
 /// A number as a word.
-pub(super) fn word(format: Format, value: f32) -> u64 {
+pub(crate) fn word(format: Format, value: f32) -> u64 {
     encode(format, value).into()
 }
 
@@ -48,13 +48,16 @@ fn splat_record(splat: &Splat, plan: &Plan) -> Vec<u64> {
     let config = &plan.config;
     let geometry = splat.center.iter().chain(splat.tangents.iter().flatten());
     let attributes = plan.attributes.iter().map(|&index| word(config.attribute, splat.attributes[index]));
+    // Hardware may carry more than the scene has.
+    let unused = plan.attributes.len()..config.continuous as usize;
+    let attributes = attributes.chain(unused.map(|_| 0));
     let cardinals = (0..config.cardinal).map(|_| splat.material.into());
     let end = std::iter::once(0);
     end.chain(geometry.map(|&value| word(config.geometry, value))).chain(attributes).chain(cardinals).collect()
 }
 
 /// In the order of [`pointcore_spec::core_a::ports::UNIFORMS`].
-pub(super) fn uniforms(camera: &Camera, rendering: &Rendering, format: Format) -> Vec<u64> {
+pub(crate) fn uniforms(camera: &Camera, rendering: &Rendering, format: Format) -> Vec<u64> {
     let radius = rendering.filter_radius_px.unwrap_or(1.0);
     let viewport = [camera.scale_x, camera.scale_y, camera.center_x, camera.center_y, camera.depth_a, camera.depth_b];
     let tests = [camera.near, rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)];

@@ -12,27 +12,30 @@ fn value(format: Format, word: u64) -> f64 {
     decode(format, word as u32).into()
 }
 
-/// Places fragments (as [`Host`](super::host::Host) collects them) in an image. Attributes the hardware does not carry take their
-/// constant; the material of a scene with only one is that of any splat.
+/// Places fragments (as [`Host`](super::host::Host) collects them) in the scene's image; hardware for a larger one renders beyond it.
+/// Attributes the hardware does not carry take their constant; the material of a scene with only one is that of any splat.
 #[must_use]
 pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {
     let config = &plan.config;
-    let (width, height) = (config.width as usize, config.height as usize);
+    let [width, height] = plan.image;
     let words = records::fragment(config).len() - 1;
     let constants: [f64; CONTINUOUS_ATTRIBUTES] = plan.constants.map(|constant| constant.unwrap_or(0.0).into());
     let only_material = splats.first().map_or(0, |splat| splat.material);
 
     let mut pixels = vec![None; width * height];
     for fields in fragments.chunks_exact(words) {
-        let [column, row, depth] = [fields[0], fields[1], fields[2]];
+        let ([column, row], depth) = ([fields[0] as usize, fields[1] as usize], fields[2]);
+        if column >= width || row >= height {
+            continue;
+        }
         let mut attributes = constants;
         for (&index, &word) in plan.attributes.iter().zip(&fields[3..]) {
             attributes[index] = value(config.attribute, word);
         }
-        let material = fields.get(3 + plan.attributes.len()).map_or(only_material, |&material| material as u16);
+        let material = fields.get(3 + config.continuous as usize).map_or(only_material, |&material| material as u16);
         // The hardware keeps the weight to itself; a fragment exists only where it is positive.
         let fragment = Fragment { depth: value(config.geometry, depth), weight: 1.0, attributes, material };
-        pixels[row as usize * width + column as usize] = Some(fragment);
+        pixels[row * width + column] = Some(fragment);
     }
     // Tests are counted by the reference only.
     let (decisions, margins) = (vec![Decisions::default(); pixels.len()], vec![Margins::default(); pixels.len()]);

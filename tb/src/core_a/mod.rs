@@ -12,6 +12,7 @@ mod report;
 mod run;
 
 pub use encode::Frame as EncodedFrame;
+pub(crate) use encode::{uniforms, word};
 pub use frame::assemble;
 pub use generate::Core;
 pub use host::{Counters, Host, Progress};

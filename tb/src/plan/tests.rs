@@ -65,3 +65,93 @@ fn overrides_that_do_not_fit_name_key_and_remedy() {
     let message = plan(&unfiltered).expect_err("the scene has no filter").to_string();
     assert!(message.contains("screen_filter") && message.contains("filter_radius_px"), "{message}");
 }
+
+/// A floor below the eye, whose nearest splats reach behind it.
+const FLOOR: &str = "camera = { eye = [0, 0.1, 0], target = [0, 0, -5], fov_degrees = 60, near = 0.05, far = 20 }\n\
+                     image = { width = 64, height = 48 }\n\
+                     [[object]]\nkind = \"plane\"\npoints = 100\nsize = 4\n";
+
+#[test]
+fn the_eye_plane_is_seen_to_where_a_splat_reaches_it() {
+    let floor = plan(FLOOR).expect("the scene is good").config;
+    assert_eq!(floor.eye_plane, Feature::On);
+    for object in [SPHERE, DUST] {
+        let plan = plan(&format!("{HEAD}{object}")).expect("the scene is good");
+        assert_eq!(plan.config.eye_plane, Feature::Off, "{:?}", plan.choices);
+        assert_eq!(plan.with_everything().config.eye_plane, Feature::On);
+    }
+    let message = plan(&format!("{FLOOR}[overrides]\neye_plane = \"off\"\n")).expect_err("it is needed").to_string();
+    for part in ["`overrides.eye_plane` = \"off\"", "reach the eye plane", "splat ", "remove the override"] {
+        assert!(message.contains(part), "`{part}` is missing in: {message}");
+    }
+}
+
+#[test]
+fn no_more_tiles_are_held_than_there_are() {
+    let tiny = plan(&format!("{HEAD}{SPHERE}").replace("width = 64, height = 48", "width = 8, height = 8"));
+    assert_eq!(tiny.expect("the scene is good").config.tile_slots, 2);
+    let usual = plan(&format!("{HEAD}{SPHERE}")).expect("the scene is good");
+    assert_eq!((usual.config.tile_slots, usual.at(Effect::TileSlots, Extent::Least).config.tile_slots), (4, 2));
+}
+
+#[test]
+fn what_shading_does_not_read_is_left_out() {
+    let checks = "color = [1, 0, 0.5]\nchecks = [4, 4]\nchecker_color = [0, 1, 0.2]\n";
+    let materials = "[[material]]\nspecular = 0.5\n[[material]]\nspecular = 0.2\n";
+    let two = format!("{HEAD}{materials}{SPHERE}{checks}{SPHERE}material = 1\n");
+    let attributes = |text: &str| plan(text).map(|plan| (plan.attributes, plan.config.cardinal));
+    assert_eq!(attributes(&two), Ok((vec![0, 1, 2, 3, 4, 5], 1)));
+    assert_eq!(attributes(&format!("{two}[light]\ndiffuse = 0\nambient = 1\n")), Ok((vec![3, 4, 5], 0)));
+    let alike = two.replace("0.2", "0.5");
+    assert_eq!(attributes(&alike), Ok((vec![0, 1, 2, 3, 4, 5], 0)));
+}
+
+#[test]
+fn hardware_that_excludes_an_effect_is_named_with_the_remedy() {
+    let scene = |text: &str| {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let path = folder.path().join("scene.toml");
+        std::fs::write(&path, text).expect("the folder is writable");
+        Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let sphere = scene(&format!("{HEAD}{SPHERE}"));
+    let two =
+        format!("{HEAD}[[material]]\nspecular = 0.5\n[[material]]\nspecular = 0.2\n{SPHERE}{SPHERE}material = 1\n");
+    let (floor, two) = (scene(FLOOR), scene(&two));
+    let unfiltered = scene(&format!("{HEAD}{SPHERE}[splatting]\nfilter_radius_px = 0\n"));
+    let shared = scene(&format!("{HEAD}{SPHERE}").replace("height = 48", "height = 48, sampling = \"flipquad\""));
+    let held = Config::default();
+    assert!(Plan::on(&sphere, &held).is_ok(), "the default hardware renders it");
+    assert!(Plan::on(&floor, &held).is_ok());
+    type Change = fn(Config) -> Config;
+    let excluded: [(&Scene, Change, [&str; 3]); 9] = [
+        (
+            &sphere,
+            |c| Config { culling: Feature::Off, ..c },
+            ["back-face culling", "`culling` = \"off\"", "`culling = \"on\"`"],
+        ),
+        (
+            &sphere,
+            |c| Config { screen_filter: Feature::Off, ..c },
+            ["screen filter", "`screen_filter` = \"off\"", "filter_radius_px = 0"],
+        ),
+        (&unfiltered, |c| c, ["no screen filter", "`screen_filter` = \"on\"", "`screen_filter = \"off\"`"]),
+        (
+            &floor,
+            |c| Config { eye_plane: Feature::Off, ..c },
+            ["eye plane", "`eye_plane` = \"off\"", "`eye_plane = \"on\"`"],
+        ),
+        (&sphere, |c| Config { continuous: 2, ..c }, ["continuous attributes", "`continuous` = 2", "`continuous = 3`"]),
+        (&two, |c| c, ["cardinal attributes", "`cardinal` = 0", "`cardinal = 1`"]),
+        (&sphere, |c| Config { height: 40, ..c }, ["larger image", "`height` = 40", "`height = 48`"]),
+        (&sphere, |c| Config { kernel_gamma: 1.5, ..c }, ["kernel", "`kernel_gamma` = 1.5", "`kernel_gamma = 2.0`"]),
+        (&shared, |c| c, ["sampling", "`sampling` = \"center\"", "`sampling = \"flipquad\"`"]),
+    ];
+    for (scene, change, parts) in excluded {
+        let message = Plan::on(scene, &change(held.clone())).expect_err(parts[0]).to_string();
+        for part in parts {
+            assert!(message.contains(part), "`{part}` is missing in: {message}");
+        }
+        assert_eq!(message.lines().count(), 1, "{message}");
+    }
+}

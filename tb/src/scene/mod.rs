@@ -21,6 +21,7 @@ use crate::shading::linear_from_srgb;
 use file::{ImageTable, SceneFile, SplattingTable};
 use glam::DVec3;
 use pointcore_spec::core_a::config::{IMAGE_EDGE_MAX, KERNEL_GAMMA_RANGE};
+use pointcore_spec::splat::NORMAL;
 use pointcore_spec::{Camera, Rendering, Sampling, Splat};
 use std::path::Path;
 
@@ -109,7 +110,32 @@ impl Scene {
         check_samples(samples, &scene.rendering).map_err(|problem| value("image.samples".to_owned(), problem))?;
         camera::within("splatting.cutoff", cutoff, CUTOFF_RANGE)
             .map_err(|(key, problem)| value(key.to_owned(), problem))?;
-        Ok(scene.cut_off(cutoff).supersampled(samples))
+        Ok(scene.without_unread().cut_off(cutoff).supersampled(samples))
+    }
+
+    /// Whether the light falls on surfaces from its direction, so that shading reads normals and materials.
+    #[must_use]
+    pub fn is_lit(&self) -> bool {
+        self.light.diffuse > 0.0
+    }
+
+    /// The same picture from splats that are alike in what shading never reads of them: without light normal and material, and which one of
+    /// materials that shine alike.
+    fn without_unread(mut self) -> Self {
+        let is_lit = self.is_lit();
+        let shine = |material: &Material| {
+            (is_lit && material.specular > 0.0).then_some((material.specular, material.shininess))
+        };
+        let shines: Vec<_> = self.materials.iter().map(shine).collect();
+        let first = |shine| shines.iter().position(|other| *other == shine).unwrap_or_default();
+        let alike: Vec<usize> = shines.iter().map(|&shine| first(shine)).collect();
+        for splat in &mut self.splats {
+            if !is_lit {
+                splat.attributes[NORMAL].fill(0.0);
+            }
+            splat.material = alike.get(usize::from(splat.material)).map_or(splat.material, |&index| index as u16);
+        }
+        self
     }
 
     /// The same picture from `factor` times as many samples along each edge of a pixel; lengths in pixels are lengths in samples then.

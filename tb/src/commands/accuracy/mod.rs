@@ -121,7 +121,7 @@ fn report(count: usize, folder: &Path, output: Output) {
 }
 
 /// What a record says of areas.
-fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
+pub fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
     if !path.exists() {
         return Ok(Estimator::new(&Record::default()));
     }

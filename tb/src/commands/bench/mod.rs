@@ -1,5 +1,6 @@
 //! `pointcore bench`: the project's figures, merged into one flat JSON object.
 
+mod effects;
 mod knn;
 mod splat;
 
@@ -24,7 +25,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     models: Vec<PathBuf>,
     /// What to measure; by default everything.
-    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "knn", "operators"])]
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "operators"])]
     only: Vec<Part>,
     /// The file to merge the figures into.
     #[arg(short, long, default_value = "out/bench.json")]
@@ -36,6 +37,8 @@ pub struct Arguments {
 enum Part {
     /// Core A: frames and simulation speed.
     Splat,
+    /// Core A: what leaving out saves that a scene does not call for.
+    Effects,
     /// Core B: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
     Knn,
     /// Floating-point operators.
@@ -67,6 +70,9 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let measures = |part| arguments.only.contains(&part);
     if measures(Part::Splat) {
         splat::figures(scan, &mut figures)?;
+    }
+    if measures(Part::Effects) {
+        effects::figures(scan, &mut figures)?;
     }
     if measures(Part::Knn) {
         let folder = arguments.output.with_file_name("knn-bench");

@@ -1,0 +1,26 @@
+//! A line for a scene: what its hardware has, and what that saves.
+
+use super::{Costs, Plan};
+
+/// The head of the table.
+pub const TABLE_HEAD: &str = "| scene | culling | filter | eye plane | attributes | cardinal | heap | slots | LUT4 saved | memory | multipliers | cycles |\n\
+                              |---|---|---|---|---|---|---|---|---|---|---|---|";
+
+/// What is chosen for a scene, as the first cells of its line.
+#[must_use]
+pub fn choices_row(name: &str, plan: &Plan) -> String {
+    let config = &plan.config;
+    let [culling, filter, eye_plane] = [config.culling, config.screen_filter, config.eye_plane]
+        .map(|feature| if feature.is_on() { "on" } else { "–" });
+    let (continuous, cardinal, levels, slots) =
+        (config.continuous, config.cardinal, config.heap_levels, config.tile_slots);
+    format!("| {name} | {culling} | {filter} | {eye_plane} | {continuous} | {cardinal} | {levels} | {slots} |")
+}
+
+/// The line of a scene.
+#[must_use]
+pub fn table_row(name: &str, plan: &Plan, costs: &Costs) -> String {
+    let percent = |share: Option<f64>| share.map_or_else(|| "?".to_owned(), |share| format!("{:.1} %", 100.0 * share));
+    let saved = [costs.area_saved(), Some(costs.memory_saved()), Some(costs.multipliers_saved()), costs.cycles_saved()];
+    format!("{} {} |", choices_row(name, plan), saved.map(percent).join(" | "))
+}
