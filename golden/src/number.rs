@@ -26,6 +26,13 @@ impl Number {
         Self { format, bits: float::from_fixed(format, value, Fixed { width, fraction, signed: Signedness::Unsigned }) }
     }
 
+    /// `value · 2^−fraction`, rounded.
+    #[must_use]
+    pub fn from_signed(format: Format, value: i64, fraction: u32) -> Self {
+        let fixed = Fixed { width: 64, fraction, signed: Signedness::Signed };
+        Self { format, bits: float::from_fixed(format, value as u64, fixed) }
+    }
+
     /// The encoding; every named format fits 32 bits.
     #[must_use]
     pub const fn bits(self) -> u32 {
@@ -48,6 +55,14 @@ impl Number {
     #[must_use]
     pub fn to_fixed(self, width: u32, fraction: u32) -> u64 {
         float::to_fixed(self.format, self.bits, Fixed { width, fraction, signed: Signedness::Unsigned })
+    }
+
+    /// `self · 2^fraction`, truncated to a signed number of `width` bits, saturated; NaN becomes 0.
+    #[must_use]
+    pub fn to_signed(self, width: u32, fraction: u32) -> i64 {
+        let bits = float::to_fixed(self.format, self.bits, Fixed { width, fraction, signed: Signedness::Signed });
+        let unused = 64 - width;
+        (bits << unused) as i64 >> unused
     }
 
     /// The value in another format.

@@ -25,7 +25,7 @@ impl Visitor for Names {
         self.0.push(format!("{}{name}", self.1));
     }
 
-    fn fields(&mut self, name: &str, values: &mut [u32]) {
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
         self.0.extend((0..values.len()).map(|i| format!("{}{name}_{i}", self.1)));
     }
 

@@ -69,7 +69,7 @@ pub trait Visitor {
     fn field(&mut self, name: &str, value: &mut impl Word);
 
     /// Fields `name_0`, `name_1`, …
-    fn fields(&mut self, name: &str, values: &mut [u32]);
+    fn fields(&mut self, name: &str, values: &mut [impl Word]);
 
     /// What precedes the names of the fields that follow.
     fn prefix(&mut self, prefix: &'static str);
@@ -185,7 +185,7 @@ impl Visitor for Reader<'_> {
         *value = Word::from_word(*self.0.next().expect(FEWER_WORDS));
     }
 
-    fn fields(&mut self, name: &str, values: &mut [u32]) {
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
         values.iter_mut().for_each(|value| self.field(name, value));
     }
 
@@ -200,7 +200,7 @@ impl Visitor for Writer<'_> {
         *self.0.next().expect(FEWER_WORDS) = value.to_word();
     }
 
-    fn fields(&mut self, name: &str, values: &mut [u32]) {
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
         values.iter_mut().for_each(|value| self.field(name, value));
     }
 

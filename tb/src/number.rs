@@ -1,7 +1,8 @@
 //! Numbers of the cores' formats.
 
 use pointcore_golden::float::convert;
-use pointcore_spec::Format;
+use pointcore_spec::core_a::AttributeFormat;
+use pointcore_spec::{Fixed, Format};
 
 /// The nearest number of a format, encoded.
 #[must_use]
@@ -13,4 +14,60 @@ pub fn encode(format: Format, number: f32) -> u32 {
 #[must_use]
 pub fn decode(format: Format, bits: u32) -> f32 {
     f32::from_bits(convert(format, Format::F32, bits.into()) as u32)
+}
+
+/// The nearest attribute, encoded; in fixed point saturated, and zero for a NaN.
+#[must_use]
+pub fn encode_attribute(format: AttributeFormat, number: f32) -> u32 {
+    match format {
+        AttributeFormat::Float(format) => encode(format, number),
+        AttributeFormat::Fixed(fraction) => {
+            let Fixed { width, fraction, .. } = fraction.number();
+            let one = 1_i32 << fraction;
+            let nearest = (f64::from(number) * f64::from(one)).round();
+            // A cast saturates, and makes a NaN zero.
+            let bits = (nearest as i32).clamp(-one, one - 1) as u32;
+            bits & (u32::MAX >> (u32::BITS - width))
+        }
+    }
+}
+
+/// The value of an encoded attribute.
+#[must_use]
+pub fn decode_attribute(format: AttributeFormat, bits: u32) -> f32 {
+    match format {
+        AttributeFormat::Float(format) => decode(format, bits),
+        AttributeFormat::Fixed(fraction) => {
+            let Fixed { width, fraction, .. } = fraction.number();
+            let unused = u32::BITS - width;
+            let value = (bits << unused) as i32 >> unused;
+            value as f32 / (1_i32 << fraction) as f32
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_spec::core_a::Fraction;
+
+    #[test]
+    fn fractions_are_the_nearest_and_saturate() {
+        let eight = AttributeFormat::Fixed(Fraction::Eight);
+        let numbers = [0.0, 0.5, -0.5, -1.0, 1.0, 7.0, -7.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.011, -0.001];
+        let encoded = [0, 0x40, 0xc0, 0x80, 0x7f, 0x7f, 0x80, 0, 0x7f, 0x80, 1, 0];
+        assert_eq!(numbers.map(|number| encode_attribute(eight, number)), encoded);
+    }
+
+    #[test]
+    fn every_fraction_is_encoded_as_it_was_decoded() {
+        for (_, fraction) in Fraction::NAMED {
+            let format = AttributeFormat::Fixed(fraction);
+            for bits in 0..1 << fraction.width() {
+                let value = decode_attribute(format, bits);
+                assert!((-1.0..1.0).contains(&value));
+                assert_eq!(encode_attribute(format, value), bits);
+            }
+        }
+    }
 }

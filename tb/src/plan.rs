@@ -3,6 +3,7 @@
 //! No bit of the frame hangs on what is left out: that is asked of the golden models, splat by splat, and where samples are too many, of
 //! bounds on their rounding that hold with a margin of two.
 
+mod attributes;
 mod cost;
 mod demand;
 mod effect;
@@ -17,11 +18,12 @@ pub use error::PlanError;
 pub use table::{TABLE_HEAD, choices_row, table_row};
 
 use crate::scene::Scene;
+use attributes::{attributes, material_conflict};
 use demand::Demand;
 use given::{Conflict, conflict};
 use overrides::overridden;
 use pointcore_spec::core_a::config::{Config, Feature};
-use pointcore_spec::splat::{CONTINUOUS_ATTRIBUTES, NORMAL};
+use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
 use pointcore_spec::{FragmentDepth, Sampling};
 use serde::Serialize;
 
@@ -97,6 +99,14 @@ impl Plan {
         config = overridden(&config, overrides)?;
         if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, &config, &demand) {
             return Err(PlanError::Conflict { key: effect.key(), value, reason, alternative });
+        }
+        if let Some((value, reason)) = material_conflict(scene, config.attribute) {
+            return Err(PlanError::Conflict {
+                key: "attribute",
+                value,
+                reason,
+                alternative: " or choose a wider format",
+            });
         }
         for (key, value) in overrides {
             let (chosen, reason) = (format!("{key} = {value}"), "the scene's [overrides] say so".to_owned());
@@ -199,20 +209,6 @@ const fn feature(needed: bool) -> Feature {
 
 fn on_off(feature: Feature) -> String {
     if feature.is_on() { "generated" } else { "left out" }.to_owned()
-}
-
-/// Indices of the attributes that differ between splats (at least one is carried), and the values of the others.
-fn attributes(scene: &Scene) -> (Vec<usize>, [Option<f32>; CONTINUOUS_ATTRIBUTES]) {
-    let constant = |index: usize| {
-        let first = scene.splats.first().map(|splat| splat.attributes[index])?;
-        scene.splats.iter().all(|splat| splat.attributes[index] == first).then_some(first)
-    };
-    let mut constants: [_; CONTINUOUS_ATTRIBUTES] = std::array::from_fn(constant);
-    if constants.iter().all(Option::is_some) {
-        constants[NORMAL.start] = None;
-    }
-    let varying = (0..CONTINUOUS_ATTRIBUTES).filter(|&index| constants[index].is_none()).collect();
-    (varying, constants)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use pointcore_spec::bus::{Config as Widths, registers};
 use pointcore_spec::core_a::{Config, records};
 
 use crate::bus::host::{Around, Host, RESET};
-use crate::core_a::{configs, scene};
+use crate::core_a::{configs, fixed_configs, scene};
 
 /// Splats and ends of several frames.
 const RECORDS: usize = 250;
@@ -75,8 +75,8 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<u64> {
 
 #[test]
 fn frames_on_the_bus_are_those_of_the_model() {
-    let widths = [(64, 64), (32, 512), (512, 32)];
-    for (config, (stream_bits, memory_bits)) in configs().into_iter().zip(widths) {
+    let widths = [(64, 64), (32, 512), (512, 32), (64, 128)];
+    for (config, (stream_bits, memory_bits)) in configs().into_iter().chain(fixed_configs()).zip(widths) {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frame = frames(&config);
         let expected = expected(&config, &frame);

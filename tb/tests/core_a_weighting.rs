@@ -5,7 +5,7 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::core_a::weighting;
 use pointcore_spec::core_a::{Config, ports, records};
 
-use crate::core_a::{Device, configs, scene};
+use crate::core_a::{Device, configs, fixed_configs, scene};
 
 const SAMPLES: usize = 2000;
 
@@ -20,7 +20,7 @@ fn samples(config: &Config) -> Vec<Vec<u64>> {
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs() {
+    for config in configs().into_iter().chain(fixed_configs()) {
         let hardware = weighting::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&hardware.module, ports::weighting(&config));
         let samples = samples(&config);

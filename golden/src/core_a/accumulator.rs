@@ -1,16 +1,15 @@
 //! Accumulator: depth test and sums of every sample on its pixel, in the slots of the tile cache (eqs. 5.8, 5.11, 5.12).
 //!
-//! Weights and depths are summed as exact integers, attributes in the attribute format, stored operand first. A blend whose weight
-//! sum would overflow changes nothing; a sum of attributes that would stops at the largest number. A sample waits while an earlier
-//! one of the same pixel is under way, so that the sums depend on the order of samples alone.
+//! Weights and depths are summed as exact integers, attributes as their [format](super::attribute) has it, stored operand first. A blend
+//! whose weight sum would overflow changes nothing. A sample waits while an earlier one of the same pixel is under way, so that the
+//! sums depend on the order of samples alone.
 
+use super::attribute::Arithmetic;
 use super::depth_test;
 use super::records::{Pixel, Shape, WeightedSample};
 use super::tile_cache::{Fill, Slot, SlotPixel};
-use crate::number::Number;
 use crate::stream::Fifo;
 use crate::unit::{Model, Record, Visitor, optional, stream};
-use pointcore_spec::Format;
 use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, WEIGHT_SUM_BITS};
 use std::collections::VecDeque;
@@ -70,7 +69,7 @@ struct Stage {
 #[derive(Clone, Debug)]
 pub struct Accumulator {
     shape: Shape,
-    attribute: Format,
+    attribute: Arithmetic,
     input: Fifo<WeightedSample>,
     /// The sample that issues next.
     head: Option<WeightedSample>,
@@ -94,7 +93,7 @@ impl Accumulator {
     pub fn new(config: &Config) -> Self {
         Self {
             shape: Shape::new(config),
-            attribute: config.attribute,
+            attribute: Arithmetic(config.attribute),
             input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
             head: None,
             slot_ready: 0,
@@ -134,20 +133,26 @@ impl Accumulator {
         if outcome.fail {
             return None;
         }
+        let mut attributes = sample.attributes;
         if outcome.pass {
+            for sum in &mut attributes[..self.shape.continuous] {
+                *sum = self.attribute.alone(*sum);
+            }
             let (weight_sum, depth) = (u32::from(weight), sample.weighted_depth);
-            return Some(Pixel { weight: weight_sum, depth, peak: weight, attributes: sample.attributes });
+            return Some(Pixel { weight: weight_sum, depth, peak: weight, attributes });
         }
         let weight_sum = stored.weight + u32::from(weight);
         if weight_sum > WEIGHT_SUM_MAX {
             return None;
         }
-        let (peak, mut attributes) =
-            if stored.peak < weight { (weight, sample.attributes) } else { (stored.peak, stored.attributes) };
-        let number = |bits: &u32| Number::new(self.attribute, *bits);
-        let sums = stored.attributes.iter().zip(&sample.attributes).map(|(old, new)| number(old) + number(new));
-        for (attribute, sum) in attributes[..self.shape.continuous].iter_mut().zip(sums) {
-            *attribute = sum.saturated().bits();
+        let stronger = stored.peak < weight;
+        let peak = if stronger { weight } else { stored.peak };
+        for (index, (new, old)) in attributes.iter_mut().zip(stored.attributes).enumerate() {
+            if index < self.shape.continuous {
+                *new = self.attribute.add(old, *new);
+            } else if !stronger {
+                *new = old;
+            }
         }
         Some(Pixel { weight: weight_sum, depth: stored.depth + sample.weighted_depth, peak, attributes })
     }
@@ -253,7 +258,7 @@ mod tests {
         let weighted_depth = u64::from(weight) * u64::from(depth);
         let mut attributes = [0; 14];
         attributes[0] = 0x3c00; // 1.0 in f16
-        attributes[1] = u32::from(weight);
+        attributes[1] = u64::from(weight);
         WeightedSample { place, weighted_depth, depth_low: depth - 100, depth_high: depth + 100, attributes }
     }
 

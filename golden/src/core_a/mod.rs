@@ -4,6 +4,7 @@
 //! ports of the specification.
 
 pub mod accumulator;
+pub mod attribute;
 pub mod depth_test;
 pub mod heap;
 pub mod normalizer;
@@ -50,13 +51,14 @@ pub struct Latencies {
 mod tests {
     use super::*;
     use crate::testing::check_ports;
-    use pointcore_spec::core_a::{Config, Feature, ports};
+    use pointcore_spec::core_a::{AttributeFormat, Config, Feature, Fraction, ports};
 
     #[test]
     fn every_record_follows_its_port_list() {
         let filterless = Config { continuous: 1, screen_filter: Feature::Off, ..Config::default() };
         let cardinal = Config { continuous: 0, cardinal: 14, ..Config::default() };
-        for config in [Config::default(), filterless, cardinal] {
+        let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Eight), ..Config::default() };
+        for config in [Config::default(), filterless, cardinal, fixed] {
             let latencies = Latencies { transform: 1, setup: 1, rasterizer: 1, weighting: 1, normalizer: 1 };
             check_ports(&Transform::new(&config, 1), &ports::transform(&config));
             check_ports(&Setup::new(&config, 1), &ports::setup(&config));

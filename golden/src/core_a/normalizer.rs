@@ -2,6 +2,7 @@
 //!
 //! One reciprocal in the geometry format; attributes are converted to it and back.
 
+use super::attribute::Arithmetic;
 use super::records::{FinishedPixel, Fragment, Shape};
 use crate::datapath::Datapath;
 use crate::number::Number;
@@ -23,7 +24,7 @@ pub type Out = ThroughOut<Fragment>;
 pub struct Normalizer {
     shape: Shape,
     geometry: Format,
-    attribute: Format,
+    attribute: Arithmetic,
     tile_column_bits: u32,
     datapath: Datapath<Fragment>,
 }
@@ -35,7 +36,7 @@ impl Normalizer {
         Self {
             shape: Shape::new(config),
             geometry: config.geometry,
-            attribute: config.attribute,
+            attribute: Arithmetic(config.attribute),
             tile_column_bits: config.tile_column_bits(),
             datapath: Datapath::new(latency, 1),
         }
@@ -46,13 +47,13 @@ impl Normalizer {
             return Fragment { end: true, ..Fragment::default() };
         }
         let placed = &finished.placed;
-        let mut attributes = placed.value.attributes;
+        let sums = placed.value.attributes;
         let weight = u64::from(placed.value.weight);
         let r = Number::from_fixed(self.geometry, weight, WEIGHT_SUM_BITS, WEIGHT_BITS).recip();
         let depth = Number::from_fixed(self.geometry, placed.value.depth, DEPTH_SUM_BITS, WEIGHT_BITS + DEPTH_BITS) * r;
-        for attribute in &mut attributes[..self.shape.continuous] {
-            let sum = Number::new(self.attribute, *attribute).convert(self.geometry);
-            *attribute = (sum * r).convert(self.attribute).bits();
+        let mut attributes = sums.map(|bits| bits as u32);
+        for (attribute, sum) in attributes[..self.shape.continuous].iter_mut().zip(sums) {
+            *attribute = self.attribute.normalize(sum, r, self.geometry);
         }
         let [tile_column, tile_row] =
             [placed.tile & ((1 << self.tile_column_bits) - 1), placed.tile >> self.tile_column_bits];

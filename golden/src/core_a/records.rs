@@ -1,14 +1,17 @@
 //! The records that flow between core A's units, field for field as the specification's `core_a::records` lists them.
 //!
-//! Encoded numbers are `u32`: every named format fits.
+//! Encoded numbers are `u32`: every named format fits. Weighted attributes and their sums, which are wider in fixed point, are `u64`.
 
-use crate::unit::{Record, Visitor};
+use crate::unit::{Record, Visitor, Word};
 use pointcore_spec::FragmentDepth;
 use pointcore_spec::core_a::config::ATTRIBUTES_MAX;
 use pointcore_spec::core_a::{Config, Feature};
 
 /// Attributes of a splat: first the continuous ones, then the cardinal ones, then unused places.
 pub type Attributes = [u32; ATTRIBUTES_MAX as usize];
+
+/// What is made of a splat's attributes, in the same places: of continuous ones, contributions or sums.
+pub type Contributions = [u64; ATTRIBUTES_MAX as usize];
 
 /// What the layout of the records depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +38,7 @@ impl Shape {
         }
     }
 
-    fn attributes(self, values: &mut Attributes, visitor: &mut impl Visitor) {
+    fn attributes(self, values: &mut [impl Word], visitor: &mut impl Visitor) {
         let (continuous, others) = values.split_at_mut(self.continuous);
         visitor.fields("attribute", continuous);
         visitor.fields("cardinal", &mut others[..self.cardinal]);
@@ -297,7 +300,7 @@ pub struct WeightedSample {
     /// Far end of the depth band.
     pub depth_high: u32,
     /// Weighted continuous attributes, and cardinal ones as they are.
-    pub attributes: Attributes,
+    pub attributes: Contributions,
 }
 
 impl Record<Shape> for WeightedSample {
@@ -320,7 +323,7 @@ pub struct Pixel {
     /// The largest single weight, with cardinal attributes only.
     pub peak: u16,
     /// Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
-    pub attributes: Attributes,
+    pub attributes: Contributions,
 }
 
 impl Record<Shape> for Pixel {

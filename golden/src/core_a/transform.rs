@@ -3,6 +3,7 @@
 //! A datapath of interval `transform_interval`, in the geometry format. Splats whose centre is not beyond the near plane are
 //! dropped. Attributes become finite.
 
+use super::attribute::Arithmetic;
 use super::records::{Attributes, Shape, Splat};
 use super::uniforms::TransformUniforms;
 use crate::datapath::Datapath;
@@ -30,7 +31,7 @@ pub type Out = ThroughOut<Splat>;
 pub struct Transform {
     shape: Shape,
     geometry: Format,
-    attribute: Format,
+    attribute: Arithmetic,
     datapath: Datapath<Splat>,
 }
 
@@ -41,7 +42,7 @@ impl Transform {
         Self {
             shape: Shape::new(config),
             geometry: config.geometry,
-            attribute: config.attribute,
+            attribute: Arithmetic(config.attribute),
             datapath: Datapath::new(latency, config.transform_interval),
         }
     }
@@ -70,8 +71,7 @@ impl Transform {
     /// Attributes as numbers, of which every later sum is one.
     fn finite(&self, mut attributes: Attributes) -> Attributes {
         for bits in &mut attributes[..self.shape.continuous] {
-            let attribute = Number::new(self.attribute, *bits);
-            *bits = if attribute.is_nan() { 0 } else { attribute.saturated().bits() };
+            *bits = self.attribute.finite(*bits);
         }
         attributes
     }
@@ -108,6 +108,7 @@ impl Record<Shape> for In {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_spec::core_a::{AttributeFormat, Fraction};
 
     #[test]
     fn moves_centers_and_rotates_tangents() {
@@ -132,5 +133,8 @@ mod tests {
         let given = attributes([0x7c00, 0xfc00, 0x7e00, 0xfc01, 0xfbff, 0x8001, 0x7c00]);
         let passed = attributes([0x7bff, 0xfbff, 0, 0, 0xfbff, 0x8001, 0x7c00]);
         assert_eq!(unit.finite(given), passed, "a cardinal one is no number");
+        let attribute = AttributeFormat::Fixed(Fraction::Sixteen);
+        let fixed = Transform::new(&Config { continuous: 6, cardinal: 1, attribute, ..Config::default() }, 1);
+        assert_eq!(fixed.finite(given), given, "every fraction is finite");
     }
 }

@@ -116,7 +116,7 @@ impl Visitor for RegisterWrite {
         self.countdown = self.countdown.and_then(|count| count.checked_sub(1));
     }
 
-    fn fields(&mut self, name: &str, values: &mut [u32]) {
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
         values.iter_mut().for_each(|value| self.field(name, value));
     }
 

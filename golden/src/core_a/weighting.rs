@@ -1,15 +1,13 @@
 //! Weighting unit: what a sample contributes to its pixel's sums (eq. 5.10).
 //!
-//! The weighted depth is an exact integer product; a continuous attribute is multiplied by the weight rounded to the attribute
-//! format, cardinal ones pass.
+//! The weighted depth is an exact integer product, and so is a weighted attribute in fixed point; one in floating point is multiplied by
+//! the weight rounded to its format. Cardinal ones pass.
 
+use super::attribute::Arithmetic;
 use super::records::{Sample, Shape, WeightedSample};
 use crate::datapath::Datapath;
-use crate::number::Number;
 use crate::unit::{Model, ThroughIn, ThroughOut};
-use pointcore_spec::Format;
 use pointcore_spec::core_a::Config;
-use pointcore_spec::core_a::config::WEIGHT_BITS;
 
 /// What the unit sees.
 pub type In = ThroughIn<Sample>;
@@ -21,7 +19,7 @@ pub type Out = ThroughOut<WeightedSample>;
 #[derive(Clone, Debug)]
 pub struct Weighting {
     shape: Shape,
-    attribute: Format,
+    attribute: Arithmetic,
     datapath: Datapath<WeightedSample>,
 }
 
@@ -29,22 +27,22 @@ impl Weighting {
     /// The unit with a pipeline of `latency` stages.
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
-        Self { shape: Shape::new(config), attribute: config.attribute, datapath: Datapath::new(latency, 1) }
+        Self { shape: Shape::new(config), attribute: Arithmetic(config.attribute), datapath: Datapath::new(latency, 1) }
     }
 
     /// A sample with its contributions.
     #[must_use]
     pub fn weigh(&self, sample: &Sample) -> WeightedSample {
-        let Sample { place, band, mut attributes } = *sample;
+        let Sample { place, band, attributes } = *sample;
         if place.end {
             return WeightedSample { place, ..WeightedSample::default() };
         }
-        let weight = Number::from_fixed(self.attribute, u64::from(place.weight), WEIGHT_BITS, WEIGHT_BITS);
-        for attribute in &mut attributes[..self.shape.continuous] {
-            *attribute = (weight * Number::new(self.attribute, *attribute)).bits();
+        let mut contributions = attributes.map(u64::from);
+        for (contribution, attribute) in contributions[..self.shape.continuous].iter_mut().zip(attributes) {
+            *contribution = self.attribute.weigh(place.weight, attribute);
         }
         let weighted_depth = u64::from(place.weight) * u64::from(band.depth);
-        WeightedSample { place, weighted_depth, depth_low: band.low, depth_high: band.high, attributes }
+        WeightedSample { place, weighted_depth, depth_low: band.low, depth_high: band.high, attributes: contributions }
     }
 }
 

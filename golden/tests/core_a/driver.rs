@@ -7,8 +7,8 @@ use pointcore_golden::core_a::top::{In, Top};
 use pointcore_golden::core_a::uniforms::UniformWrite;
 use pointcore_golden::float;
 use pointcore_golden::unit::Model;
-use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::TILE_PIXELS;
+use pointcore_spec::core_a::{AttributeFormat, Config};
 use pointcore_spec::{Camera, Format, Rendering, Splat};
 use std::collections::VecDeque;
 
@@ -37,10 +37,34 @@ pub fn decode(format: Format, bits: u32) -> f64 {
     f64::from(f32::from_bits(float::convert(format, Format::F32, u64::from(bits)) as u32))
 }
 
+/// An attribute as the host sends it.
+pub fn encode_attribute(format: AttributeFormat, number: f32) -> u32 {
+    match format {
+        AttributeFormat::Float(format) => encode(format, number),
+        AttributeFormat::Fixed(fraction) => {
+            let (width, one) = (fraction.width(), 0.5_f32.powi(1 - fraction.width() as i32));
+            let number = (number * one).round().clamp(-one, one - 1.0) as i32;
+            number as u32 & ((1 << width) - 1)
+        }
+    }
+}
+
+/// The number that an attribute's bits encode.
+pub fn decode_attribute(format: AttributeFormat, bits: u32) -> f64 {
+    match format {
+        AttributeFormat::Float(format) => decode(format, bits),
+        AttributeFormat::Fixed(fraction) => {
+            let one = 1_i32 << (fraction.width() - 1);
+            let number = bits as i32;
+            f64::from(if number < one { number } else { number - 2 * one }) / f64::from(one)
+        }
+    }
+}
+
 /// A splat as the core receives it; the material is the only cardinal attribute.
 pub fn record(config: &Config, splat: &Splat) -> SplatRecord {
     let geometry = |vector: [f32; 3]| vector.map(|number| encode(config.geometry, number));
-    let continuous = splat.attributes.iter().map(|number| encode(config.attribute, *number));
+    let continuous = splat.attributes.iter().map(|number| encode_attribute(config.attribute, *number));
     let mut attributes = [0; 14];
     let values = continuous.take(config.continuous as usize).chain([u32::from(splat.material)]);
     attributes.iter_mut().zip(values).for_each(|(place, value)| *place = value);

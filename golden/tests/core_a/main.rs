@@ -3,13 +3,13 @@
 mod driver;
 mod scenes;
 
-use driver::{Bench, LATENCIES, Stalls, decode, encode, record, uniforms};
+use driver::{Bench, LATENCIES, Stalls, decode, decode_attribute, encode, record, uniforms};
 use fastrand::Rng;
 use glam::Vec3;
 use pointcore_golden::core_a::Latencies;
 use pointcore_golden::core_a::records::{Fragment, Splat as SplatRecord};
 use pointcore_golden::reference::{self, Mapping};
-use pointcore_spec::core_a::{Config, Feature};
+use pointcore_spec::core_a::{AttributeFormat, Config, Feature, Fraction};
 use pointcore_spec::{Format, Rendering, Splat};
 use scenes::{CAMERA, RENDERING, chaos, disc, sphere};
 
@@ -142,7 +142,7 @@ fn compare(config: &Config, rendering: &Rendering, splats: &[Splat]) -> Differen
         }
         difference.depth = difference.depth.max(depth);
         let attributes = fragment.attributes.iter().zip(expected.attributes);
-        let errors = attributes.map(|(bits, expected)| (decode(config.attribute, *bits) - expected).abs());
+        let errors = attributes.map(|(bits, expected)| (decode_attribute(config.attribute, *bits) - expected).abs());
         difference.attribute = errors.fold(difference.attribute, f64::max);
         difference.material += usize::from(fragment.attributes[6] != u32::from(expected.material));
     }
@@ -164,6 +164,22 @@ fn a_surface_agrees_with_the_reference() {
             assert!(difference.compared > 3000 && difference.coverage <= 3 && difference.surfaces <= 3);
             assert!(difference.depth < depth && difference.attribute < attribute && difference.material <= 10);
         }
+    }
+}
+
+#[test]
+fn a_surface_in_fixed_point_agrees_with_the_reference_within_its_resolution() {
+    let splats = sphere(2000, &mut Rng::with_seed(first_seed()));
+    for (name, fraction) in Fraction::NAMED {
+        let config = Config { attribute: AttributeFormat::Fixed(fraction), ..config() };
+        let difference = compare(&config, &RENDERING, &splats);
+        println!("{name}: {difference:?}");
+        assert!(difference.compared > 3000 && difference.coverage <= 3 && difference.surfaces <= 3);
+        let resolution = 0.5_f64.powi(fraction.width() as i32 - 1);
+        // A whole unit for a one, which the format does not have, and half of one for what the normalizer rounds.
+        assert!(difference.attribute < 1.5 * resolution, "{name}: {difference:?}");
+        assert!(difference.attribute > 0.25 * resolution, "{name}: {difference:?}");
+        assert!(difference.material <= 10);
     }
 }
 
@@ -204,7 +220,10 @@ fn numbers_that_are_none_do_no_harm() {
             let depth = decode(config.geometry, fragment.depth);
             assert!((0.0..=1.0).contains(&depth), "{fragment:?}");
             let attributes = &fragment.attributes[..config.continuous as usize];
-            assert!(attributes.iter().all(|bits| decode(config.attribute, *bits).abs() <= 1.01), "{fragment:?}");
+            assert!(
+                attributes.iter().all(|bits| decode_attribute(config.attribute, *bits).abs() <= 1.01),
+                "{fragment:?}"
+            );
         }
     }
 }

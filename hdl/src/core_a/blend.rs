@@ -2,10 +2,10 @@
 
 use pointcore_spec::Format;
 use pointcore_spec::core_a::config::WEIGHT_SUM_BITS;
-use pointcore_spec::core_a::{Config, records};
+use pointcore_spec::core_a::{AttributeFormat, Config, records};
 
 use super::depth_test;
-use crate::float::add;
+use crate::float::{Operator, add};
 use crate::rtl::{Expr, Module, bit, cat, lit};
 use crate::units::records::Record;
 
@@ -29,6 +29,39 @@ fn saturated(m: &mut Module, name: &str, format: Format, sum: &Expr) -> Expr {
     let overflows = m.wire(&format!("overflow_of_{name}"), &exponent.all());
     let largest = lit(top, u128::from(format.infinity() - 1));
     cat(&[&sum.bit(top), &overflows.mux(&largest, &sum.trunc(top))])
+}
+
+/// How a contribution comes to a stored sum of attributes.
+enum Adder {
+    /// By an operator of so many stages, and a choice behind it.
+    Float { format: Format, operator: Operator },
+    /// As integers.
+    Fixed,
+}
+
+impl Adder {
+    fn new(attribute: AttributeFormat, cycles: u32) -> Self {
+        match attribute {
+            AttributeFormat::Float(format) => Self::Float { format, operator: add::module(format, cycles) },
+            AttributeFormat::Fixed(_) => Self::Fixed,
+        }
+    }
+
+    /// The sum of what is there in stage 3, as it is in stage `3 + cycles`.
+    fn sum(&self, m: &mut Module, name: &str, [stored, contribution]: [&Expr; 2], cycles: u32) -> Expr {
+        let (sum, cycles) = match self {
+            Self::Float { format, operator } => {
+                let add = m.instance(&format!("add_{name}"), operator.module.clone());
+                m.connect(&add, "enable", &bit(true));
+                m.connect(&add, "a", stored);
+                m.connect(&add, "b", contribution);
+                let sum = m.out(&add, "y");
+                (saturated(m, name, *format, &sum), cycles - operator.latency)
+            }
+            Self::Fixed => (stored + contribution.sext(stored.width()), cycles),
+        };
+        delay(m, &format!("sum_of_{name}"), &sum, cycles)
+    }
 }
 
 /// The pixel that a sample leaves behind, in the last stage.
@@ -70,7 +103,7 @@ pub(super) fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &R
         }
     };
 
-    let adder = add::module(config.attribute, cycles);
+    let adder = Adder::new(config.attribute, cycles);
     let pixel = Record::new(&records::pixel(config), |name| match name {
         "weight" => pass.mux(&late_weight.zext(weight_bits), &weight_sum.trunc(weight_bits)),
         "depth" => pass.mux(&late_depth.zext(depth_sum.width()), &depth_sum),
@@ -84,14 +117,9 @@ pub(super) fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &R
                 let late_stored = delay(m, &format!("stored_{attribute}"), &stored.get(attribute), cycles);
                 return stronger.mux(&late, &late_stored);
             }
-            let add = m.instance(&format!("add_{attribute}"), adder.module.clone());
-            m.connect(&add, "enable", &bit(true));
-            m.connect(&add, "a", &stored.get(attribute));
-            m.connect(&add, "b", &sample.get(attribute));
-            let sum = m.out(&add, "y");
-            let sum = saturated(m, attribute, config.attribute, &sum);
-            let sum = delay(m, &format!("sum_of_{attribute}"), &sum, cycles - adder.latency);
-            pass.mux(&late, &sum)
+            let operands = [&stored.get(attribute), &sample.get(attribute)];
+            let sum = adder.sum(m, attribute, operands, cycles);
+            pass.mux(&late.sext(sum.width()), &sum)
         }
     });
     let overflows = weight_sum.msb();

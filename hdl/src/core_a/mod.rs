@@ -27,7 +27,7 @@ mod tests {
     use crate::compiler::{CompileError, Datapath, Options};
     use crate::rtl::Module;
     use crate::units::testing::{check, check_in_order};
-    use pointcore_spec::core_a::{Config, Feature, Port, ports};
+    use pointcore_spec::core_a::{AttributeFormat, Config, Feature, Fraction, Port, ports};
 
     type Unit = (fn(&Config) -> Module, fn(&Config) -> Vec<Port>);
 
@@ -63,7 +63,8 @@ mod tests {
             eye_plane: Feature::Off,
             ..Config::default()
         };
-        for config in [Config::default(), small] {
+        let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Twelve), ..small.clone() };
+        for config in [Config::default(), small, fixed] {
             for (module, ports) in CONTROL_UNITS {
                 check(&module(&config), ports(&config));
             }

@@ -1,9 +1,10 @@
 //! Normalization (thesis eq. 5.13); golden twin: `pointcore_golden::core_a::normalizer`.
 
-use crate::compiler::{CompileError, Datapath, Options, Program, compile};
+use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
 use crate::units::datapath::Inputs;
 use pointcore_spec::core_a::config::{DEPTH_BITS, TILE_SIZE, WEIGHT_BITS};
-use pointcore_spec::core_a::{Config, records};
+use pointcore_spec::core_a::{AttributeFormat, Config, Fraction, records};
+use pointcore_spec::{Fixed, Format};
 
 /// Divides a pixel's sums by its weight and states its place in the image.
 ///
@@ -24,9 +25,27 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
     let mut computed = vec![("depth", depth), ("column", column), ("row", row)];
     computed.extend(names.iter().map(|name| {
-        let sum = sums.float(config.attribute, name).convert(config.geometry);
-        (name.as_str(), (sum * &scale).convert(config.attribute))
+        let normalized = match config.attribute {
+            AttributeFormat::Float(format) => {
+                let sum = sums.float(format, name).convert(config.geometry);
+                (sum * &scale).convert(format)
+            }
+            AttributeFormat::Fixed(fraction) => divided(&program, config.geometry, fraction, &sums.bits(name), &scale),
+        };
+        (name.as_str(), normalized)
     }));
     sums.output(&program, &records::fragment(config), &computed);
     compile(&program, options)
+}
+
+/// A fixed-point sum times `scale`, rounded to the nearest fraction: truncated with a bit more, which then rounds away from zero.
+fn divided(program: &Program, geometry: Format, fraction: Fraction, sum: &Value, scale: &Value) -> Value {
+    let Fixed { width, fraction: places, signed } = fraction.number();
+    let sum = sum.reinterpret(Type::Signed(fraction.sum().width));
+    let quotient = sum.to_float(geometry, fraction.sum().fraction) * scale;
+    let halves = quotient.to_fixed(Fixed { width: width + 1, fraction: places + 1, signed });
+    let wide = Type::Signed(width + 2);
+    let is_positive = (!halves.bits(width, width)).zext(width + 2).reinterpret(wide);
+    let nearest = (halves.resize(width + 2) + is_positive).shr(1);
+    nearest.min(&program.constant(wide, (1 << places) - 1)).resize(width)
 }

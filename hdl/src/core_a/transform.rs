@@ -3,7 +3,7 @@
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::units::datapath::{Inputs, dot, uniform};
 use pointcore_spec::Format;
-use pointcore_spec::core_a::{Config, ports::UNIFORMS, records};
+use pointcore_spec::core_a::{AttributeFormat, Config, ports::UNIFORMS, records};
 
 /// World space to camera space; drops splats whose centre is not beyond the near plane, and makes attributes finite.
 ///
@@ -44,7 +44,9 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         ("tangent2_z", tangent2_z),
     ];
     let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
-    computed.extend(names.iter().map(|name| (name.as_str(), finite(&program, config.attribute, &splat.bits(name)))));
+    if let AttributeFormat::Float(format) = config.attribute {
+        computed.extend(names.iter().map(|name| (name.as_str(), finite(&program, format, &splat.bits(name)))));
+    }
     splat.output(&program, &record, &computed);
     compile(&program, &options.with_interval(config.transform_interval))
 }

@@ -1,5 +1,6 @@
 //! `Config`: every parameter of core A, with the ranges the hardware holds.
 
+use super::AttributeFormat;
 use crate::{Format, FragmentDepth, Sampling, bus};
 use serde::{Deserialize, Serialize};
 
@@ -65,7 +66,7 @@ pub struct Config {
     /// Format of all geometry, from the splat's centre to ρ².
     pub geometry: Format,
     /// Format of attributes and of their accumulators.
-    pub attribute: Format,
+    pub attribute: AttributeFormat,
     /// Attributes that are blended (eq. 5.11).
     pub continuous: u32,
     /// Attributes that are selected by the larger weight (eq. 5.12).
@@ -103,7 +104,7 @@ impl Default for Config {
             sampling: Sampling::Center,
             depth: FragmentDepth::Center,
             geometry: Format::F32.flushed(),
-            attribute: Format::F16,
+            attribute: AttributeFormat::F16,
             continuous: 6,
             cardinal: 0,
             heap_levels: 10,
@@ -271,6 +272,8 @@ mod tests {
         assert_eq!(error.to_string(), "`continuous` + `cardinal` = 15: expected 1 to 14 attributes");
         let error = toml::from_str::<Config>("widht = 3").unwrap_err();
         assert!(error.to_string().contains("widht"), "{error}");
+        let error = toml::from_str::<Config>("attribute = \"fixed9\"").unwrap_err().to_string();
+        assert!(error.contains("`fixed9`") && error.contains("fixed12"), "{error}");
     }
 
     #[test]

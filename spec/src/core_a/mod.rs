@@ -1,9 +1,11 @@
 //! Core A, the surface-splat renderer: its configuration, the records that flow between its units and their ports.
 
+pub mod attribute;
 pub mod config;
 pub mod ports;
 pub mod records;
 
+pub use attribute::{AttributeFormat, Fraction};
 pub use config::{Config, ConfigError, Feature};
 pub use ports::{Direction, Port};
 pub use records::Field;

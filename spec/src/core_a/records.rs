@@ -1,7 +1,7 @@
 //! The records that flow through core A: names and widths of their fields, in order.
 //!
-//! Geometry fields are values of [`Config::geometry`], attributes of [`Config::attribute`]; depths, weights and coordinates are
-//! unsigned integers. A record with `end` set closes the frame and carries nothing else.
+//! Geometry fields are values of [`Config::geometry`], attributes of [`Config::attribute`], whose products and sums may be wider;
+//! depths, weights and coordinates are unsigned integers. A record with `end` set closes the frame and carries nothing else.
 
 use super::config::{
     Config, DEPTH_BITS, DEPTH_SUM_BITS, TILE_PIXELS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS, index_bits,
@@ -23,9 +23,13 @@ fn fields<const N: usize>(names: [&str; N], width: u32) -> Vec<Field> {
 /// `attribute_0…`, the continuous attributes, then `cardinal_0…`.
 #[must_use]
 pub fn attributes(config: &Config) -> Vec<Field> {
-    let width = config.attribute.width();
+    made_of_attributes(config, config.attribute.width())
+}
+
+/// What is made of the continuous attributes, in so many bits each, and the cardinal ones as they are.
+fn made_of_attributes(config: &Config, width: u32) -> Vec<Field> {
     let continuous = (0..config.continuous).map(|i| (format!("attribute_{i}"), width));
-    continuous.chain((0..config.cardinal).map(|i| (format!("cardinal_{i}"), width))).collect()
+    continuous.chain((0..config.cardinal).map(|i| (format!("cardinal_{i}"), config.attribute.width()))).collect()
 }
 
 /// A splat, in world space as the host sends it and in camera space as the transform unit passes it on: centre, two tangents
@@ -148,7 +152,7 @@ pub fn weighted_sample(config: &Config) -> Vec<Field> {
     let mut record = sample_head(config);
     record.extend(fields(["weighted_depth"], WEIGHT_BITS + DEPTH_BITS));
     record.extend(fields(["depth_low", "depth_high"], DEPTH_BITS));
-    record.extend(attributes(config));
+    record.extend(made_of_attributes(config, config.attribute.contribution_width()));
     record
 }
 
@@ -160,7 +164,7 @@ pub fn pixel(config: &Config) -> Vec<Field> {
     if config.cardinal > 0 {
         record.extend(fields(["peak"], WEIGHT_BITS));
     }
-    record.extend(attributes(config));
+    record.extend(made_of_attributes(config, config.attribute.sum_width()));
     record
 }
 

@@ -1,9 +1,9 @@
 //! A scene as the words that core A takes: splat records and uniform registers.
 
-use crate::number::encode;
+use crate::number::{encode, encode_attribute};
 use crate::plan::Plan;
 use crate::scene::Scene;
-use pointcore_spec::core_a::records;
+use pointcore_spec::core_a::{AttributeFormat, records};
 use pointcore_spec::{Camera, Format, Rendering, Splat};
 
 /// Splat records one after the other, and the uniform registers by address.
@@ -19,6 +19,11 @@ pub struct Frame {
 /// A number as a word.
 pub(crate) fn word(format: Format, value: f32) -> u64 {
     encode(format, value).into()
+}
+
+/// An attribute as a word.
+pub(super) fn attribute_word(format: AttributeFormat, value: f32) -> u64 {
+    encode_attribute(format, value).into()
 }
 
 impl Frame {
@@ -47,7 +52,7 @@ impl Frame {
 fn splat_record(splat: &Splat, plan: &Plan) -> Vec<u64> {
     let config = &plan.config;
     let geometry = splat.center.iter().chain(splat.tangents.iter().flatten());
-    let attributes = plan.attributes.iter().map(|&index| word(config.attribute, splat.attributes[index]));
+    let attributes = plan.attributes.iter().map(|&index| attribute_word(config.attribute, splat.attributes[index]));
     // Hardware may carry more than the scene has.
     let unused = plan.attributes.len()..config.continuous as usize;
     let attributes = attributes.chain(unused.map(|_| 0));

@@ -1,16 +1,11 @@
 //! Fragments read back from core A, as a frame that can be shaded and compared with the reference.
 
-use crate::number::decode;
+use crate::number::{decode, decode_attribute};
 use crate::plan::Plan;
 use pointcore_golden::reference::{Decisions, Fragment, Frame, Margins, Statistics};
+use pointcore_spec::Splat;
 use pointcore_spec::core_a::records;
 use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
-use pointcore_spec::{Format, Splat};
-
-/// The value of a word.
-fn value(format: Format, word: u64) -> f64 {
-    decode(format, word as u32).into()
-}
 
 /// Places fragments (as [`Host`](super::host::Host) collects them) in the scene's image; hardware for a larger one renders beyond it.
 /// Attributes the hardware does not carry take their constant; the material of a scene with only one is that of any splat.
@@ -30,11 +25,12 @@ pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {
         }
         let mut attributes = constants;
         for (&index, &word) in plan.attributes.iter().zip(&fields[3..]) {
-            attributes[index] = value(config.attribute, word);
+            attributes[index] = decode_attribute(config.attribute, word as u32).into();
         }
         let material = fields.get(3 + config.continuous as usize).map_or(only_material, |&material| material as u16);
         // The hardware keeps the weight to itself; a fragment exists only where it is positive.
-        let fragment = Fragment { depth: value(config.geometry, depth), weight: 1.0, attributes, material };
+        let depth = decode(config.geometry, depth as u32).into();
+        let fragment = Fragment { depth, weight: 1.0, attributes, material };
         pixels[row * width + column] = Some(fragment);
     }
     // Tests are counted by the reference only.

@@ -17,5 +17,5 @@ pub use frame::assemble;
 pub use generate::Core;
 pub use host::{Counters, Host, Progress};
 pub use recorded::record;
-pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, Measured, ROUNDING_LIMIT, Report};
+pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, Measured, ROUNDING_LIMIT, Report, rounding_limit};
 pub use run::{Outcome, Runner};

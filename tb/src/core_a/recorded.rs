@@ -1,6 +1,6 @@
 //! The beginning of a small frame, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
-use super::encode::{Frame, uniforms, word};
+use super::encode::{Frame, attribute_word, uniforms, word};
 use super::generate::Core;
 use super::run::Runner;
 use crate::lockstep::{LockstepError, Stall};
@@ -64,7 +64,7 @@ fn frame(config: &Config) -> Frame {
         let geometry = [x, y, DEPTH + random.f32(), 0.0, RADIUS, 0.0, RADIUS, 0.0, 0.0];
         words.push(0);
         words.extend(geometry.map(|number| word(config.geometry, number)));
-        words.extend((0..config.continuous).map(|_| word(config.attribute, random.f32())));
+        words.extend((0..config.continuous).map(|_| attribute_word(config.attribute, random.f32())));
         words.extend((0..config.cardinal).map(|_| 1));
     }
     let end = words.len();

@@ -3,12 +3,28 @@
 use super::host::Counters;
 use pointcore_golden::reference::Frame;
 use pointcore_spec::core_a::ports::EVENTS;
-use pointcore_spec::core_a::{Config, records};
+use pointcore_spec::core_a::{AttributeFormat, Config, records};
 use serde::Serialize;
 use std::fmt::Write as _;
 
-/// Largest difference of an attribute that rounding explains: beyond it, some depth test came out differently.
+/// Largest difference of an attribute that rounding explains: beyond it, some depth test came out differently. In coarse fixed point it is
+/// [more](rounding_limit).
 pub const ROUNDING_LIMIT: f64 = 1.0 / 256.0;
+
+/// Units in the last place of a fixed-point attribute that the host's and the normalizer's rounding and the missing one come to.
+const ROUNDED_PLACES: f64 = 2.0;
+
+/// Largest difference of an attribute that rounding explains on a configuration.
+#[must_use]
+pub fn rounding_limit(config: &Config) -> f64 {
+    match config.attribute {
+        AttributeFormat::Float(_) => ROUNDING_LIMIT,
+        AttributeFormat::Fixed(fraction) => {
+            let places = ROUNDED_PLACES * 0.5_f64.powi(fraction.number().fraction as i32);
+            places.max(ROUNDING_LIMIT)
+        }
+    }
+}
 
 /// How far a stored or tested depth may be off: 16 units in the last place of a 24-bit depth, for the roundings of `f32` in setup
 /// and of the fixed-point depths behind it.
@@ -67,7 +83,7 @@ pub struct Report {
     pub coverage_differences: u64,
     /// Pixels covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
     pub material_differences: u64,
-    /// Pixels covered by both whose attributes differ by more than rounding of attributes explains ([`ROUNDING_LIMIT`]): a test
+    /// Pixels covered by both whose attributes differ by more than rounding of attributes explains ([`rounding_limit`]): a test
     /// came out differently.
     pub outcome_differences: u64,
     /// Of those, pixels where the reference's depth test came within [`DEPTH_ROUNDING`] of another outcome.
@@ -89,13 +105,13 @@ struct Differences {
 }
 
 impl Differences {
-    fn of(frame: &Frame, reference: &Frame) -> Self {
+    fn of(frame: &Frame, reference: &Frame, limit: f64) -> Self {
         let mut found = Self::default();
         for (pair, margins) in frame.pixels.iter().zip(&reference.pixels).zip(&reference.margins) {
             match pair {
                 (Some(a), Some(b)) => {
                     found.material += u64::from(a.material != b.material);
-                    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > ROUNDING_LIMIT;
+                    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > limit;
                     if a.attributes.iter().zip(&b.attributes).any(apart) {
                         let depth_test = margins.depth <= DEPTH_ROUNDING;
                         found.outcome += 1;
@@ -143,7 +159,7 @@ impl Report {
         let [samples, starved, blocked, accumulated, hazard, slot_wait] = events;
         let share = |count: u64| count as f64 / cycles.max(1) as f64;
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
-        let differences = Differences::of(run.frame, run.reference);
+        let differences = Differences::of(run.frame, run.reference, rounding_limit(run.config));
         Self {
             scene: run.scene.to_owned(),
             engine: run.engine.to_owned(),

@@ -286,7 +286,7 @@ impl Visitor for EventCounter<'_> {
         }
     }
 
-    fn fields(&mut self, _name: &str, _values: &mut [u32]) {}
+    fn fields(&mut self, _name: &str, _values: &mut [impl Word]) {}
 
     fn prefix(&mut self, _prefix: &'static str) {}
 }

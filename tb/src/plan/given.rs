@@ -1,7 +1,8 @@
 //! A scene on hardware that it was not planned for, and what no hardware may lack.
 
+use super::attributes::{attributes, material_conflict};
 use super::demand::Demand;
-use super::{Effect, Plan, PlanError, attributes, everything, has_materials, is_filtered};
+use super::{Effect, Plan, PlanError, everything, has_materials, is_filtered};
 use crate::scene::Scene;
 use pointcore_spec::Rendering;
 use pointcore_spec::core_a::{Config, Feature};
@@ -75,6 +76,10 @@ impl Plan {
                 let remedy = format!("set `{} = {needed}`, or {remedy}", effect.key());
                 return excluded(effect.name(), reason, effect.key(), held.to_string(), remedy);
             }
+        }
+        if let Some((value, reason)) = material_conflict(scene, config.attribute) {
+            let remedy = "choose a wider format, or fewer materials".to_owned();
+            return excluded("more materials", reason, "attribute", format!("\"{value}\""), remedy);
         }
         let demand = Demand::of(scene, &everything(scene, config));
         if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, config, &demand) {

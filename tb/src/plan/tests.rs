@@ -37,6 +37,20 @@ fn overrides_have_the_last_word() {
 }
 
 #[test]
+fn materials_fit_the_format_of_attributes() {
+    let scene = |material: usize, format: &str| {
+        let materials = "[[material]]\nspecular = 0.5\n".repeat(material + 1);
+        plan(&format!("{HEAD}{SPHERE}material = {material}\n{materials}[overrides]\nattribute = \"{format}\"\n"))
+    };
+    assert!(scene(255, "fixed8").is_ok() && scene(256, "fixed12").is_ok() && scene(256, "f16").is_ok());
+    let message = scene(256, "fixed8").expect_err("it has 8 bits").to_string();
+    assert!(
+        message.contains("`overrides.attribute` = \"fixed8\"") && message.contains("256") && message.contains("9 bits"),
+        "{message}"
+    );
+}
+
+#[test]
 fn overrides_that_do_not_fit_name_key_and_remedy() {
     for (object, setting, parts) in [
         (SPHERE, "frob = 1", ["`overrides.frob`", "`heap_levels`"]),
@@ -50,6 +64,7 @@ fn overrides_that_do_not_fit_name_key_and_remedy() {
         (SPHERE, "heap_levels = -1", ["`overrides.heap_levels` = -1", "u32"]),
         (SPHERE, "heap_levels = \"9\"", ["`overrides.heap_levels` = \"9\"", "such as"]),
         (SPHERE, "geometry = \"f8\"", ["`overrides.geometry` = \"f8\"", "f24"]),
+        (SPHERE, "attribute = \"fixed9\"", ["`overrides.attribute` = \"fixed9\"", "fixed12"]),
         (SPHERE, "culling = false", ["`overrides.culling` = false", "\"on\""]),
         (SPHERE, "culling = \"maybe\"", ["`overrides.culling` = \"maybe\"", "`off`"]),
         (SPHERE, "culling = \"off\"", ["`overrides.culling` = \"off\"", "face away"]),

@@ -176,7 +176,7 @@ pub fn check(units: &Units, case: &Case, seed: u64) -> Findings {
 fn finite(units: &Units, drawn: &SetupSplat, findings: &mut Findings) {
     for samples in [1, 2] {
         let pixel = units.accumulated(drawn, u16::MAX, samples);
-        let values = pixel.attributes[..6].iter().map(|&bits| Number::new(Format::F16, bits).value());
+        let values = pixel.attributes[..6].iter().map(|&bits| Number::new(Format::F16, bits as u32).value());
         if let Some((index, value)) = values.enumerate().find(|(_, value)| !value.is_finite()) {
             let given = Number::new(Format::F16, drawn.attributes[index]).value();
             let found = format!("{samples} samples of attribute {index} = {given:e} sum to {value}");

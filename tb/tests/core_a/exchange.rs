@@ -9,7 +9,7 @@ use pointcore_golden::core_a::records::{Pixel, PlacedCopy, SamplePlace, Shape, S
 use pointcore_golden::core_a::{Accumulator, TileCache, accumulator, tile_cache};
 use pointcore_golden::unit::{Model, Record, Visitor, Word};
 use pointcore_spec::core_a::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
-use pointcore_spec::core_a::{Config, Field, records};
+use pointcore_spec::core_a::{AttributeFormat, Config, Field, records};
 
 use super::{Device, scene};
 
@@ -30,7 +30,7 @@ pub struct Counts {
     pub pixels: u32,
     /// Pixels that came back from memory almost full.
     pub heavy: u32,
-    /// Pixels with an attribute whose sum has overflowed.
+    /// Pixels with an attribute whose sum has overflowed, in `f16`.
     pub saturated: u32,
     /// The accumulator's events.
     pub accumulated: u32,
@@ -68,7 +68,7 @@ impl Visitor for Noise<'_> {
         *value = Word::from_word(self.0.u64(..) >> (64 - width));
     }
 
-    fn fields(&mut self, name: &str, values: &mut [u32]) {
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
         values.iter_mut().for_each(|value| self.field(name, value));
     }
 
@@ -147,7 +147,9 @@ impl Exchange {
                     1..=16 => HALF_OF_LARGEST * if pixel.is_multiple_of(2) { 1.0 } else { -1.0 },
                     _ => 4.0 * random.f32() - 2.0,
                 };
-                *attribute = scene::encode(self.config.attribute, number) as u32;
+                if let AttributeFormat::Float(format) = self.config.attribute {
+                    *attribute = scene::encode(format, number);
+                }
             }
             self.samples.push_back(sample);
         }
@@ -155,12 +157,18 @@ impl Exchange {
 
     /// A pixel as memory keeps it: now and then so full that a blend would overflow it.
     fn kept(&mut self, mut pixel: Pixel) -> Pixel {
-        let is_largest = |bits: &u32| bits & 0x7fff == 0x7bff;
-        self.counts.saturated += u32::from(pixel.attributes[..self.config.continuous as usize].iter().any(is_largest));
+        let continuous = self.config.continuous as usize;
+        let is_largest = |bits: &u64| bits & 0x7fff == 0x7bff;
+        self.counts.saturated += u32::from(pixel.attributes[..continuous].iter().any(is_largest));
         if pixel.weight > 0 && self.random.u8(0..6) == 0 {
             let depth = pixel.depth / u64::from(pixel.weight);
             pixel.weight = (1 << WEIGHT_SUM_BITS) - self.random.u32(1..100_000);
             pixel.depth = u64::from(pixel.weight) * depth.min((1 << DEPTH_BITS) - 1);
+            if let AttributeFormat::Fixed(fraction) = self.config.attribute {
+                // The sums of nothing but −1.
+                let sum = (u64::from(pixel.weight) << fraction.number().fraction).wrapping_neg();
+                pixel.attributes[..continuous].fill(sum & (u64::MAX >> (64 - fraction.sum().width)));
+            }
             self.counts.heavy += 1;
         }
         pixel
@@ -245,7 +253,7 @@ impl Visitor for Words {
         self.0.push(value.to_word());
     }
 
-    fn fields(&mut self, name: &str, values: &mut [u32]) {
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
         values.iter_mut().for_each(|value| self.field(name, value));
     }
 

@@ -10,7 +10,7 @@ use pointcore::lockstep::{Golden, Lockstep, Run, Stall, StreamTestbench, Streams
 use pointcore::verilated::Library;
 use pointcore_golden::unit::{Model, Ported, Unit};
 use pointcore_hdl::rtl::Module;
-use pointcore_spec::core_a::{Config, Direction, Feature, Port};
+use pointcore_spec::core_a::{AttributeFormat, Config, Direction, Feature, Fraction, Port};
 use pointcore_spec::{Format, FragmentDepth, Sampling};
 
 use crate::support;
@@ -86,6 +86,13 @@ pub fn configs() -> [Config; 3] {
         ..Config::default()
     };
     [bare, full, mixed]
+}
+
+/// Those with attributes in fixed point, for the units that compute with them.
+pub fn fixed_configs() -> [Config; 3] {
+    let [bare, full, mixed] = configs();
+    let fixed = |config, fraction| Config { attribute: AttributeFormat::Fixed(fraction), ..config };
+    [fixed(mixed, Fraction::Twelve), fixed(bare, Fraction::Eight), fixed(full, Fraction::Sixteen)]
 }
 
 /// A unit of core A, verilated, with its ports as specified.

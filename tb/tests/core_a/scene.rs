@@ -5,7 +5,7 @@ use pointcore::lockstep::seed;
 use pointcore_golden::core_a::{Rasterizer, Setup, Splitter, Transform};
 use pointcore_spec::Format;
 use pointcore_spec::core_a::ports::{self, UNIFORMS};
-use pointcore_spec::core_a::{Config, Field, records};
+use pointcore_spec::core_a::{AttributeFormat, Config, Field, records};
 
 use super::through;
 
@@ -24,6 +24,11 @@ pub fn random() -> Rng {
 /// A number in one of the core's formats.
 pub fn encode(format: Format, number: f32) -> u64 {
     pointcore::number::encode(format, number).into()
+}
+
+/// A continuous attribute in the core's format.
+pub fn encode_attribute(config: &Config, number: f32) -> u64 {
+    pointcore::number::encode_attribute(config.attribute, number).into()
 }
 
 /// Values of the uniform registers: a camera that looks at the origin, a little from above.
@@ -64,7 +69,7 @@ fn splat(config: &Config, random: &mut Rng) -> Vec<u64> {
     let continuous: Vec<f32> = (0..config.continuous).map(|_| 4.0 * random.f32() - 2.0).collect();
     let mut record = vec![0];
     record.extend(geometry.map(|number| encode(config.geometry, number)));
-    record.extend(continuous.into_iter().map(|number| encode(config.attribute, number)));
+    record.extend(continuous.into_iter().map(|number| encode_attribute(config, number)));
     record.extend((0..config.cardinal).map(|_| random.u64(..) >> (64 - config.attribute.width())));
     record
 }
@@ -73,10 +78,11 @@ fn splat(config: &Config, random: &mut Rng) -> Vec<u64> {
 pub fn spoil(config: &Config, splats: &mut [Vec<u64>], one_in: u32, random: &mut Rng) {
     let attributes = GEOMETRY.end..GEOMETRY.end + config.continuous as usize;
     for splat in splats {
-        for (places, format) in [(GEOMETRY, config.geometry), (attributes.clone(), config.attribute)] {
+        let formats = [(GEOMETRY, AttributeFormat::Float(config.geometry)), (attributes.clone(), config.attribute)];
+        for (places, format) in formats {
             if random.u32(0..one_in) == 0 {
                 let odd = ODD[random.usize(0..ODD.len())];
-                splat[random.usize(places)] = encode(format, odd);
+                splat[random.usize(places)] = pointcore::number::encode_attribute(format, odd).into();
             }
         }
     }
