@@ -77,6 +77,22 @@ impl Number {
         Self { bits: float::recip(self.format, self.bits), ..self }
     }
 
+    /// About `1/self`, from a table and Newton steps.
+    #[must_use]
+    pub fn recip_newton(self) -> Self {
+        Self { bits: float::recip_newton(self.format, self.bits), ..self }
+    }
+
+    /// About the square root, by the reciprocal one from a table and Newton steps; a zero's and positive infinity's are
+    /// themselves.
+    #[must_use]
+    pub fn sqrt_newton(self) -> Self {
+        if self.abs().bits == 0 || self.bits == self.format.infinity() {
+            return self;
+        }
+        self * Self { bits: float::rsqrt_newton(self.format, self.bits), ..self }
+    }
+
     /// The square root.
     #[must_use]
     pub fn sqrt(self) -> Self {

@@ -7,7 +7,7 @@ use pointcore_hdl::core_a::normalizer;
 use pointcore_spec::core_a::config::DEPTH_BITS;
 use pointcore_spec::core_a::{AttributeFormat, Config, ports, records};
 
-use crate::core_a::{Device, configs, fixed_configs, scene};
+use crate::core_a::{Device, configs, fixed_configs, knobs, scene};
 
 const PIXELS: u64 = 2000;
 /// Fields before the attributes: `end`, `tile`, `pixel`, `weight`, `depth`.
@@ -53,7 +53,7 @@ fn pixels(config: &Config) -> Vec<Vec<u64>> {
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(fixed_configs()) {
+    for config in configs().into_iter().chain(fixed_configs()).chain(knobs()) {
         let hardware = normalizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&hardware.module, ports::normalizer(&config));
         let fragments = device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &[]);

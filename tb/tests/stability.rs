@@ -11,7 +11,7 @@ use pointcore::stability::hardware::{Analysis, Fate, Units};
 use pointcore::stability::methods::{Method, Prepared};
 use pointcore::stability::truth::Truth;
 use pointcore_golden::core_a::records::Splat;
-use pointcore_spec::core_a::Feature;
+use pointcore_spec::core_a::{Division, Feature};
 use pointcore_spec::{Format, Subnormals};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
@@ -60,13 +60,15 @@ fn the_quick_truth_is_the_exact_one() {
 
 #[test]
 fn what_is_proved_holds_in_every_family() {
-    for format in FORMATS {
-        let units = Units::new(format);
+    let kinds =
+        [Division::Rounded, Division::Newton].into_iter().flat_map(|division| FORMATS.map(|format| (division, format)));
+    for (division, format) in kinds {
+        let units = Units::with_division(format, division);
         let (mut samples, mut undetermined) = (0, 0);
         for (index, case) in (0..).zip(cases(format, 4)) {
             let findings = check(&units, &case, index);
             let broken = findings.violations.iter().find(|violation| violation.property.is_proved());
-            assert!(broken.is_none(), "{broken:?} of {case:?}");
+            assert!(broken.is_none(), "{broken:?} of {case:?}, {division:?}");
             samples += findings.samples;
             undetermined += findings.undetermined;
         }
@@ -91,7 +93,7 @@ fn an_error_in_the_footprint_exceeds_the_bound() {
         // A thousandth of one coefficient: some hundred times its bound.
         footprint.a[0] ^= 1 << 13;
         let pixel = [drawn.bounds.left, drawn.bounds.top].map(u32::from);
-        let bounded = Analysis::new(case).squared_distance(pixel);
+        let bounded = Analysis::new(case, units.division).squared_distance(pixel);
         let computed = f64::from(units.squared_distance(case, &footprint, pixel).value());
         let exact = Truth::new(case).expect("its numbers are finite").hit(pixel, 1e-12).squared_distance;
         noticed += usize::from((computed - exact).abs() > bounded.error);
@@ -149,16 +151,17 @@ proptest! {
     #[test]
     fn what_is_proved_holds_of_any_splat(
         center in prop::array::uniform3(number()), first in prop::array::uniform3(number()), second in prop::array::uniform3(number()),
-        is_narrow in any::<bool>(), is_filtered in any::<bool>(), seed in any::<u64>(),
+        is_narrow in any::<bool>(), is_newton in any::<bool>(), is_filtered in any::<bool>(), seed in any::<u64>(),
     ) {
         let format = FORMATS[usize::from(is_narrow)];
+        let division = if is_newton { Division::Newton } else { Division::Rounded };
         let case = Case {
             filter: if is_filtered { Feature::On } else { Feature::Off },
             ..splat(format, center, [first, second], 1.0)
         };
-        let findings = check(&Units::new(format), &case, seed);
+        let findings = check(&Units::with_division(format, division), &case, seed);
         let broken = findings.violations.iter().find(|violation| violation.property.is_proved());
-        prop_assert!(broken.is_none(), "{:?} of {:?}", broken, case.numbers());
+        prop_assert!(broken.is_none(), "{:?} of {:?}, {:?}", broken, case.numbers(), division);
         prop_assert!(findings.of(Property::Malformed).is_none(), "{:?} of {:?}", findings.violations, case.numbers());
     }
 }

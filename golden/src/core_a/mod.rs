@@ -19,6 +19,8 @@ pub mod transform;
 pub mod uniforms;
 pub mod weighting;
 
+mod division;
+
 pub use accumulator::Accumulator;
 pub use depth_test::DepthTest;
 pub use heap::Heap;

@@ -3,13 +3,14 @@
 //! One reciprocal in the geometry format; attributes are converted to it and back.
 
 use super::attribute::Arithmetic;
+use super::division::recip;
 use super::records::{FinishedPixel, Fragment, Shape};
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::{Model, ThroughIn, ThroughOut};
 use pointcore_spec::Format;
-use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::{DEPTH_BITS, DEPTH_SUM_BITS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS};
+use pointcore_spec::core_a::{Config, Division};
 
 const SIZE: u32 = TILE_SIZE;
 
@@ -25,6 +26,7 @@ pub struct Normalizer {
     shape: Shape,
     geometry: Format,
     attribute: Arithmetic,
+    division: Division,
     tile_column_bits: u32,
     datapath: Datapath<Fragment>,
 }
@@ -37,6 +39,7 @@ impl Normalizer {
             shape: Shape::new(config),
             geometry: config.geometry,
             attribute: Arithmetic(config.attribute),
+            division: config.division,
             tile_column_bits: config.tile_column_bits(),
             datapath: Datapath::new(latency, 1),
         }
@@ -49,7 +52,7 @@ impl Normalizer {
         let placed = &finished.placed;
         let sums = placed.value.attributes;
         let weight = u64::from(placed.value.weight);
-        let r = Number::from_fixed(self.geometry, weight, WEIGHT_SUM_BITS, WEIGHT_BITS).recip();
+        let r = recip(self.division, Number::from_fixed(self.geometry, weight, WEIGHT_SUM_BITS, WEIGHT_BITS));
         let depth = Number::from_fixed(self.geometry, placed.value.depth, DEPTH_SUM_BITS, WEIGHT_BITS + DEPTH_BITS) * r;
         let mut attributes = sums.map(|bits| bits as u32);
         for (attribute, sum) in attributes[..self.shape.continuous].iter_mut().zip(sums) {

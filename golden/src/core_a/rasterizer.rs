@@ -1,23 +1,21 @@
 //! Rasterizer: intersects the viewing ray of every pixel in a copy's bounds with the splat's plane (thesis 5.4.2, table 5.2).
 //!
-//! A pixel a cycle, in the geometry format; samples outside the splat are dropped, but for a copy's last. Depth band and
+//! A pixel a cycle, in the rasterizer's format; samples outside the splat are dropped, but for a copy's last. Depth band and
 //! attributes wait in a queue beside the datapath and meet each of their samples at its end.
 
+use super::division::squared_ratio;
 use super::records::{Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace, Shape};
 use crate::datapath::Datapath;
 use crate::float::{Table, kernel_table};
 use crate::number::Number;
 use crate::stream::Fifo;
 use crate::unit::{Model, Record, Visitor, stream};
-use pointcore_spec::core_a::config::{
-    COPY_QUEUE_DEPTH, DEPTH_BITS, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS,
-};
-use pointcore_spec::core_a::{Config, Feature};
-use pointcore_spec::{Format, FragmentDepth, Sampling, TableShape};
+use pointcore_spec::core_a::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE};
+use pointcore_spec::core_a::{Config, Division, Feature};
+use pointcore_spec::{Format, FragmentDepth, Sampling};
 use std::sync::Arc;
 
 const SIZE: u16 = TILE_SIZE as u16;
-const KERNEL_BITS: u32 = KERNEL_INDEX_BITS + KERNEL_FRACTION_BITS;
 
 /// What the unit sees.
 #[derive(Clone, Copy, Debug, Default)]
@@ -84,11 +82,14 @@ impl Scan {
 #[derive(Clone, Debug)]
 pub struct Rasterizer {
     shape: Shape,
-    geometry: Format,
+    format: Format,
     sampling: Sampling,
     eye_plane: Feature,
+    division: Division,
     tile_column_bits: u32,
     kernel: Arc<Table>,
+    /// Bits of `ρ²` that the kernel sees.
+    kernel_bits: u32,
     scan: Option<Scan>,
     copies: Fifo<(Band, Attributes)>,
     /// Samples, with their depth band where their splat has none.
@@ -100,15 +101,15 @@ impl Rasterizer {
     /// The unit with a pipeline of `latency` stages.
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
-        let kernel =
-            TableShape { index_bits: KERNEL_INDEX_BITS, fraction_bits: KERNEL_FRACTION_BITS, value_bits: WEIGHT_BITS };
         Self {
             shape: Shape::new(config),
-            geometry: config.geometry,
+            format: config.raster_format(),
             sampling: config.sampling,
             eye_plane: config.eye_plane,
+            division: config.division,
             tile_column_bits: config.tile_column_bits(),
-            kernel: Arc::new(kernel_table(config.kernel_gamma, kernel)),
+            kernel: Arc::new(kernel_table(config.kernel_gamma, config.kernel_table())),
+            kernel_bits: config.kernel_index_bits + config.kernel_fraction_bits,
             scan: None,
             copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
             datapath: Datapath::new(latency, 1),
@@ -149,7 +150,7 @@ impl Rasterizer {
 
     /// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
     fn depth_band(&self, footprint: &Footprint, sample: [u32; 2]) -> Band {
-        let number = |bits| Number::new(self.geometry, bits);
+        let number = |bits| Number::new(self.format, bits);
         let DepthPlane { center, slope, range, epsilon } = footprint.plane;
         let [x, y] = self.offset(footprint, sample);
         let [near, far] = range.map(number);
@@ -161,26 +162,26 @@ impl Rasterizer {
     /// From the splat's projected centre to a sample, px.
     fn offset(&self, footprint: &Footprint, sample: [u32; 2]) -> [Number; 2] {
         let [x, y] = self.sample_position(sample);
-        let [center_x, center_y] = footprint.center.map(|bits| Number::new(self.geometry, bits));
+        let [center_x, center_y] = footprint.center.map(|bits| Number::new(self.format, bits));
         [x - center_x, y - center_y]
     }
 
     /// Whether a sample at `ρ²` lies inside its splat; a NaN does not.
     #[must_use]
     pub fn is_inside(&self, squared: Number) -> bool {
-        squared.is_below(Number::from_fixed(self.geometry, 1, 1, 0))
+        squared.is_below(Number::from_fixed(self.format, 1, 1, 0))
     }
 
     /// Kernel weight at `ρ²`.
     #[must_use]
     pub fn weight(&self, squared: Number) -> u16 {
-        self.kernel.interpolate(squared.to_fixed(KERNEL_BITS, KERNEL_BITS)) as u16
+        self.kernel.interpolate(squared.to_fixed(self.kernel_bits, self.kernel_bits)) as u16
     }
 
     /// `ρ²` at the sample of a pixel, given by column and row of the image.
     #[must_use]
     pub fn squared_distance(&self, footprint: &Footprint, pixel: [u32; 2], filter_scale: u32) -> Number {
-        let number = |bits| Number::new(self.geometry, bits);
+        let number = |bits| Number::new(self.format, bits);
         let [x, y] = self.offset(footprint, pixel);
         let [ax, ay] = footprint.a.map(number);
         let [bx, by] = footprint.b.map(number);
@@ -190,10 +191,9 @@ impl Rasterizer {
         let determinant = delta + x * mx + y * my;
         let is_behind = determinant.is_negative() != delta.is_negative();
         let on_splat = if is_behind && self.eye_plane.is_on() {
-            number(self.geometry.infinity() as u32)
+            number(self.format.infinity() as u32)
         } else {
-            let (s1, s2) = (x * ay - y * ax, x * by - y * bx);
-            (s1 * s1 + s2 * s2) / (determinant * determinant)
+            squared_ratio(self.division, [x * ay - y * ax, x * by - y * bx], determinant)
         };
         if self.shape.screen_filter.is_on() { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
     }
@@ -215,7 +215,7 @@ impl Rasterizer {
                 }
             }
         };
-        eighths.map(|place| Number::from_fixed(self.geometry, u64::from(place), POSITION_BITS, FRACTION_BITS))
+        eighths.map(|place| Number::from_fixed(self.format, u64::from(place), POSITION_BITS, FRACTION_BITS))
     }
 }
 

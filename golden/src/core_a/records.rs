@@ -95,7 +95,7 @@ impl Band {
     }
 }
 
-/// Depth over a splat's plane, in the geometry format.
+/// Depth over a splat's plane, in the rasterizer's format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DepthPlane {
     /// At the splat's centre.

@@ -1,16 +1,18 @@
 //! Setup unit: projection, bounds and depth band of a splat (thesis tables 5.1 and 5.2, recentred as docs/core_a.md derives).
 //!
-//! A datapath of interval `setup_interval`, in the geometry format. Bounds are rounded outwards to pixels; a splat that crosses
-//! the eye plane has the viewport for bounds, unless that part is left out. Dropped are splats behind the far plane, splats without
-//! a pixel and, with culling, splats that face away. A splat seen edge-on has no `Δ` to speak of, and draws its screen filter's disc at most.
+//! A datapath of interval `setup_interval`, in the geometry format; the footprint leaves it in the rasterizer's. Bounds are rounded
+//! outwards to pixels; a splat that crosses the eye plane has the viewport for bounds, unless that part is left out. Dropped are splats
+//! behind the far plane, splats without a pixel and, with culling, splats that face away. A splat seen edge-on has no `Δ` to speak of,
+//! and draws its screen filter's disc at most.
 
+use super::division::{recip, sqrt};
 use super::records::{Band, DepthPlane, Footprint, Rectangle, SetupSplat, Shape, Splat};
 use super::uniforms::SetupUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
 use pointcore_spec::core_a::config::DEPTH_BITS;
-use pointcore_spec::core_a::{Config, Feature};
+use pointcore_spec::core_a::{Config, Division, Feature};
 use pointcore_spec::{Format, Sampling};
 use std::ops::Range;
 
@@ -53,6 +55,8 @@ pub type Out = ThroughOut<SetupSplat>;
 pub struct Setup {
     shape: Shape,
     geometry: Format,
+    raster: Format,
+    division: Division,
     culling: Feature,
     eye_plane: Feature,
     edges: [u64; 2],
@@ -82,6 +86,8 @@ impl Setup {
         Self {
             shape: Shape::new(config),
             geometry: config.geometry,
+            raster: config.raster_format(),
+            division: config.division,
             culling: config.culling,
             eye_plane: config.eye_plane,
             edges: [config.width, config.height].map(u64::from),
@@ -109,7 +115,7 @@ impl Setup {
         let [scale_x, scale_y] = uniforms.scale.map(|bits| self.number(bits));
         let [origin_x, origin_y] = uniforms.origin.map(|bits| self.number(bits));
 
-        let r = uz.recip();
+        let r = recip(self.division, uz);
         let (vx, vy) = (ux * r, uy * r);
         let slant = self.slant(splat, r);
         let (alpha, beta) = (slant.alpha, slant.beta);
@@ -128,15 +134,21 @@ impl Setup {
         if self.culling.is_on() && !is_edge_on && !is_front(delta, scale_x, scale_y) {
             return None;
         }
+        let coefficient = |value| self.coefficient(value);
         let m = [beta * ay - alpha * by, alpha * bx - beta * ax];
-        let plane = depths.plane((!is_edge_on).then_some(delta), m);
-        let delta = if is_edge_on { self.geometry.quiet_nan() as u32 } else { delta.bits() };
+        let slope = depths.slope(self.division, (!is_edge_on).then_some(delta), m);
+        let plane = DepthPlane {
+            center: coefficient(depths.center),
+            slope: slope.map(coefficient),
+            range: depths.range.map(coefficient),
+            epsilon: coefficient(depths.epsilon),
+        };
         let footprint = Footprint {
-            center: [cx, cy].map(Number::bits),
-            a: [ax, ay].map(Number::bits),
-            b: [bx, by].map(Number::bits),
-            delta,
-            m: m.map(Number::bits),
+            center: [cx, cy].map(coefficient),
+            a: [ax, ay].map(coefficient),
+            b: [bx, by].map(coefficient),
+            delta: if is_edge_on { self.raster.quiet_nan() as u32 } else { coefficient(delta) },
+            m: m.map(coefficient),
             band: depths.band(),
             plane,
         };
@@ -147,6 +159,11 @@ impl Setup {
             bottom: (rows.end - 1) as u16,
         };
         Some(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds })
+    }
+
+    /// A value in the rasterizer's format.
+    fn coefficient(&self, value: Number) -> u32 {
+        if self.raster == self.geometry { value.bits() } else { value.convert(self.raster).bits() }
     }
 
     /// Whether a difference is rounding alone, by the exponents of it and of its first term.
@@ -164,14 +181,14 @@ impl Setup {
         let is_fine = self.geometry.mantissa >= FINE_MANTISSA_BITS;
         let clearance = if is_fine { CLEARANCE_FRACTION_BITS } else { COARSE_CLEARANCE_FRACTION_BITS };
         let is_whole = self.constant(1, clearance).is_below(e);
-        let reciprocal = (is_whole || !self.eye_plane.is_on()).then(|| e.recip());
+        let reciprocal = (is_whole || !self.eye_plane.is_on()).then(|| recip(self.division, e));
         Slant { alpha, beta, squared, is_whole, reciprocal }
     }
 
     /// How far a splat in camera space leans towards the eye.
     #[must_use]
     pub fn slant_of(&self, splat: &Splat) -> Slant {
-        self.slant(splat, self.number(splat.center[2]).recip())
+        self.slant(splat, recip(self.division, self.number(splat.center[2])))
     }
 
     /// Rows or columns of samples that may lie inside the splat; all of a pixel's, or none.
@@ -187,7 +204,7 @@ impl Setup {
         let edge = self.edges[axis];
         let Some(f) = slant.reciprocal else { return 0..edge };
         let t = (a * slant.alpha + b * slant.beta) * f;
-        let h = (t * t + (a * a + b * b) * f).sqrt();
+        let h = sqrt(self.division, t * t + (a * a + b * b) * f);
         let (mut low, mut high) = ((c - t) - h, (c - t) + h);
         if self.shape.screen_filter.is_on() {
             let radius = self.number(uniforms.filter_radius);
@@ -216,8 +233,8 @@ impl Setup {
         if !center.is_at_most(one) {
             return None;
         }
-        let range =
-            slant.reciprocal.map(|f| (center + scale * (slant.squared * f), scale.abs() * (slant.squared.sqrt() * f)));
+        let reach = sqrt(self.division, slant.squared);
+        let range = slant.reciprocal.map(|f| (center + scale * (slant.squared * f), scale.abs() * (reach * f)));
         let beyond_near = range.filter(|(depth, half)| zero.is_at_most(*depth - *half));
         let (middle, half) = beyond_near.unwrap_or((center, scale.abs().min(one)));
         let range = beyond_near.map_or([zero, one], |(depth, half)| [depth - half, depth + half]);
@@ -244,18 +261,12 @@ impl Depths {
         Band { depth: fixed(middle), low: fixed(middle - epsilon), high: fixed(middle + epsilon) }
     }
 
-    /// Over the plane, `u_z/z = D/Δ`; level without a `Δ`.
-    fn plane(&self, delta: Option<Number>, m: [Number; 2]) -> DepthPlane {
-        let slope = delta.map_or([self.zero; 2], |delta| {
-            let scale = self.scale * delta.recip();
+    /// By the pixel over the plane, where `u_z/z = D/Δ`; level without a `Δ`.
+    fn slope(&self, division: Division, delta: Option<Number>, m: [Number; 2]) -> [Number; 2] {
+        delta.map_or([self.zero; 2], |delta| {
+            let scale = self.scale * recip(division, delta);
             m.map(|m| scale * m)
-        });
-        DepthPlane {
-            center: self.center.bits(),
-            slope: slope.map(Number::bits),
-            range: self.range.map(Number::bits),
-            epsilon: self.epsilon.bits(),
-        }
+        })
     }
 }
 
@@ -431,6 +442,31 @@ mod tests {
         for (reach, fine, coarse) in [(0.97, false, false), (0.99, false, true), (0.999_94, true, true)] {
             assert_eq!((has_viewport(Format::F32, reach), has_viewport(Format::F24, reach)), (fine, coarse), "{reach}");
         }
+    }
+
+    #[test]
+    fn the_footprint_alone_has_the_rasterizers_format() {
+        let setup = |rasterizer| {
+            let unit = Setup::new(&Config { geometry: Format::F32, rasterizer, ..Config::default() }, 1);
+            let encode = f32::to_bits;
+            let (center, tangents) =
+                ([0.3, 0.1, 2.0].map(encode), [[0.0, 0.3, 0.1], [0.2, 0.0, 0.7]].map(|t| t.map(encode)));
+            unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms())
+                .expect("it is in view")
+        };
+        let (wide, narrow) = (setup(None), setup(Some(Format::BF16)));
+        let rounded = |bits| Number::new(Format::F32, bits).convert(Format::BF16).bits();
+        let Footprint { center, a, b, delta, m, band, plane } = wide.footprint;
+        let pairs = [center, a, b, m].map(|pair| pair.map(rounded));
+        let [center, a, b, m] = pairs;
+        let plane = DepthPlane {
+            center: rounded(plane.center),
+            slope: plane.slope.map(rounded),
+            range: plane.range.map(rounded),
+            epsilon: rounded(plane.epsilon),
+        };
+        assert_eq!(narrow.footprint, Footprint { center, a, b, delta: rounded(delta), m, band, plane });
+        assert_eq!(narrow.bounds, wide.bounds);
     }
 
     #[test]

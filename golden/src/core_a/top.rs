@@ -53,6 +53,8 @@ pub struct Out {
 pub struct Top {
     shape: Shape,
     uniforms: Uniforms,
+    /// The bits that the register has.
+    filter_scale_bits: u32,
     transform: Transform,
     setup: Setup,
     splitter: Splitter,
@@ -71,6 +73,7 @@ impl Top {
         Self {
             shape: Shape::new(config),
             uniforms: Uniforms::default(),
+            filter_scale_bits: u32::MAX >> (u32::BITS - config.raster_format().width()),
             transform: Transform::new(config, latencies.transform),
             setup: Setup::new(config, latencies.setup),
             splitter: Splitter::new(config),
@@ -140,7 +143,7 @@ impl Model for Top {
         self.rasterizer.clock(&rasterizer::In {
             input: tile_cache.out,
             out_ready: weighting.in_ready,
-            filter_scale: uniforms.filter_scale,
+            filter_scale: uniforms.filter_scale & self.filter_scale_bits,
         });
         self.weighting.clock(&weighting::In { input: rasterizer.out, out_ready: accumulator.in_ready });
         self.accumulator.clock(&accumulator::In {

@@ -3,7 +3,8 @@
 //! The argument is `t` in [0, 4) with `index_bits + fraction_bits − 2` fraction bits, the value a fraction of
 //! `2^value_bits − 1`. Beyond 4, erf differs from 1 by less than 2^−25. The interpolated value is within
 //! `2 · 4^−index_bits` (chord against curve: `h²/8 · max|erf″|`, `h = 4 · 2^−index_bits`, `max|erf″| = √(8/πe) < 1`) and
-//! 3/2 units (rounding, truncation) of erf; the test is tests/float/tables.rs.
+//! 3/2 units (rounding, truncation) of erf; without interpolation it is within `4/√π · 2^−index_bits` (half an interval) and
+//! half a unit. The test is tests/float/tables.rs.
 
 use super::table::Table;
 use pointcore_spec::TableShape;

@@ -62,7 +62,7 @@ pub enum Operation {
         /// Fraction bits of the operand.
         fraction: u32,
     },
-    /// Linear interpolation in a table.
+    /// Linear interpolation in a table, or the table alone.
     Interpolate(Rc<Table>),
     /// Every bit inverted.
     Not,

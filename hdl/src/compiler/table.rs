@@ -1,9 +1,9 @@
-//! The samples of an interpolated function.
+//! The samples of a function.
 
 use super::error::CompileError;
 use pointcore_spec::TableShape;
 
-/// A table of `2^index_bits + 1` unsigned samples; see [`Operation::Interpolate`](super::Operation::Interpolate).
+/// A table of unsigned samples; see [`Operation::Interpolate`](super::Operation::Interpolate).
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Table {
     shape: TableShape,
@@ -16,7 +16,7 @@ impl Table {
     /// # Errors
     /// When there are too few or too many samples, or one is too wide.
     pub fn new(shape: TableShape, values: Vec<u64>) -> Result<Self, CompileError> {
-        let samples = (1 << shape.index_bits) + 1;
+        let samples = shape.samples();
         let error = |problem| CompileError::Table { samples, value_bits: shape.value_bits, problem };
         if values.len() != samples {
             return Err(error(format!("there are {}", values.len())));

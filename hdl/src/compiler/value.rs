@@ -69,7 +69,7 @@ impl Value {
         self.apply(Operation::ToFloat { format, fraction }, &[])
     }
 
-    /// Looks the value up in `table`, with linear interpolation.
+    /// Looks the value up in `table`, with linear interpolation if it has fraction bits.
     #[must_use]
     pub fn kernel(&self, table: &Rc<Table>) -> Self {
         self.apply(Operation::Interpolate(Rc::clone(table)), &[])

@@ -15,6 +15,7 @@ pub mod transform;
 pub mod weighting;
 
 mod blend;
+mod division;
 mod heap_links;
 mod heap_order;
 mod heap_stage;
@@ -27,7 +28,8 @@ mod tests {
     use crate::compiler::{CompileError, Datapath, Options};
     use crate::rtl::Module;
     use crate::units::testing::{check, check_in_order};
-    use pointcore_spec::core_a::{AttributeFormat, Config, Feature, Fraction, Port, ports};
+    use pointcore_spec::core_a::{AttributeFormat, Config, Division, Feature, Fraction, Port, ports};
+    use pointcore_spec::{Format, FragmentDepth};
 
     type Unit = (fn(&Config) -> Module, fn(&Config) -> Vec<Port>);
 
@@ -64,7 +66,15 @@ mod tests {
             ..Config::default()
         };
         let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Twelve), ..small.clone() };
-        for config in [Config::default(), small, fixed] {
+        let coarse = Config {
+            geometry: Format::F24,
+            rasterizer: Some(Format::BF16.flushed()),
+            division: Division::Newton,
+            kernel_fraction_bits: 0,
+            depth: FragmentDepth::Plane,
+            ..Config::default()
+        };
+        for config in [Config::default(), small, fixed, coarse] {
             for (module, ports) in CONTROL_UNITS {
                 check(&module(&config), ports(&config));
             }

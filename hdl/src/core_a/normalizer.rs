@@ -1,5 +1,6 @@
 //! Normalization (thesis eq. 5.13); golden twin: `pointcore_golden::core_a::normalizer`.
 
+use super::division::recip;
 use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
 use crate::units::datapath::Inputs;
 use pointcore_spec::core_a::config::{DEPTH_BITS, TILE_SIZE, WEIGHT_BITS};
@@ -13,7 +14,7 @@ use pointcore_spec::{Fixed, Format};
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("core_a_normalizer", "A finished pixel's sums divided by its weight.");
     let sums = Inputs::new(&program, &records::finished_pixel(config));
-    let scale = sums.bits("weight").to_float(config.geometry, WEIGHT_BITS).recip();
+    let scale = recip(config.division, &sums.bits("weight").to_float(config.geometry, WEIGHT_BITS));
     let depth = sums.bits("depth").to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * &scale;
 
     let (tile, pixel) = (sums.bits("tile"), sums.bits("pixel"));

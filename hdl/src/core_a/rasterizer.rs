@@ -1,17 +1,16 @@
 //! Rasterizer (thesis 5.4.2): walks a copy's rectangle and evaluates one sample a cycle; golden twin:
 //! `pointcore_golden::core_a::rasterizer`.
 
+use super::division::squared_ratio;
 use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
 use crate::float::exp_neg;
 use crate::rtl::{Expr, Instance, Module, Reg, Stream, cat};
 use crate::stream;
 use crate::units::datapath::{Inputs, uniform};
 use crate::units::records::{layout, stream_in};
-use pointcore_spec::core_a::config::{
-    COPY_QUEUE_DEPTH, DEPTH_BITS, KERNEL_FRACTION_BITS, KERNEL_INDEX_BITS, TILE_SIZE, WEIGHT_BITS, index_bits,
-};
+use pointcore_spec::core_a::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE, index_bits};
 use pointcore_spec::core_a::{Config, Field, records};
-use pointcore_spec::{Fixed, Format, FragmentDepth, Sampling, Signedness, TableShape};
+use pointcore_spec::{Fixed, Format, FragmentDepth, Sampling, Signedness};
 use std::rc::Rc;
 
 /// Bits of a pixel's column or row within its tile.
@@ -30,15 +29,14 @@ fn position(config: &Config) -> Vec<Field> {
 }
 
 /// exp(−γρ²) for ρ² in `[0, 1]`.
-fn kernel(gamma: f64) -> Result<Rc<Table>, CompileError> {
-    let shape =
-        TableShape { index_bits: KERNEL_INDEX_BITS, fraction_bits: KERNEL_FRACTION_BITS, value_bits: WEIGHT_BITS };
-    Table::new(shape, exp_neg::samples(gamma, shape)).map(Rc::new)
+fn kernel(config: &Config) -> Result<Rc<Table>, CompileError> {
+    let shape = config.kernel_table();
+    Table::new(shape, exp_neg::samples(config.kernel_gamma, shape)).map(Rc::new)
 }
 
 /// Intersects the viewing ray of each sample with the splat's plane (table 5.2, recentred) and weighs it.
 fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
-    let format = config.geometry;
+    let format = config.raster_format();
     let program =
         Program::new("core_a_evaluation", "Distance of a sample from its splat's centre, and its kernel weight.");
     let input = Inputs::new(&program, &position(config));
@@ -52,7 +50,7 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     let s1 = &x * coefficient("ay") - &y * coefficient("ax");
     let s2 = &x * coefficient("by") - &y * coefficient("bx");
     let d = coefficient("delta") + &x * coefficient("mx") + &y * coefficient("my");
-    let mut distance = (&s1 * &s1 + &s2 * &s2) / (&d * &d);
+    let mut distance = squared_ratio(config.division, &s1, &s2, &d);
     if config.eye_plane.is_on() {
         let behind = sign(&d, format) ^ sign(&coefficient("delta"), format);
         let infinity = program.constant(Type::Float(format), format.infinity());
@@ -66,12 +64,10 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     let (end, last) = (input.bits("end"), input.bits("last"));
     let inside = distance.lt(&program.float(format, 1.0)) & !&end;
     program.keep_if(&(&inside | &last | &end));
-    let argument = Fixed {
-        width: KERNEL_INDEX_BITS + KERNEL_FRACTION_BITS,
-        fraction: KERNEL_INDEX_BITS + KERNEL_FRACTION_BITS,
-        signed: Signedness::Unsigned,
-    };
-    let weight = distance.to_fixed(argument).kernel(&kernel(config.kernel_gamma)?);
+    let kernel = kernel(config)?;
+    let argument_bits = kernel.shape().index_bits + kernel.shape().fraction_bits;
+    let argument = Fixed { width: argument_bits, fraction: argument_bits, signed: Signedness::Unsigned };
+    let weight = distance.to_fixed(argument).kernel(&kernel);
     let local = |name| input.bits(name).bits(LOCAL_BITS - 1, 0);
     let pixel = local("row").concat(&local("column"));
     let mut computed = vec![("inside", inside), ("pixel", pixel), ("weight", weight)];
@@ -102,7 +98,7 @@ fn sample(sampling: Sampling, program: &Program, input: &Inputs, axis: &str) -> 
 
 /// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
 fn depth_band(config: &Config, program: &Program, input: &Inputs, [x, y]: [&Value; 2]) -> [(&'static str, Value); 3] {
-    let format = config.geometry;
+    let format = config.raster_format();
     let number = |name| input.float(format, name);
     let plane = number("depth_center") + x * number("depth_x") + y * number("depth_y");
     let depth = plane.max(&number("depth_near")).min(&number("depth_far"));
@@ -233,7 +229,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     m.connect(&queue, "out_ready", &(&(&out_ready & &valid) & &last));
 
     if config.screen_filter.is_on() {
-        let filter_scale = m.input("filter_scale", config.geometry.width() as usize);
+        let filter_scale = m.input("filter_scale", config.uniform_format("filter_scale").width() as usize);
         m.connect(&evaluation, "filter_scale", &filter_scale);
     }
     let busy = scanner.busy.expr();

@@ -1,6 +1,7 @@
 //! Rasterization setup and back-face culling (thesis 5.4.1, table 5.2), recentred at the splat's projected centre; golden twin:
 //! `pointcore_golden::core_a::setup`.
 
+use super::division::{recip, sqrt};
 use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
 use crate::float::mul;
 use crate::units::datapath::{Inputs, uniform};
@@ -69,6 +70,10 @@ impl Frame<'_> {
         uniform(self.program, self.config.geometry, name)
     }
 
+    fn sqrt(&self, value: &Value) -> Value {
+        sqrt(self.config.division, self.program, self.config.geometry, value)
+    }
+
     fn axis(&self, axis: &str, edge: u32, columns: u32, bits: u32) -> Axis {
         let component = |name: &str| self.splat.float(self.config.geometry, &format!("{name}_{axis}"));
         let scale = self.uniform(&format!("scale_{axis}"));
@@ -78,7 +83,7 @@ impl Frame<'_> {
         let center = &scale * &v + self.uniform(&format!("origin_{axis}"));
 
         let t = (&a * &self.alpha + &b * &self.beta) * &self.f;
-        let h = (&t * &t + (&a * &a + &b * &b) * &self.f).sqrt();
+        let h = self.sqrt(&(&t * &t + (&a * &a + &b * &b) * &self.f));
         let middle = &center - &t;
         let (mut low, mut high) = (&middle - &h, &middle + &h);
         if let Some(radius) = &self.filter_radius {
@@ -135,12 +140,12 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let splat = Inputs::new(&program, &records::splat(config));
     let one = program.float(format, 1.0);
 
-    let r = splat.float(format, "center_z").recip();
+    let r = recip(config.division, &splat.float(format, "center_z"));
     let alpha = splat.float(format, "tangent1_z") * &r;
     let beta = splat.float(format, "tangent2_z") * &r;
     let q = &alpha * &alpha + &beta * &beta;
     let e = &one - &q;
-    let f = e.recip();
+    let f = recip(config.division, &e);
     let whole = config.eye_plane.is_on().then(|| program.float(format, clearance(format)).lt(&e).named("whole"));
     let filter_radius = config.screen_filter.is_on().then(|| uniform(&program, format, "filter_radius"));
     let frame = Frame { config, program: &program, splat: &splat, r, alpha, beta, f, whole, filter_radius };
@@ -157,7 +162,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let b = frame.uniform("depth_b") * r;
     let center_depth = frame.uniform("depth_a") + &b;
     let spread_depth = &center_depth + &b * (&q * f);
-    let spread_half = b.abs() * (q.sqrt() * f);
+    let spread_half = b.abs() * (frame.sqrt(&q) * f);
     let zero = program.float(format, 0.0);
     let beyond_near = zero.le(&(&spread_depth - &spread_half));
     let beyond_near =
@@ -171,18 +176,20 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         let negative = delta.bits(format.width() - 1, format.width() - 1);
         visible = visible & (&edge_on | (negative ^ (&x.mirrored ^ &y.mirrored)));
     }
-    let no_delta = program.constant(Type::Float(format), format.quiet_nan());
+    let raster = config.raster_format();
+    let no_delta = program.constant(Type::Float(raster), raster.quiet_nan());
+    let coefficient = |value: &Value| if raster == format { value.clone() } else { value.convert(raster) };
     program.keep_if(&(splat.bits("end") | visible));
     let mut computed = vec![
-        ("center_x", x.center),
-        ("center_y", y.center),
-        ("ax", x.a),
-        ("bx", x.b),
-        ("ay", y.a),
-        ("by", y.b),
-        ("delta", edge_on.select(&no_delta, &delta)),
-        ("mx", mx.clone()),
-        ("my", my.clone()),
+        ("center_x", coefficient(&x.center)),
+        ("center_y", coefficient(&y.center)),
+        ("ax", coefficient(&x.a)),
+        ("bx", coefficient(&x.b)),
+        ("ay", coefficient(&y.a)),
+        ("by", coefficient(&y.b)),
+        ("delta", edge_on.select(&no_delta, &coefficient(&delta))),
+        ("mx", coefficient(&mx)),
+        ("my", coefficient(&my)),
         ("left", x.first),
         ("right", x.last),
         ("top", y.first),
@@ -198,15 +205,15 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
             ]
         }
         FragmentDepth::Plane => {
-            let scale = &b * delta.recip();
-            let slope = |m: &Value| edge_on.select(&zero, &(&scale * m));
+            let scale = &b * recip(config.division, &delta);
+            let slope = |m: &Value| coefficient(&edge_on.select(&zero, &(&scale * m)));
             vec![
-                ("depth_center", center_depth),
+                ("depth_center", coefficient(&center_depth)),
                 ("depth_x", slope(&mx)),
                 ("depth_y", slope(&my)),
-                ("depth_near", beyond_near.select(&(&spread_depth - &spread_half), &zero)),
-                ("depth_far", beyond_near.select(&(&spread_depth + &spread_half), &one)),
-                ("epsilon", epsilon),
+                ("depth_near", coefficient(&beyond_near.select(&(&spread_depth - &spread_half), &zero))),
+                ("depth_far", coefficient(&beyond_near.select(&(&spread_depth + &spread_half), &one))),
+                ("epsilon", coefficient(&epsilon)),
             ]
         }
     });

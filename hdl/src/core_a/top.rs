@@ -65,9 +65,10 @@ fn uniforms(m: &mut Module, config: &Config, units: &[(&Instance, Vec<Port>)]) {
         if readers.is_empty() {
             continue;
         }
-        let register = m.reg(&format!("uniform_{name}"), config.geometry.width() as usize);
+        let width = config.uniform_format(name).width() as usize;
+        let register = m.reg(&format!("uniform_{name}"), width);
         let selected = address.eq(&lit(UNIFORM_ADDRESS_BITS as usize, index as u128));
-        m.next_if(&register, &(&valid & &selected), &data);
+        m.next_if(&register, &(&valid & &selected), &data.trunc(width));
         for (unit, _) in readers {
             m.connect(unit, name, &register);
         }

@@ -38,7 +38,7 @@ impl Inputs {
     }
 }
 
-/// A uniform register of the geometry format.
+/// A uniform register of a format.
 pub(crate) fn uniform(program: &Program, format: Format, name: &str) -> Value {
     program.uniform(name, Type::Float(format))
 }

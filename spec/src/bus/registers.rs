@@ -205,9 +205,9 @@ pub fn core_a(config: &core_a::Config) -> Vec<Register> {
     let mut map = common(CORE_A, &ports_a::EVENTS);
     map.push(base("buffer_base", SETTINGS, "the reconstruction buffer"));
     let width = config.geometry.width();
-    let format = config.geometry;
     map.extend((UNIFORMS..).step_by(4).zip(ports_a::UNIFORMS).map(|(address, name)| {
-        Register::new(name, address, Kind::Uniform, width, format!("uniform `{name}`, in {format}"))
+        let doc = format!("uniform `{name}`, in {}", config.uniform_format(name));
+        Register::new(name, address, Kind::Uniform, width, doc)
     }));
     map
 }

@@ -1,7 +1,8 @@
 //! `Config`: every parameter of core A, with the ranges the hardware holds.
 
 use super::AttributeFormat;
-use crate::{Format, FragmentDepth, Sampling, bus};
+use super::division::Division;
+use crate::{Format, FragmentDepth, Sampling, TableShape, bus};
 use serde::{Deserialize, Serialize};
 
 /// Edge of a tile in pixels (thesis 5.5.1).
@@ -16,10 +17,6 @@ pub const WEIGHT_SUM_BITS: u32 = WEIGHT_BITS + 12;
 pub const DEPTH_BITS: u32 = 24;
 /// Bits of an accumulated weighted depth.
 pub const DEPTH_SUM_BITS: u32 = WEIGHT_SUM_BITS + DEPTH_BITS;
-/// Index and interpolation bits of the kernel table over ρ² in `[0, 1)`.
-pub const KERNEL_INDEX_BITS: u32 = 8;
-/// Interpolation bits of the kernel table.
-pub const KERNEL_FRACTION_BITS: u32 = 8;
 /// Largest number of attributes a splat carries, continuous and cardinal together (thesis 5.6.2).
 pub const ATTRIBUTES_MAX: u32 = 14;
 /// Entries of the queue that holds the per-copy values of the copies under rasterization.
@@ -65,6 +62,9 @@ pub struct Config {
     pub depth: FragmentDepth,
     /// Format of all geometry, from the splat's centre to ρ².
     pub geometry: Format,
+    /// Format of the footprint behind setup and of the rasterizer, down to ρ²; none, `"geometry"` in a file, for that of all geometry.
+    #[serde(with = "as_geometry")]
+    pub rasterizer: Option<Format>,
     /// Format of attributes and of their accumulators.
     pub attribute: AttributeFormat,
     /// Attributes that are blended (eq. 5.11).
@@ -85,6 +85,12 @@ pub struct Config {
     pub eye_plane: Feature,
     /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
     pub kernel_gamma: f64,
+    /// Leading bits of ρ² that choose an entry of the kernel's table.
+    pub kernel_index_bits: u32,
+    /// Bits of ρ² behind those, which interpolate between entries; 0 for the table alone.
+    pub kernel_fraction_bits: u32,
+    /// How setup, rasterizer and normalizer divide and take roots.
+    pub division: Division,
     /// Cycles a splat takes in the transform unit (initiation interval).
     pub transform_interval: u32,
     /// Cycles a splat takes in the setup unit (initiation interval).
@@ -104,6 +110,7 @@ impl Default for Config {
             sampling: Sampling::Center,
             depth: FragmentDepth::Center,
             geometry: Format::F32.flushed(),
+            rasterizer: None,
             attribute: AttributeFormat::F16,
             continuous: 6,
             cardinal: 0,
@@ -114,6 +121,9 @@ impl Default for Config {
             screen_filter: Feature::On,
             eye_plane: Feature::On,
             kernel_gamma: 2.0,
+            kernel_index_bits: 8,
+            kernel_fraction_bits: 8,
+            division: Division::Rounded,
             transform_interval: 2,
             setup_interval: 4,
             accumulate_stages: 7,
@@ -172,6 +182,8 @@ impl Config {
             ("heap_levels", self.heap_levels, 2, 14),
             ("sequence_bits", self.sequence_bits, 2, 24),
             ("tile_slots", self.tile_slots, 2, 64),
+            ("kernel_index_bits", self.kernel_index_bits, 4, 10),
+            ("kernel_fraction_bits", self.kernel_fraction_bits, 0, 10),
             ("transform_interval", self.transform_interval, 1, 16),
             ("setup_interval", self.setup_interval, 1, 16),
             ("accumulate_stages", self.accumulate_stages, 5, 12),
@@ -197,13 +209,44 @@ impl Config {
             let expected = "f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (the projection needs an 8-bit exponent)";
             return Err(ConfigError::Format { key: "geometry", format: self.geometry, expected });
         }
+        if let Some(format) = self.rasterizer.filter(|format| !self.holds(*format)) {
+            let expected = "\"geometry\", f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (no wider than `geometry`)";
+            return Err(ConfigError::Format { key: "rasterizer", format, expected });
+        }
         Ok(self.bus.validate()?)
+    }
+
+    /// Whether a number of a format is one of the geometry format's, but for subnormals.
+    const fn holds(&self, format: Format) -> bool {
+        format.exponent == self.geometry.exponent && format.mantissa <= self.geometry.mantissa
+    }
+
+    /// Format of the footprint behind setup and of the rasterizer.
+    #[must_use]
+    pub fn raster_format(&self) -> Format {
+        self.rasterizer.unwrap_or(self.geometry)
+    }
+
+    /// Format of a uniform register.
+    #[must_use]
+    pub fn uniform_format(&self, name: &str) -> Format {
+        if name == "filter_scale" { self.raster_format() } else { self.geometry }
     }
 
     /// Attributes of both kinds.
     #[must_use]
     pub const fn attributes(&self) -> u32 {
         self.continuous + self.cardinal
+    }
+
+    /// The table of kernel weights over ρ² in `[0, 1)`.
+    #[must_use]
+    pub const fn kernel_table(&self) -> TableShape {
+        TableShape {
+            index_bits: self.kernel_index_bits,
+            fraction_bits: self.kernel_fraction_bits,
+            value_bits: WEIGHT_BITS,
+        }
     }
 
     /// Bits of a pixel column.
@@ -249,6 +292,30 @@ impl Config {
     }
 }
 
+/// A format that is that of all geometry unless it is named.
+mod as_geometry {
+    use crate::Format;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    const GEOMETRY: &str = "geometry";
+
+    pub fn serialize<S: Serializer>(format: &Option<Format>, serializer: S) -> Result<S::Ok, S::Error> {
+        match format {
+            Some(format) => serializer.collect_str(format),
+            None => serializer.serialize_str(GEOMETRY),
+        }
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Format>, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        if name == GEOMETRY {
+            return Ok(None);
+        }
+        let format = name.parse().map_err(|error| D::Error::custom(format_args!("{error}; or \"{GEOMETRY}\"")))?;
+        Ok(Some(format))
+    }
+}
+
 /// Bits that count to `count − 1`, at least one.
 #[must_use]
 pub const fn index_bits(count: u32) -> u32 {
@@ -268,10 +335,23 @@ mod tests {
     fn errors_name_key_and_range() {
         let error = Config { width: 0, ..Config::default() }.validate().unwrap_err();
         assert_eq!(error.to_string(), "`width` = 0: expected 1 to 4096");
+        let error = Config { kernel_index_bits: 3, ..Config::default() }.validate().unwrap_err();
+        assert_eq!(error.to_string(), "`kernel_index_bits` = 3: expected 4 to 10");
+        let error = Config { kernel_fraction_bits: 11, ..Config::default() }.validate().unwrap_err();
+        assert_eq!(error.to_string(), "`kernel_fraction_bits` = 11: expected 0 to 10");
         let error = Config { continuous: 15, ..Config::default() }.validate().unwrap_err();
         assert_eq!(error.to_string(), "`continuous` + `cardinal` = 15: expected 1 to 14 attributes");
-        let error = toml::from_str::<Config>("widht = 3").unwrap_err();
-        assert!(error.to_string().contains("widht"), "{error}");
+        let geometry = Format::F24;
+        let error = Config { geometry, rasterizer: Some(Format::F32), ..Config::default() }.validate().unwrap_err();
+        assert!(error.to_string().starts_with("`rasterizer` = \"f32\": expected one of \"geometry\""), "{error}");
+        for (text, named) in [
+            ("widht = 3", ["widht", "width"]),
+            ("division = \"exact\"", ["exact", "`newton`"]),
+            ("rasterizer = \"f8\"", ["f24", "or \"geometry\""]),
+        ] {
+            let error = toml::from_str::<Config>(text).unwrap_err().to_string();
+            assert!(named.iter().all(|name| error.contains(name)), "{error}");
+        }
         let error = toml::from_str::<Config>("attribute = \"fixed9\"").unwrap_err().to_string();
         assert!(error.contains("`fixed9`") && error.contains("fixed12"), "{error}");
     }
@@ -281,6 +361,20 @@ mod tests {
         let config = |width| Config { width, sampling: Sampling::Flipquad, ..Config::default() };
         assert_eq!(config(66).validate(), Ok(()));
         assert!(config(65).validate().unwrap_err().to_string().contains("expected an even number"));
+    }
+
+    #[test]
+    fn the_rasterizer_computes_in_its_own_format_or_that_of_geometry() {
+        let formats = [None, Some(Format::F24.flushed()), Some(Format::F32)];
+        for (rasterizer, name) in formats.into_iter().zip(["geometry", "f24-ftz", "f32"]) {
+            let config = Config { rasterizer, geometry: Format::F32, ..Config::default() };
+            assert_eq!(config.validate(), Ok(()));
+            let text = toml::to_string(&config).unwrap();
+            assert!(text.contains(&format!("rasterizer = \"{name}\"")), "{text}");
+            assert_eq!(toml::from_str(&text), Ok(config.clone()));
+            assert_eq!(config.uniform_format("filter_scale"), rasterizer.unwrap_or(Format::F32));
+            assert_eq!(config.uniform_format("filter_radius"), Format::F32);
+        }
     }
 
     #[test]

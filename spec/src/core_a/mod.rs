@@ -2,10 +2,12 @@
 
 pub mod attribute;
 pub mod config;
+pub mod division;
 pub mod ports;
 pub mod records;
 
 pub use attribute::{AttributeFormat, Fraction};
 pub use config::{Config, ConfigError, Feature};
+pub use division::Division;
 pub use ports::{Direction, Port};
 pub use records::Field;

@@ -141,7 +141,7 @@ impl Ports {
     }
 
     fn uniforms(self, config: &Config, names: &[&str]) -> Self {
-        names.iter().fold(self, |ports, name| ports.input(*name, config.geometry.width()))
+        names.iter().fold(self, |ports, name| ports.input(*name, config.uniform_format(name).width()))
     }
 }
 

@@ -1,7 +1,8 @@
 //! The records that flow through core A: names and widths of their fields, in order.
 //!
-//! Geometry fields are values of [`Config::geometry`], attributes of [`Config::attribute`], whose products and sums may be wider;
-//! depths, weights and coordinates are unsigned integers. A record with `end` set closes the frame and carries nothing else.
+//! Geometry fields are values of [`Config::geometry`], those of footprints of [`Config::raster_format`], attributes of [`Config::attribute`],
+//! whose products and sums may be wider; depths, weights and coordinates are unsigned integers. A record with `end` set closes the frame
+//! and carries nothing else.
 
 use super::config::{
     Config, DEPTH_BITS, DEPTH_SUM_BITS, TILE_PIXELS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS, index_bits,
@@ -48,7 +49,7 @@ pub fn splat(config: &Config) -> Vec<Field> {
 #[must_use]
 pub fn footprint(config: &Config) -> Vec<Field> {
     let coefficients = ["center_x", "center_y", "ax", "bx", "ay", "by", "delta", "mx", "my"];
-    let mut record = fields(coefficients, config.geometry.width());
+    let mut record = fields(coefficients, config.raster_format().width());
     record.extend(match config.depth {
         FragmentDepth::Center => band(),
         FragmentDepth::Plane => depth_plane(config),
@@ -60,7 +61,7 @@ pub fn footprint(config: &Config) -> Vec<Field> {
 #[must_use]
 pub fn depth_plane(config: &Config) -> Vec<Field> {
     let names = ["depth_center", "depth_x", "depth_y", "depth_near", "depth_far", "epsilon"];
-    fields(names, config.geometry.width())
+    fields(names, config.raster_format().width())
 }
 
 /// Depth of a splat, or of a sample, and the ends of its ε-band (eq. 5.8, 5.9).

@@ -51,13 +51,16 @@ pub struct Point {
 pub struct UnknownKnob(String);
 
 /// Keys of a scene by the names of knobs.
-const KEYS: [(&str, &[&str]); 8] = [
+const KEYS: [(&str, &[&str]); 11] = [
     ("geometry", &["overrides.geometry"]),
+    ("rasterizer", &["overrides.rasterizer"]),
     ("attribute", &["overrides.attribute"]),
     ("samples", &["image.samples"]),
     ("sampling", &["image.sampling"]),
     ("depth", &["splatting.depth"]),
     ("cutoff", &["splatting.cutoff"]),
+    ("kernel", &["overrides.kernel_index_bits", "overrides.kernel_fraction_bits"]),
+    ("division", &["overrides.division"]),
     // One number shares the operators of both units.
     ("sharing", &["overrides.transform_interval", "overrides.setup_interval"]),
     ("tile_slots", &["overrides.tile_slots"]),
@@ -70,7 +73,10 @@ impl Knob {
             None => vec![name.to_owned()],
         };
         let value = |value: &str, use_of: Use| {
-            let settings = keys.iter().map(|key| (key.clone(), value.to_owned())).collect();
+            // As many parts as keys, as in `8+0`, or one value for all.
+            let parts: Vec<&str> = value.split('+').collect();
+            let part = |index| if parts.len() == keys.len() { parts[index] } else { value };
+            let settings = keys.iter().enumerate().map(|(index, key)| (key.clone(), part(index).to_owned())).collect();
             (value.to_owned(), settings, use_of)
         };
         let alone = alone.iter().map(|text| value(text, Use::Alone));
@@ -78,17 +84,21 @@ impl Knob {
         Self { name: name.to_owned(), values }
     }
 
-    /// What is swept unless something else is asked for: formats of geometry and attributes, samples along a pixel's edge, where the
-    /// kernel is cut off, and how many cycles share an operator of transform and setup.
+    /// What is swept unless something else is asked for: formats of geometry, rasterizer and attributes, samples along a pixel's edge,
+    /// where the kernel is cut off and how its table is resolved, the operators that divide, and how many cycles share an operator of
+    /// transform and setup.
     #[must_use]
     pub fn standard() -> Vec<Self> {
         vec![
             Self::new("geometry", &["f32", "f24", "bf16-ftz"], &["f32-ftz", "f24-ftz"]),
+            Self::new("rasterizer", &["geometry", "f24-ftz", "bf16-ftz"], &[]),
             Self::new("attribute", &["f32", "f24", "fixed16", "fixed12", "fixed8"], &["f16", "bf16"]),
             Self::new("samples", &["3"], &["1", "2", "4"]),
             Self::new("sampling", &["flipquad"], &[]),
             Self::new("depth", &["plane"], &[]),
             Self::new("cutoff", &["0.7", "0.85"], &[]),
+            Self::new("kernel", &["8+8", "8+0", "6+6", "5+0"], &[]),
+            Self::new("division", &["rounded", "newton"], &[]),
             Self::new("sharing", &["1", "2", "4"], &["8"]),
         ]
     }
@@ -180,6 +190,10 @@ mod tests {
         assert_eq!(combined[6..], ["samples 1, sharing 8", "samples 2, sharing 8"]);
         let sharing = Knob::parse("sharing=8").expect("a knob").values[0].1.clone();
         assert_eq!(sharing.len(), 2, "both intervals: {sharing:?}");
+        let kernel = Knob::parse("kernel=5+0").expect("a knob").values[0].1.clone();
+        let [index, fraction] = ["5", "0"].map(str::to_owned);
+        let keys = ["overrides.kernel_index_bits", "overrides.kernel_fraction_bits"].map(str::to_owned);
+        assert_eq!(kernel, keys.into_iter().zip([index, fraction]).collect::<Vec<_>>(), "a part for each key");
     }
 
     #[test]

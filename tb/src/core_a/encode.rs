@@ -3,7 +3,8 @@
 use crate::number::{encode, encode_attribute};
 use crate::plan::Plan;
 use crate::scene::Scene;
-use pointcore_spec::core_a::{AttributeFormat, records};
+use pointcore_spec::core_a::ports::UNIFORMS;
+use pointcore_spec::core_a::{AttributeFormat, Config, records};
 use pointcore_spec::{Camera, Format, Rendering, Splat};
 
 /// Splat records one after the other, and the uniform registers by address.
@@ -39,7 +40,7 @@ impl Frame {
         let end = words.len();
         words.resize(end + record_words, 0);
         words[end] = 1;
-        Self { records: words, record_words, uniforms: uniforms(&scene.camera, &scene.rendering, config.geometry) }
+        Self { records: words, record_words, uniforms: uniforms(&scene.camera, &scene.rendering, config) }
     }
 
     /// Records in the frame, the end record among them.
@@ -61,11 +62,11 @@ fn splat_record(splat: &Splat, plan: &Plan) -> Vec<u64> {
     end.chain(geometry.map(|&value| word(config.geometry, value))).chain(attributes).chain(cardinals).collect()
 }
 
-/// In the order of [`pointcore_spec::core_a::ports::UNIFORMS`].
-pub(crate) fn uniforms(camera: &Camera, rendering: &Rendering, format: Format) -> Vec<u64> {
+/// In the order of [`UNIFORMS`].
+pub(crate) fn uniforms(camera: &Camera, rendering: &Rendering, config: &Config) -> Vec<u64> {
     let radius = rendering.filter_radius_px.unwrap_or(1.0);
     let viewport = [camera.scale_x, camera.scale_y, camera.center_x, camera.center_y, camera.depth_a, camera.depth_b];
     let tests = [camera.near, rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)];
     let values = camera.model_view.iter().flatten().chain(&viewport).chain(&tests);
-    values.map(|&value| word(format, value as f32)).collect()
+    UNIFORMS.iter().zip(values).map(|(name, &value)| word(config.uniform_format(name), value as f32)).collect()
 }

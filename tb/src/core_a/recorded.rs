@@ -70,7 +70,7 @@ fn frame(config: &Config) -> Frame {
     let end = words.len();
     words.resize(end + record_words, 0);
     words[end] = 1;
-    Frame { records: words, record_words, uniforms: uniforms(&camera(config), &rendering(config), config.geometry) }
+    Frame { records: words, record_words, uniforms: uniforms(&camera(config), &rendering(config), config) }
 }
 
 /// Records the beginning of a frame on the hardware of a configuration.

@@ -29,7 +29,7 @@ use rayon::prelude::*;
 const FILTER_MARGIN: f64 = 1.0 / 256.0;
 /// The same in units of rounding, of which a sample's distances collect less than half as many.
 const FILTER_MARGIN_UNITS: f64 = 128.0;
-/// Twice the roundings that the bound on `|s|` and `D` collects, in `u(S + |Δ|)`.
+/// Twice the roundings that the bound on `|s|` and `D` collects, in `u(S + |Δ|)`: more than those of a footprint's conversion, too.
 const SIDE_UNITS: f64 = 20.0;
 /// Numbers between these neither overflow nor vanish when squared.
 const SQUARABLE: std::ops::RangeInclusive<f64> = 1e-12..=1e18;
@@ -107,7 +107,7 @@ struct Units<'a> {
 impl<'a> Units<'a> {
     fn new(scene: &Scene, config: &'a Config) -> Self {
         let mut registers = Uniforms::default();
-        for (address, &data) in (0..).zip(&uniforms(&scene.camera, &scene.rendering, config.geometry)) {
+        for (address, &data) in (0..).zip(&uniforms(&scene.camera, &scene.rendering, config)) {
             registers.write(address, data as u32);
         }
         Self {
@@ -122,13 +122,14 @@ impl<'a> Units<'a> {
         }
     }
 
+    /// A number of a footprint.
     fn value(&self, bits: u32) -> f64 {
-        decode(self.config.geometry, bits).into()
+        decode(self.config.raster_format(), bits).into()
     }
 
-    /// `u`: what a rounding may change a number by, relative to it.
+    /// `u`: what a rounding may change a footprint's number by, relative to it.
     fn rounding(&self) -> f64 {
-        0.5_f64.powi(self.config.geometry.mantissa as i32 + 1)
+        0.5_f64.powi(self.config.raster_format().mantissa as i32 + 1)
     }
 
     fn demand(&self, index: usize, splat: &Splat) -> Demand {
@@ -202,11 +203,11 @@ impl<'a> Units<'a> {
         if !slant.is_whole || self.value(footprint.delta).is_nan() {
             return false;
         }
-        let radius = self.value(self.uniforms.setup.filter_radius);
+        let radius = f64::from(decode(self.config.geometry, self.uniforms.setup.filter_radius));
         let ([ax, ay], [bx, by]) = (footprint.a.map(|bits| self.value(bits)), footprint.b.map(|bits| self.value(bits)));
         let (sum, difference) = ((ax + by).hypot(ay - bx), (ax - by).hypot(ay + bx));
         let (smallest, largest) = ((sum - difference).abs() / 2.0, (sum + difference) / 2.0);
-        let steepness = self.value(slant.alpha.bits()).hypot(self.value(slant.beta.bits()));
+        let steepness = f64::from(slant.alpha.value()).hypot(slant.beta.value().into());
         let margin = FILTER_MARGIN.max(FILTER_MARGIN_UNITS * self.rounding());
         smallest - 8.0 * self.rounding() * largest >= radius * (1.0 + steepness) * (1.0 + margin)
     }

@@ -39,7 +39,7 @@ fn overrides_have_the_last_word() {
 #[test]
 fn materials_fit_the_format_of_attributes() {
     let scene = |material: usize, format: &str| {
-        let materials = "[[material]]\nspecular = 0.5\n".repeat(material + 1);
+        let materials: String = (0..=material).map(|i| format!("[[material]]\nshininess = {i}\n")).collect();
         plan(&format!("{HEAD}{SPHERE}material = {material}\n{materials}[overrides]\nattribute = \"{format}\"\n"))
     };
     assert!(scene(255, "fixed8").is_ok() && scene(256, "fixed12").is_ok() && scene(256, "f16").is_ok());

@@ -158,7 +158,7 @@ pub fn check(units: &Units, case: &Case, seed: u64) -> Findings {
         }
         return findings;
     };
-    let analysis = Analysis::new(case);
+    let analysis = Analysis::new(case, units.division);
     match &fate {
         Fate::Culled => culled(case, &truth, &analysis, &mut random, &mut findings),
         Fate::Empty => empty(case, &truth, &analysis, &mut random, &mut findings),

@@ -74,7 +74,7 @@ impl Device<'_> {
 #[must_use]
 pub fn compare(units: &Units, case: &Case, seed: u64) -> Option<[Outcome; Method::ALL.len()]> {
     let truth = Truth::new(case).filter(|truth| !truth.faces_away() && !case.filter.is_on())?;
-    let analysis = Analysis::new(case);
+    let analysis = Analysis::new(case, units.division);
     let is_far = analysis.center_depth.is_above(1.0) != Some(false);
     if case.numbers()[2] <= case.lens.near || is_far {
         return None;

@@ -6,7 +6,7 @@ use pointcore_golden::core_a::records::{Footprint, Pixel, Sample, SamplePlace, S
 use pointcore_golden::core_a::{Accumulator, Rasterizer, Setup, Transform, Weighting};
 use pointcore_golden::number::Number;
 use pointcore_spec::Format;
-use pointcore_spec::core_a::{Config, Feature};
+use pointcore_spec::core_a::{Config, Division, Feature};
 
 /// `e` at or below which setup takes a splat for one that crosses the eye plane.
 #[must_use]
@@ -27,6 +27,8 @@ pub enum Fate {
 
 /// The units, with and without a screen filter, setup also with and without culling.
 pub struct Units {
+    /// How they divide.
+    pub division: Division,
     transform: Transform,
     setup: [[Setup; 2]; 2],
     rasterizer: [Rasterizer; 2],
@@ -35,13 +37,20 @@ pub struct Units {
 }
 
 impl Units {
-    /// The units of a number format.
+    /// The units of a number format, dividing as the default configuration does.
     #[must_use]
     pub fn new(format: Format) -> Self {
+        Self::with_division(format, Config::default().division)
+    }
+
+    /// The units of a number format that divide in one way or the other.
+    #[must_use]
+    pub fn with_division(format: Format, division: Division) -> Self {
         let config = |screen_filter, culling| Config {
             width: IMAGE_EDGE_PX,
             height: IMAGE_EDGE_PX,
             geometry: format,
+            division,
             screen_filter,
             culling,
             transform_interval: 1,
@@ -51,6 +60,7 @@ impl Units {
         let features = [Feature::Off, Feature::On];
         let [off, on] = features.map(|filter| config(filter, Feature::On));
         Self {
+            division,
             transform: Transform::new(&on, 1),
             setup: features.map(|filter| features.map(|culling| Setup::new(&config(filter, culling), 1))),
             rasterizer: [Rasterizer::new(&off, 1), Rasterizer::new(&on, 1)],
@@ -103,6 +113,7 @@ impl Units {
 /// Rounding of setup and rasterizer, by the operations of docs/core_a.md.
 pub struct Analysis {
     format: Format,
+    division: Division,
     center: [Bounded; 2],
     a: [Bounded; 2],
     b: [Bounded; 2],
@@ -124,18 +135,18 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// The analysis of a case whose numbers are finite.
+    /// The analysis of a case whose numbers are finite, on units that divide so.
     #[must_use]
-    pub fn new(case: &Case) -> Self {
+    pub fn new(case: &Case, division: Division) -> Self {
         let format = case.format;
         let exact = |value| Bounded::exact(format, value);
         let [ux, uy, uz, a1x, a1y, a1z, a2x, a2y, a2z] = case.numbers().map(exact);
         let (scale, one) = (exact(case.lens.scale), exact(1.0));
-        let r = uz.recip();
+        let r = uz.recip(division);
         let (alpha, beta) = (a1z * r, a2z * r);
         let q = alpha * alpha + beta * beta;
         let e = one - q;
-        let f = e.recip();
+        let f = e.recip(division);
         let axes = [(ux, a1x, a2x), (uy, a1y, a2y)].map(|(u, a1, a2)| {
             let v = u * r;
             (scale * v, scale * (a1 * r - v * alpha), scale * (a2 * r - v * beta))
@@ -146,7 +157,7 @@ impl Analysis {
         let bounds = [0, 1].map(|axis| {
             let (c, a, b) = (center[axis], a[axis], b[axis]);
             let t = (a * alpha + b * beta) * f;
-            let h = (t * t + (a * a + b * b) * f).sqrt();
+            let h = (t * t + (a * a + b * b) * f).sqrt(division);
             let (low, high) = ((c - t) - h, (c - t) + h);
             if case.filter.is_on() {
                 let (disc_low, disc_high) = (c - filter_radius, c + filter_radius);
@@ -160,6 +171,7 @@ impl Analysis {
         let middle_depth = center_depth + depth * (q * f);
         Self {
             format,
+            division,
             center,
             a,
             b,
@@ -171,7 +183,7 @@ impl Analysis {
             clearance: e,
             center_depth,
             middle_depth,
-            near_depth: middle_depth - depth.abs() * (q.sqrt() * f),
+            near_depth: middle_depth - depth.abs() * (q.sqrt(division) * f),
         }
     }
 
@@ -197,7 +209,13 @@ impl Analysis {
         let [x, y] = [0, 1].map(|axis| exact(f64::from(pixel[axis]) + 0.5) - self.center[axis]);
         let determinant = self.delta + x * self.m[0] + y * self.m[1];
         let s = [self.a, self.b].map(|[along_x, along_y]| x * along_y - y * along_x);
-        let distance = (s[0] * s[0] + s[1] * s[1]) / (determinant * determinant);
+        let distance = match self.division {
+            Division::Rounded => (s[0] * s[0] + s[1] * s[1]) / (determinant * determinant),
+            Division::Newton => {
+                let [q1, q2] = s.map(|s| s * determinant.recip(Division::Newton));
+                q1 * q1 + q2 * q2
+            }
+        };
         let on_splat = match (determinant.sign(), self.delta.sign()) {
             _ if self.may_be_edge_on() => Bounded { error: f64::INFINITY, ..distance },
             (Some(sample), Some(center)) if sample == center => distance,

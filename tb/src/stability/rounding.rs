@@ -5,6 +5,7 @@
 //! derives closed forms.
 
 use pointcore_spec::Format;
+use pointcore_spec::core_a::Division;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// Room for the f64 arithmetic that evaluates value and bound.
@@ -12,6 +13,11 @@ const EVALUATION: f64 = 1.0 / (1_u64 << 48) as f64;
 
 /// The bound itself is computed in f64.
 const ROUNDED_UP: f64 = 1.0 + 1.0 / 1024.0;
+
+/// Relative error of a reciprocal from a table and Newton steps, of which 0.565 units in the last place is known, in units of `2^−p`.
+const RECIP_NEWTON_UNITS: f64 = 2.0 * 0.565;
+/// That of a root by the reciprocal one, 0.576 units in the last place off, and a rounded product.
+const SQRT_NEWTON_UNITS: f64 = 2.0 * 0.576 + 1.0;
 
 /// A value and its bound.
 #[derive(Clone, Copy, Debug)]
@@ -41,26 +47,52 @@ impl Bounded {
     }
 
     fn rounded(self, value: f64, error: f64) -> Self {
+        self.within(1.0, value, error)
+    }
+
+    /// The result of an operation that is off by so many `2^−p` of what it returns for operands as they are.
+    fn within(self, units: f64, value: f64, error: f64) -> Self {
         let magnitude = value.abs() + error;
         if magnitude.is_nan() || magnitude >= largest() {
             return Self { value, error: f64::INFINITY, ..self };
         }
-        Self { value, error: error + (self.unit + self.evaluation) * magnitude * ROUNDED_UP + smallest(), ..self }
+        Self {
+            value,
+            error: error + (units * self.unit + self.evaluation) * magnitude * ROUNDED_UP + smallest(),
+            ..self
+        }
     }
 
     /// `1/self`.
     #[must_use]
-    pub fn recip(self) -> Self {
-        Self { value: 1.0, error: 0.0, ..self } / self
+    pub fn recip(self, division: Division) -> Self {
+        let units = match division {
+            Division::Rounded => 1.0,
+            Division::Newton => RECIP_NEWTON_UNITS,
+        };
+        Self { value: 1.0, error: 0.0, ..self }.quotient(self, units)
+    }
+
+    fn quotient(self, other: Self, units: f64) -> Self {
+        let value = self.value / other.value;
+        let least = other.value.abs() - other.error;
+        if least <= 0.0 || least.is_nan() {
+            return Self { value, error: f64::INFINITY, ..self };
+        }
+        self.within(units, value, (self.error + value.abs() * other.error) / least)
     }
 
     /// The root of a number that is not negative.
     #[must_use]
-    pub fn sqrt(self) -> Self {
+    pub fn sqrt(self, division: Division) -> Self {
+        let units = match division {
+            Division::Rounded => 1.0,
+            Division::Newton => SQRT_NEWTON_UNITS,
+        };
         let value = self.value.max(0.0).sqrt();
         // |√(v + e) − √v| ≤ min(√e, e/√v)
         let error = if value > 0.0 { (self.error / value).min(self.error.sqrt()) } else { self.error.sqrt() };
-        self.rounded(value, error)
+        self.within(units, value, error)
     }
 
     /// The magnitude.
@@ -121,11 +153,6 @@ impl Div for Bounded {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        let least = other.value.abs() - other.error;
-        if least <= 0.0 || least.is_nan() {
-            return Self { value, error: f64::INFINITY, ..self };
-        }
-        self.rounded(value, (self.error + value.abs() * other.error) / least)
+        self.quotient(other, 1.0)
     }
 }

@@ -3,7 +3,7 @@
 use super::case::Case;
 use super::exact::Exact;
 use super::rounding::Bounded;
-use pointcore_spec::core_a::Feature;
+use pointcore_spec::core_a::{Division, Feature};
 use std::cell::OnceCell;
 use std::ops::RangeInclusive;
 
@@ -175,7 +175,7 @@ impl Truth {
     pub fn depths(&self) -> Depths {
         let [depth_a, depth_b] = [self.case.lens.depth_a, self.case.lens.depth_b];
         let quick = || {
-            let r = self.u[2].recip();
+            let r = self.u[2].recip(Division::Rounded);
             let (alpha, beta) = (self.tangents[0][2] * r, self.tangents[1][2] * r);
             let q = alpha * alpha + beta * beta;
             let e = Bounded::in_f64(1.0) - q;

@@ -10,7 +10,7 @@ use pointcore::lockstep::{Golden, Lockstep, Run, Stall, StreamTestbench, Streams
 use pointcore::verilated::Library;
 use pointcore_golden::unit::{Model, Ported, Unit};
 use pointcore_hdl::rtl::Module;
-use pointcore_spec::core_a::{AttributeFormat, Config, Direction, Feature, Fraction, Port};
+use pointcore_spec::core_a::{AttributeFormat, Config, Direction, Division, Feature, Fraction, Port};
 use pointcore_spec::{Format, FragmentDepth, Sampling};
 
 use crate::support;
@@ -93,6 +93,31 @@ pub fn fixed_configs() -> [Config; 3] {
     let [bare, full, mixed] = configs();
     let fixed = |config, fraction| Config { attribute: AttributeFormat::Fixed(fraction), ..config };
     [fixed(mixed, Fraction::Twelve), fixed(bare, Fraction::Eight), fixed(full, Fraction::Sixteen)]
+}
+
+/// Two more, with everything otherwise that trades accuracy for hardware: as coarse as can be, and in between.
+pub fn knobs() -> [Config; 2] {
+    let [bare, full, _] = configs();
+    let coarse = Config {
+        screen_filter: Feature::On,
+        kernel_index_bits: 5,
+        kernel_fraction_bits: 0,
+        division: Division::Newton,
+        geometry: Format::F32,
+        rasterizer: Some(Format::F24.flushed()),
+        ..bare
+    };
+    let between = Config {
+        continuous: 2,
+        kernel_index_bits: 6,
+        kernel_fraction_bits: 10,
+        kernel_gamma: 3.0,
+        rasterizer: Some(Format::BF16.flushed()),
+        division: Division::Newton,
+        setup_interval: 3,
+        ..full
+    };
+    [coarse, between]
 }
 
 /// A unit of core A, verilated, with its ports as specified.

@@ -47,8 +47,8 @@ pub struct Arguments {
     /// What the cheapest configuration has the least of.
     #[arg(long, value_enum, default_value = "area-time")]
     prefer: Prefer,
-    /// Values of a knob, all combined with those of other knobs, in the place of the usual sweep: `geometry`, `attribute`, `samples`, `cutoff`,
-    /// `sharing`, `tile_slots`, or a key of the scene such as `overrides.accumulate_stages`.
+    /// Values of a knob, all combined with those of other knobs, in the place of the usual sweep: `geometry`, `rasterizer`, `attribute`, `samples`, `cutoff`,
+    /// `kernel`, `division`, `sharing`, `tile_slots`, or a key of the scene such as `overrides.accumulate_stages`.
     #[arg(long = "vary", value_name = "KNOB=VALUE,...")]
     knobs: Vec<String>,
     /// Run every point on the Verilog, too, in lockstep with the golden model.
