@@ -1607,6 +1607,7 @@ module core_a_accumulator (
     reg [15:0] head_attribute_1;
     reg [15:0] head_attribute_2;
     reg [7:0] collisions;
+    reg arrived;
     reg [127:0] slot_0_read;
     reg [127:0] slot_0_pixel;
     reg [127:0] slot_1_read;
@@ -1700,57 +1701,57 @@ module core_a_accumulator (
     wire [127:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
-    wire [1:0] shifted_2 = slot_ready >> head_slot;
-    wire arrived = shifted_2[0];
     wire slot_wait = may_issue_inside & ~arrived;
     wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = term_1 & ~(slot_wait | hazard);
-    wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_3 | valid_7 | valid_8);
+    wire term_2 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
+    wire issue_end = head_valid & head_end & ~(term_2 | valid_7 | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire queue_ready = head_takes;
     wire places_out_ready = queue_ready;
     wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
-    wire term_5 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_6 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_7 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_8 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_9 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_10 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_11 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [7:0] joined_12 = {
+    wire term_3 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
+    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [7:0] joined_11 = {
+        term_3,
         term_4,
         term_5,
         term_6,
         term_7,
         term_8,
         term_9,
-        term_10,
-        head_valid & (head_inside & ~head_end) & term_11
+        head_valid & (head_inside & ~head_end) & term_10
     };
-    wire term_13 = drain_enable & ~drain_slot;
-    wire term_14 = drain_enable & drain_slot;
+    wire [1:0] shifted_12 = slot_ready >> places_out_slot;
+    wire [1:0] shifted_13 = slot_ready >> head_slot;
+    wire term_14 = drain_enable & ~drain_slot;
+    wire term_15 = drain_enable & drain_slot;
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [127:0] joined_15 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire [127:0] joined_16 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_16 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_17 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_16};
+    wire [14:0] choice_17 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_18 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_17};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_18 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_19 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_18};
+    wire [14:0] choice_19 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_20 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_19};
     wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_20 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_21 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_20};
+    wire [14:0] choice_21 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_22 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_21};
     wire [127:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
         late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
-        choice_17,
-        choice_19,
-        choice_21
+        choice_18,
+        choice_20,
+        choice_22
     };
     wire filling_1 = fill_valid & fill_slot;
 
@@ -1917,7 +1918,8 @@ module core_a_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_12 : (collisions << 1);
+        collisions <= head_takes ? joined_11 : (collisions << 1);
+        arrived <= head_takes ? shifted_12[0] : shifted_13[0];
         stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -1993,10 +1995,10 @@ module core_a_accumulator (
             head_attribute_1 <= samples_out_attribute_1;
             head_attribute_2 <= samples_out_attribute_2;
         end
-        if (slot_ready[0] | term_13) begin
+        if (slot_ready[0] | term_14) begin
             slot_0_pixel <= slot_0_read;
         end
-        if (slot_ready[1] | term_14) begin
+        if (slot_ready[1] | term_15) begin
             slot_1_pixel <= slot_1_read;
         end
         if (drain_enable) begin
@@ -2005,22 +2007,22 @@ module core_a_accumulator (
     end
     always @(posedge clk) begin
         if (filling_0 | (writes & ~slot_8)) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_15 : result;
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_16 : result;
         end
-        if (slot_ready[0] ? (issue_inside & ~head_slot) : term_13) begin
+        if (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
         if (filling_1 | (writes & slot_8)) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_15 : result;
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_16 : result;
         end
-        if (slot_ready[1] ? (issue_inside & head_slot) : term_14) begin
+        if (slot_ready[1] ? (issue_inside & head_slot) : term_15) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_2[1]};
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[1], shifted_13[1]};
 
 `ifdef POINTCORE_ASSERT
     always @(posedge clk) begin

@@ -289,7 +289,7 @@ module core_a_top (
     wire [2:0] tile_cache_out_top;
     wire [2:0] tile_cache_out_bottom;
     wire [11:0] tile_cache_out_tile;
-    wire [1:0] tile_cache_out_slot;
+    wire tile_cache_out_slot;
     wire tile_cache_read_valid;
     wire [11:0] tile_cache_read_tile;
     wire tile_cache_data_ready;
@@ -334,9 +334,9 @@ module core_a_top (
     wire [15:0] tile_cache_pixel_attribute_11;
     wire [15:0] tile_cache_pixel_attribute_12;
     wire [15:0] tile_cache_pixel_cardinal_0;
-    wire [3:0] tile_cache_slot_ready;
+    wire [1:0] tile_cache_slot_ready;
     wire tile_cache_fill_valid;
-    wire [1:0] tile_cache_fill_slot;
+    wire tile_cache_fill_slot;
     wire [5:0] tile_cache_fill_pixel;
     wire [27:0] tile_cache_fill_weight;
     wire [51:0] tile_cache_fill_depth;
@@ -356,14 +356,14 @@ module core_a_top (
     wire [15:0] tile_cache_fill_attribute_12;
     wire [15:0] tile_cache_fill_cardinal_0;
     wire tile_cache_drain_enable;
-    wire [1:0] tile_cache_drain_slot;
+    wire tile_cache_drain_slot;
     wire [5:0] tile_cache_drain_pixel;
     wire rasterizer_in_ready;
     wire rasterizer_out_valid;
     wire rasterizer_out_end;
     wire rasterizer_out_last;
     wire rasterizer_out_inside;
-    wire [1:0] rasterizer_out_slot;
+    wire rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
     wire [15:0] rasterizer_out_weight;
     wire [23:0] rasterizer_out_depth;
@@ -391,7 +391,7 @@ module core_a_top (
     wire weighting_out_end;
     wire weighting_out_last;
     wire weighting_out_inside;
-    wire [1:0] weighting_out_slot;
+    wire weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
@@ -413,7 +413,7 @@ module core_a_top (
     wire [15:0] weighting_out_cardinal_0;
     wire accumulator_in_ready;
     wire accumulator_retire_valid;
-    wire [1:0] accumulator_retire_slot;
+    wire accumulator_retire_slot;
     wire accumulator_frame_end;
     wire [27:0] accumulator_drain_weight;
     wire [51:0] accumulator_drain_depth;
@@ -2401,7 +2401,7 @@ module stream_skid_w267 (
 endmodule
 
 // Blends samples into the pixels of the tile slots.
-// slots = 4
+// slots = 2
 // stages = 7
 module core_a_accumulator (
     input  wire clk,
@@ -2411,7 +2411,7 @@ module core_a_accumulator (
     input  wire in_end,
     input  wire in_last,
     input  wire in_inside,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     input  wire [5:0] in_pixel,
     input  wire [15:0] in_weight,
     input  wire [39:0] in_weighted_depth,
@@ -2431,12 +2431,12 @@ module core_a_accumulator (
     input  wire [15:0] in_attribute_11,
     input  wire [15:0] in_attribute_12,
     input  wire [15:0] in_cardinal_0,
-    input  wire [3:0] slot_ready,
+    input  wire [1:0] slot_ready,
     output reg  retire_valid,
-    output reg  [1:0] retire_slot,
+    output reg  retire_slot,
     output reg  frame_end,
     input  wire fill_valid,
-    input  wire [1:0] fill_slot,
+    input  wire fill_slot,
     input  wire [5:0] fill_pixel,
     input  wire [27:0] fill_weight,
     input  wire [51:0] fill_depth,
@@ -2456,7 +2456,7 @@ module core_a_accumulator (
     input  wire [15:0] fill_attribute_12,
     input  wire [15:0] fill_cardinal_0,
     input  wire drain_enable,
-    input  wire [1:0] drain_slot,
+    input  wire drain_slot,
     input  wire [5:0] drain_pixel,
     output wire [27:0] drain_weight,
     output wire [51:0] drain_depth,
@@ -2481,53 +2481,51 @@ module core_a_accumulator (
 );
     reg [319:0] slot_0_pixels [0:63];
     reg [319:0] slot_1_pixels [0:63];
-    reg [319:0] slot_2_pixels [0:63];
-    reg [319:0] slot_3_pixels [0:63];
     reg valid_1;
     reg inside_1;
     reg last_1;
-    reg [1:0] slot_1;
+    reg slot_1;
     reg [5:0] pixel_1;
     reg valid_2;
     reg inside_2;
     reg last_2;
-    reg [1:0] slot_2;
+    reg slot_2;
     reg [5:0] pixel_2;
     reg valid_3;
     reg inside_3;
     reg last_3;
-    reg [1:0] slot_3;
+    reg slot_3;
     reg [5:0] pixel_3;
     reg valid_4;
     reg inside_4;
     reg last_4;
-    reg [1:0] slot_4;
+    reg slot_4;
     reg [5:0] pixel_4;
     reg valid_5;
     reg inside_5;
     reg last_5;
-    reg [1:0] slot_5;
+    reg slot_5;
     reg [5:0] pixel_5;
     reg valid_6;
     reg inside_6;
     reg last_6;
-    reg [1:0] slot_6;
+    reg slot_6;
     reg [5:0] pixel_6;
     reg valid_7;
     reg inside_7;
     reg last_7;
-    reg [1:0] slot_7;
+    reg slot_7;
     reg [5:0] pixel_7;
     reg valid_8;
     reg inside_8;
     reg last_8;
-    reg [1:0] slot_8;
+    reg slot_8;
     reg [5:0] pixel_8;
     reg head_valid;
     reg head_end;
     reg head_last;
     reg head_inside;
-    reg [1:0] head_slot;
+    reg head_slot;
     reg [5:0] head_pixel;
     reg [15:0] head_weight;
     reg [39:0] head_weighted_depth;
@@ -2548,16 +2546,13 @@ module core_a_accumulator (
     reg [15:0] head_attribute_12;
     reg [15:0] head_cardinal_0;
     reg [7:0] collisions;
+    reg arrived;
     reg [319:0] slot_0_read;
     reg [319:0] slot_0_pixel;
     reg [319:0] slot_1_read;
     reg [319:0] slot_1_pixel;
-    reg [319:0] slot_2_read;
-    reg [319:0] slot_2_pixel;
-    reg [319:0] slot_3_read;
-    reg [319:0] slot_3_pixel;
     reg [319:0] stored;
-    reg [1:0] drained_slot;
+    reg drained_slot;
     reg [15:0] sample_1_weight;
     reg [39:0] sample_1_weighted_depth;
     reg [23:0] sample_1_depth_low;
@@ -2727,7 +2722,7 @@ module core_a_accumulator (
     wire places_out_end;
     wire places_out_last;
     wire places_out_inside;
-    wire [1:0] places_out_slot;
+    wire places_out_slot;
     wire [5:0] places_out_pixel;
     wire samples_in_ready;
     wire samples_out_valid;
@@ -2766,47 +2761,45 @@ module core_a_accumulator (
     wire [15:0] add_attribute_12_y;
 
     assign in_ready = places_in_ready;
-    wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
+    wire [319:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
-    wire [3:0] shifted_2 = slot_ready >> head_slot;
-    wire arrived = shifted_2[0];
     wire slot_wait = may_issue_inside & ~arrived;
     wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = term_1 & ~(slot_wait | hazard);
-    wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_3 | valid_7 | valid_8);
+    wire term_2 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
+    wire issue_end = head_valid & head_end & ~(term_2 | valid_7 | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire queue_ready = head_takes;
     wire places_out_ready = queue_ready;
     wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
-    wire term_5 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_6 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_7 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_8 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_9 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_10 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_11 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [7:0] joined_12 = {
+    wire term_3 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
+    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [7:0] joined_11 = {
+        term_3,
         term_4,
         term_5,
         term_6,
         term_7,
         term_8,
         term_9,
-        term_10,
-        head_valid & (head_inside & ~head_end) & term_11
+        head_valid & (head_inside & ~head_end) & term_10
     };
-    wire term_13 = drain_enable & (drain_slot == 2'd0);
-    wire term_14 = drain_enable & (drain_slot == 2'd1);
-    wire term_15 = drain_enable & (drain_slot == 2'd2);
-    wire term_16 = drain_enable & (drain_slot == 2'd3);
-    wire filling_0 = fill_valid & (fill_slot == 2'd0);
+    wire [1:0] shifted_12 = slot_ready >> places_out_slot;
+    wire [1:0] shifted_13 = slot_ready >> head_slot;
+    wire term_14 = drain_enable & ~drain_slot;
+    wire term_15 = drain_enable & drain_slot;
+    wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] joined_17 = {
+    wire [319:0] joined_16 = {
         fill_weight,
         fill_depth,
         fill_peak,
@@ -2827,66 +2820,64 @@ module core_a_accumulator (
     };
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_18 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_19 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_18};
+    wire [14:0] choice_17 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_18 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_17};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_20 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_21 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_20};
+    wire [14:0] choice_19 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_20 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_19};
     wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_22 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_23 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_22};
+    wire [14:0] choice_21 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_22 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_21};
     wire overflow_of_attribute_3 = &add_attribute_3_y[14:10];
-    wire [14:0] choice_24 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
-    wire [15:0] choice_25 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_24};
+    wire [14:0] choice_23 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
+    wire [15:0] choice_24 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_23};
     wire overflow_of_attribute_4 = &add_attribute_4_y[14:10];
-    wire [14:0] choice_26 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
-    wire [15:0] choice_27 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_26};
+    wire [14:0] choice_25 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
+    wire [15:0] choice_26 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_25};
     wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
-    wire [14:0] choice_28 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
-    wire [15:0] choice_29 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_28};
+    wire [14:0] choice_27 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
+    wire [15:0] choice_28 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_27};
     wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
-    wire [14:0] choice_30 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
-    wire [15:0] choice_31 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_30};
+    wire [14:0] choice_29 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
+    wire [15:0] choice_30 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_29};
     wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
-    wire [14:0] choice_32 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
-    wire [15:0] choice_33 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_32};
+    wire [14:0] choice_31 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
+    wire [15:0] choice_32 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_31};
     wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
-    wire [14:0] choice_34 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
-    wire [15:0] choice_35 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_34};
+    wire [14:0] choice_33 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
+    wire [15:0] choice_34 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_33};
     wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
-    wire [14:0] choice_36 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
-    wire [15:0] choice_37 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_36};
+    wire [14:0] choice_35 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
+    wire [15:0] choice_36 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_35};
     wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
-    wire [14:0] choice_38 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
-    wire [15:0] choice_39 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_38};
+    wire [14:0] choice_37 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
+    wire [15:0] choice_38 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_37};
     wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
-    wire [14:0] choice_40 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
-    wire [15:0] choice_41 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_40};
+    wire [14:0] choice_39 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
+    wire [15:0] choice_40 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_39};
     wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
-    wire [14:0] choice_42 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
-    wire [15:0] choice_43 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_42};
+    wire [14:0] choice_41 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
+    wire [15:0] choice_42 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_41};
     wire [319:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
         late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
         selected ? weight_8 : peak_8,
-        choice_19,
-        choice_21,
-        choice_23,
-        choice_25,
-        choice_27,
-        choice_29,
-        choice_31,
-        choice_33,
-        choice_35,
-        choice_37,
-        choice_39,
-        choice_41,
-        choice_43,
+        choice_18,
+        choice_20,
+        choice_22,
+        choice_24,
+        choice_26,
+        choice_28,
+        choice_30,
+        choice_32,
+        choice_34,
+        choice_36,
+        choice_38,
+        choice_40,
+        choice_42,
         selected ? cardinal_0_8 : stored_cardinal_0_8
     };
-    wire filling_1 = fill_valid & (fill_slot == 2'd1);
-    wire filling_2 = fill_valid & (fill_slot == 2'd2);
-    wire filling_3 = fill_valid & (fill_slot == 2'd3);
+    wire filling_1 = fill_valid & fill_slot;
 
     assign drain_weight = drained[319:292];
     assign drain_depth = drained[291:240];
@@ -2906,7 +2897,7 @@ module core_a_accumulator (
     assign drain_attribute_12 = drained[31:16];
     assign drain_cardinal_0 = drained[15:0];
 
-    stream_fifo_d64_w11 places (
+    stream_fifo_d64_w10 places (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -3175,8 +3166,9 @@ module core_a_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_12 : (collisions << 1);
-        stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
+        collisions <= head_takes ? joined_11 : (collisions << 1);
+        arrived <= head_takes ? shifted_12[0] : shifted_13[0];
+        stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
         sample_1_depth_low <= head_depth_low;
@@ -3365,56 +3357,34 @@ module core_a_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
-        if (slot_ready[0] | term_13) begin
+        if (slot_ready[0] | term_14) begin
             slot_0_pixel <= slot_0_read;
         end
-        if (slot_ready[1] | term_14) begin
+        if (slot_ready[1] | term_15) begin
             slot_1_pixel <= slot_1_read;
-        end
-        if (slot_ready[2] | term_15) begin
-            slot_2_pixel <= slot_2_read;
-        end
-        if (slot_ready[3] | term_16) begin
-            slot_3_pixel <= slot_3_read;
         end
         if (drain_enable) begin
             drained_slot <= drain_slot;
         end
     end
     always @(posedge clk) begin
-        if (filling_0 | (writes & (slot_8 == 2'd0))) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_17 : result;
+        if (filling_0 | (writes & ~slot_8)) begin
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_16 : result;
         end
-        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_13) begin
+        if (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
-        if (filling_1 | (writes & (slot_8 == 2'd1))) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_17 : result;
+        if (filling_1 | (writes & slot_8)) begin
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_16 : result;
         end
-        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_14) begin
+        if (slot_ready[1] ? (issue_inside & head_slot) : term_15) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
     end
-    always @(posedge clk) begin
-        if (filling_2 | (writes & (slot_8 == 2'd2))) begin
-            slot_2_pixels[filling_2 ? fill_pixel : pixel_8] <= filling_2 ? joined_17 : result;
-        end
-        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_15) begin
-            slot_2_read <= slot_2_pixels[slot_ready[2] ? head_pixel : drain_pixel];
-        end
-    end
-    always @(posedge clk) begin
-        if (filling_3 | (writes & (slot_8 == 2'd3))) begin
-            slot_3_pixels[filling_3 ? fill_pixel : pixel_8] <= filling_3 ? joined_17 : result;
-        end
-        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_16) begin
-            slot_3_read <= slot_3_pixels[slot_ready[3] ? head_pixel : drain_pixel];
-        end
-    end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_2[3:1]};
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[1], shifted_13[1]};
 
 `ifdef POINTCORE_ASSERT
     always @(posedge clk) begin
@@ -3751,8 +3721,8 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 11
-module stream_fifo_d64_w11 (
+// width = 10
+module stream_fifo_d64_w10 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -3760,23 +3730,23 @@ module stream_fifo_d64_w11 (
     input  wire in_end,
     input  wire in_last,
     input  wire in_inside,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     input  wire [5:0] in_pixel,
     output reg  out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire out_last,
     output wire out_inside,
-    output wire [1:0] out_slot,
+    output wire out_slot,
     output wire [5:0] out_pixel
 );
     (* ram_style = "distributed" *)
-    reg [10:0] entries [0:63];
+    reg [9:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
     reg [5:0] write_address;
     reg [5:0] read_address;
-    reg [10:0] item;
+    reg [9:0] item;
 
     wire has_room = ~(held == 7'd64);
     assign in_ready = has_room;
@@ -3785,10 +3755,10 @@ module stream_fifo_d64_w11 (
     wire pop = out_valid & out_taken;
     wire fetch = |waiting & (~out_valid | out_taken);
 
-    assign out_end = item[10];
-    assign out_last = item[9];
-    assign out_inside = item[8];
-    assign out_slot = item[7:6];
+    assign out_end = item[9];
+    assign out_last = item[8];
+    assign out_inside = item[7];
+    assign out_slot = item[6];
     assign out_pixel = item[5:0];
 
     always @(posedge clk) begin
@@ -3854,7 +3824,7 @@ module core_a_weighting (
     input  wire in_end,
     input  wire in_last,
     input  wire in_inside,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     input  wire [5:0] in_pixel,
     input  wire [15:0] in_weight,
     input  wire [23:0] in_depth,
@@ -3879,7 +3849,7 @@ module core_a_weighting (
     output wire out_end,
     output wire out_last,
     output wire out_inside,
-    output wire [1:0] out_slot,
+    output wire out_slot,
     output wire [5:0] out_pixel,
     output wire [15:0] out_weight,
     output wire [39:0] out_weighted_depth,
@@ -3903,11 +3873,11 @@ module core_a_weighting (
     (* ram_style = "distributed" *)
     reg [39:0] delay_7_from_0 [0:5];
     (* ram_style = "distributed" *)
-    reg [74:0] delay_10_from_0 [0:8];
+    reg [73:0] delay_10_from_0 [0:8];
     reg [2:0] delay_7_from_0_pointer;
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
-    reg [74:0] delay_10_from_0_out;
+    reg [73:0] delay_10_from_0_out;
     reg [15:0] weight_d8;
     reg [15:0] weight_d9;
     reg [15:0] weight_d10;
@@ -3979,7 +3949,7 @@ module core_a_weighting (
     wire queue_out_end;
     wire queue_out_last;
     wire queue_out_inside;
-    wire [1:0] queue_out_slot;
+    wire queue_out_slot;
     wire [5:0] queue_out_pixel;
     wire [15:0] queue_out_weight;
     wire [39:0] queue_out_weighted_depth;
@@ -4043,7 +4013,7 @@ module core_a_weighting (
     assign out_attribute_12 = queue_out_attribute_12;
     assign out_cardinal_0 = queue_out_cardinal_0;
 
-    stream_skid_w339_v2 queue (
+    stream_skid_w338_v2 queue (
         .clk(clk),
         .rst(rst),
         .in_valid(valid_d10),
@@ -4051,12 +4021,12 @@ module core_a_weighting (
         .in_end(delay_10_from_0_out[0]),
         .in_last(delay_10_from_0_out[1]),
         .in_inside(delay_10_from_0_out[2]),
-        .in_slot(delay_10_from_0_out[4:3]),
-        .in_pixel(delay_10_from_0_out[10:5]),
+        .in_slot(delay_10_from_0_out[3]),
+        .in_pixel(delay_10_from_0_out[9:4]),
         .in_weight(weight_d10),
         .in_weighted_depth(mul_u16_u24_unit_y),
-        .in_depth_low(delay_10_from_0_out[34:11]),
-        .in_depth_high(delay_10_from_0_out[58:35]),
+        .in_depth_low(delay_10_from_0_out[33:10]),
+        .in_depth_high(delay_10_from_0_out[57:34]),
         .in_attribute_0(mul_f16_unit_y),
         .in_attribute_1(mul_f16_unit_copy2_y),
         .in_attribute_2(mul_f16_unit_copy3_y),
@@ -4070,7 +4040,7 @@ module core_a_weighting (
         .in_attribute_10(mul_f16_unit_copy11_y),
         .in_attribute_11(mul_f16_unit_copy12_y),
         .in_attribute_12(mul_f16_unit_copy13_y),
-        .in_cardinal_0(delay_10_from_0_out[74:59]),
+        .in_cardinal_0(delay_10_from_0_out[73:58]),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -4565,8 +4535,8 @@ module float_from_fixed_s4_formatf16_w16_fraction16 (
 endmodule
 
 // Queue of two in registers.
-// width = 339
-module stream_skid_w339_v2 (
+// width = 338
+module stream_skid_w338_v2 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -4574,7 +4544,7 @@ module stream_skid_w339_v2 (
     input  wire in_end,
     input  wire in_last,
     input  wire in_inside,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     input  wire [5:0] in_pixel,
     input  wire [15:0] in_weight,
     input  wire [39:0] in_weighted_depth,
@@ -4599,7 +4569,7 @@ module stream_skid_w339_v2 (
     output wire out_end,
     output wire out_last,
     output wire out_inside,
-    output wire [1:0] out_slot,
+    output wire out_slot,
     output wire [5:0] out_pixel,
     output wire [15:0] out_weight,
     output wire [39:0] out_weighted_depth,
@@ -4621,13 +4591,13 @@ module stream_skid_w339_v2 (
     output wire [15:0] out_cardinal_0
 );
     reg second_valid;
-    reg [338:0] head;
-    reg [338:0] second;
+    reg [337:0] head;
+    reg [337:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [338:0] in_item = {
+    wire [337:0] in_item = {
         in_end,
         in_last,
         in_inside,
@@ -4653,10 +4623,10 @@ module stream_skid_w339_v2 (
         in_cardinal_0
     };
 
-    assign out_end = head[338];
-    assign out_last = head[337];
-    assign out_inside = head[336];
-    assign out_slot = head[335:334];
+    assign out_end = head[337];
+    assign out_last = head[336];
+    assign out_inside = head[335];
+    assign out_slot = head[334];
     assign out_pixel = head[333:328];
     assign out_weight = head[327:312];
     assign out_weighted_depth = head[311:272];
@@ -4751,13 +4721,13 @@ module core_a_rasterizer (
     input  wire [2:0] in_top,
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire out_last,
     output wire out_inside,
-    output wire [1:0] out_slot,
+    output wire out_slot,
     output wire [5:0] out_pixel,
     output wire [15:0] out_weight,
     output wire [23:0] out_depth,
@@ -4784,7 +4754,7 @@ module core_a_rasterizer (
 );
     reg busy;
     reg is_end;
-    reg [1:0] slot;
+    reg slot;
     reg [11:0] tile;
     reg [2:0] column;
     reg [2:0] row;
@@ -4806,7 +4776,7 @@ module core_a_rasterizer (
     wire evaluation_out_end;
     wire evaluation_out_last;
     wire evaluation_out_inside;
-    wire [1:0] evaluation_out_slot;
+    wire evaluation_out_slot;
     wire [5:0] evaluation_out_pixel;
     wire [15:0] evaluation_out_weight;
     wire shared_in_ready;
@@ -5132,7 +5102,7 @@ module core_a_evaluation (
     output wire in_ready,
     input  wire in_end,
     input  wire in_last,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     input  wire [8:0] in_column,
     input  wire [8:0] in_row,
     input  wire [23:0] in_center_x,
@@ -5150,7 +5120,7 @@ module core_a_evaluation (
     output wire out_end,
     output wire out_last,
     output wire out_inside,
-    output wire [1:0] out_slot,
+    output wire out_slot,
     output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
@@ -5173,7 +5143,7 @@ module core_a_evaluation (
     (* ram_style = "distributed" *)
     reg delay_53_from_0 [0:51];
     (* ram_style = "distributed" *)
-    reg [7:0] delay_58_from_0 [0:56];
+    reg [6:0] delay_58_from_0 [0:56];
     reg [1:0] delay_5_from_0_pointer;
     reg [3:0] delay_5_from_0_out;
     reg [2:0] delay_6_from_0_pointer;
@@ -5193,7 +5163,7 @@ module core_a_evaluation (
     reg [5:0] delay_53_from_0_pointer;
     reg delay_53_from_0_out;
     reg [5:0] delay_58_from_0_pointer;
-    reg [7:0] delay_58_from_0_out;
+    reg [6:0] delay_58_from_0_out;
     reg end_d53;
     reg [23:0] neg_18_d1;
     reg [23:0] neg_18_d2;
@@ -5266,7 +5236,7 @@ module core_a_evaluation (
     wire queue_out_end;
     wire queue_out_last;
     wire queue_out_inside;
-    wire [1:0] queue_out_slot;
+    wire queue_out_slot;
     wire [5:0] queue_out_pixel;
     wire [15:0] queue_out_weight;
     wire [23:0] to_float_u10q1_f24_ftz_unit_y;
@@ -5314,7 +5284,7 @@ module core_a_evaluation (
     assign out_pixel = queue_out_pixel;
     assign out_weight = queue_out_weight;
 
-    stream_skid_w27 queue (
+    stream_skid_w26 queue (
         .clk(clk),
         .rst(rst),
         .in_valid(valid_d58 & delay_5_from_0_out[3]),
@@ -5322,8 +5292,8 @@ module core_a_evaluation (
         .in_end(delay_5_from_0_out[0]),
         .in_last(delay_5_from_0_out[1]),
         .in_inside(delay_5_from_0_out[2]),
-        .in_slot(delay_58_from_0_out[1:0]),
-        .in_pixel(delay_58_from_0_out[7:2]),
+        .in_slot(delay_58_from_0_out[0]),
+        .in_pixel(delay_58_from_0_out[6:1]),
         .in_weight(interpolate_8_8_16_unit_y),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
@@ -6604,8 +6574,8 @@ module float_from_fixed_s3_formatf24ftz_w10_fraction1 (
 endmodule
 
 // Queue of two in registers.
-// width = 27
-module stream_skid_w27 (
+// width = 26
+module stream_skid_w26 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -6613,7 +6583,7 @@ module stream_skid_w27 (
     input  wire in_end,
     input  wire in_last,
     input  wire in_inside,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     input  wire [5:0] in_pixel,
     input  wire [15:0] in_weight,
     output reg  out_valid,
@@ -6621,23 +6591,23 @@ module stream_skid_w27 (
     output wire out_end,
     output wire out_last,
     output wire out_inside,
-    output wire [1:0] out_slot,
+    output wire out_slot,
     output wire [5:0] out_pixel,
     output wire [15:0] out_weight
 );
     reg second_valid;
-    reg [26:0] head;
-    reg [26:0] second;
+    reg [25:0] head;
+    reg [25:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [26:0] in_item = {in_end, in_last, in_inside, in_slot, in_pixel, in_weight};
+    wire [25:0] in_item = {in_end, in_last, in_inside, in_slot, in_pixel, in_weight};
 
-    assign out_end = head[26];
-    assign out_last = head[25];
-    assign out_inside = head[24];
-    assign out_slot = head[23:22];
+    assign out_end = head[25];
+    assign out_last = head[24];
+    assign out_inside = head[23];
+    assign out_slot = head[22];
     assign out_pixel = head[21:16];
     assign out_weight = head[15:0];
 
@@ -6678,7 +6648,7 @@ module stream_skid_w27 (
 endmodule
 
 // Control of the tile slots: placement, exchange with memory, end of frame.
-// slots = 4
+// slots = 2
 module core_a_tile_cache (
     input  wire clk,
     input  wire rst,
@@ -6750,7 +6720,7 @@ module core_a_tile_cache (
     output wire [2:0] out_top,
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile,
-    output wire [1:0] out_slot,
+    output wire out_slot,
     output reg  read_valid,
     input  wire read_ready,
     output reg  [11:0] read_tile,
@@ -6816,12 +6786,12 @@ module core_a_tile_cache (
     output wire [15:0] pixel_attribute_11,
     output wire [15:0] pixel_attribute_12,
     output wire [15:0] pixel_cardinal_0,
-    output wire [3:0] slot_ready,
+    output wire [1:0] slot_ready,
     input  wire retire_valid,
-    input  wire [1:0] retire_slot,
+    input  wire retire_slot,
     input  wire frame_end,
     output reg  fill_valid,
-    output wire [1:0] fill_slot,
+    output wire fill_slot,
     output reg  [5:0] fill_pixel,
     output reg  [27:0] fill_weight,
     output reg  [51:0] fill_depth,
@@ -6841,7 +6811,7 @@ module core_a_tile_cache (
     output reg  [15:0] fill_attribute_12,
     output reg  [15:0] fill_cardinal_0,
     output wire drain_enable,
-    output wire [1:0] drain_slot,
+    output wire drain_slot,
     output wire [5:0] drain_pixel,
     input  wire [27:0] drain_weight,
     input  wire [51:0] drain_depth,
@@ -6902,7 +6872,7 @@ module core_a_tile_cache (
     reg looking;
     reg looked;
     reg moving;
-    reg [1:0] slot;
+    reg slot;
     reg evict;
     reg [11:0] evict_tile;
     reg load;
@@ -6912,7 +6882,7 @@ module core_a_tile_cache (
     reg holding;
     reg [5:0] held_pixel;
     reg [6:0] filled;
-    reg [1:0] next;
+    reg next;
     reg [11:0] tile_0;
     reg resident_0;
     reg ready_0;
@@ -6925,18 +6895,6 @@ module core_a_tile_cache (
     reg [7:0] in_flight_1;
     reg is_of_copy_1;
     reg is_of_code_1;
-    reg [11:0] tile_2;
-    reg resident_2;
-    reg ready_2;
-    reg [7:0] in_flight_2;
-    reg is_of_copy_2;
-    reg is_of_code_2;
-    reg [11:0] tile_3;
-    reg resident_3;
-    reg ready_3;
-    reg [7:0] in_flight_3;
-    reg is_of_copy_3;
-    reg is_of_code_3;
     reg stored_touched;
     reg touched;
 
@@ -7008,7 +6966,7 @@ module core_a_tile_cache (
     wire [2:0] out_queue_out_top;
     wire [2:0] out_queue_out_bottom;
     wire [11:0] out_queue_out_tile;
-    wire [1:0] out_queue_out_slot;
+    wire out_queue_out_slot;
     wire write_queue_in_ready;
     wire write_queue_out_valid;
     wire [11:0] write_queue_out_tile;
@@ -7065,75 +7023,53 @@ module core_a_tile_cache (
     wire head_waits = (mode == 3'd1) & head_valid;
     wire term_4 = head_waits & ~head_end;
     wire term_5 = resident_0 & is_of_copy_0;
-    wire term_6 = resident_1 & is_of_copy_1;
-    wire term_7 = resident_2 & is_of_copy_2;
-    wire term_8 = resident_3 & is_of_copy_3;
-    wire copy_hit = |{term_5, term_6, term_7, term_8};
-    wire term_9 = (term_5 & &in_flight_0) | (term_6 & &in_flight_1) | (term_7 & &in_flight_2);
-    wire term_10 = copy_hit & (out_queue_in_ready & ~(term_9 | (term_8 & &in_flight_3)));
-    wire send = term_4 & term_10;
+    wire copy_slot = resident_1 & is_of_copy_1;
+    wire copy_hit = |{term_5, copy_slot};
+    wire term_6 = out_queue_in_ready & ~((term_5 & &in_flight_0) | (copy_slot & &in_flight_1));
+    wire send = term_4 & (copy_hit & term_6);
     wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire term_11 = send | send_end;
-    wire head_takes = ~head_valid | term_11;
+    wire term_7 = send | send_end;
+    wire head_takes = ~head_valid | term_7;
     wire in_queue_out_ready = head_takes;
-    wire [1:0] copy_slot = ({2{term_6}} & 2'd1) | ({2{term_7}} & 2'd2) | {2{term_8}};
     wire out_queue_out_ready = out_ready;
     wire held_leaves = holding & drain_step;
     wire write_queue_out_ready = write_ready;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
-    wire term_12 = term_1 & beat;
-    wire [27:0] choice_13 = term_2 ? drain_weight : data_weight;
-    wire visible = |choice_13;
+    wire term_8 = term_1 & beat;
+    wire [27:0] choice_9 = term_2 ? drain_weight : data_weight;
+    wire visible = |choice_9;
     wire pixel_queue_out_ready = pixel_ready;
-    wire term_14 = mode == 3'd0;
+    wire term_10 = mode == 3'd0;
     wire last_code = &code;
-    wire term_15 = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & term_15);
-    wire term_16 = mode == 3'd3;
-    wire term_17 = showing | holding;
-    wire term_18 = (term_2 & (drained[6] & ~term_17)) | (term_1 & drained[6]);
-    wire term_19 = mode == 3'd4;
-    wire next_tile = term_18 | (term_19 & ~touched);
-    wire term_20 = resident_1 & is_of_code_1;
-    wire term_21 = resident_2 & is_of_code_2;
-    wire term_22 = resident_3 & is_of_code_3;
-    wire sent_hit = |{resident_0 & is_of_code_0, term_20, term_21, term_22};
-    wire [2:0] choice_23 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_19 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_24 = send_end ? 3'd2 : finish ? 3'd3 : (term_16 & code_read) ? 3'd4 : choice_23;
-    wire term_25 = next == 2'd0;
-    wire term_26 = next == 2'd1;
-    wire term_27 = (term_25 & (in_flight_0 == 8'd0)) | (term_26 & (in_flight_1 == 8'd0));
-    wire term_28 = next == 2'd2;
-    wire term_29 = next == 2'd3;
-    wire term_30 = term_27 | (term_28 & (in_flight_2 == 8'd0)) | (term_29 & (in_flight_3 == 8'd0));
-    wire start = term_4 & (~copy_hit & (term_15 & term_30));
-    wire term_31 = ~evict | (drained[6] & ~(term_17 | write_queue_out_valid));
-    wire done = moving & (filled[6] & (~fill_valid & term_31));
-    wire term_32 = start | term_19;
-    wire [1:0] sent_slot = ({2{term_20}} & 2'd1) | ({2{term_21}} & 2'd2) | {2{term_22}};
-    wire term_33 = touched & (looked | (term_19 & ~sent_hit));
-    wire term_34 = (term_25 & resident_0) | (term_26 & resident_1) | (term_28 & resident_2);
-    wire [11:0] term_35 = ({12{term_25}} & tile_0) | ({12{term_26}} & tile_1) | ({12{term_28}} & tile_2);
-    wire term_36 = looked | term_19;
+    wire term_11 = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & term_11);
+    wire term_12 = mode == 3'd3;
+    wire term_13 = showing | holding;
+    wire term_14 = (term_2 & (drained[6] & ~term_13)) | (term_1 & drained[6]);
+    wire term_15 = mode == 3'd4;
+    wire next_tile = term_14 | (term_15 & ~touched);
+    wire sent_slot = resident_1 & is_of_code_1;
+    wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
+    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_15 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_12 & code_read) ? 3'd4 : choice_16;
+    wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
+    wire start = term_4 & (~copy_hit & (term_11 & term_18));
+    wire term_19 = ~evict | (drained[6] & ~(term_13 | write_queue_out_valid));
+    wire done = moving & (filled[6] & (~fill_valid & term_19));
+    wire term_20 = start | term_15;
+    wire term_21 = touched & (looked | (term_15 & ~sent_hit));
+    wire term_22 = looked | term_15;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
-    wire term_37 = start & term_25;
-    wire term_38 = done & (slot == 2'd0);
-    wire term_39 = send & (copy_slot == 2'd0);
-    wire term_40 = retire_valid & (retire_slot == 2'd0);
-    wire term_41 = start & term_26;
-    wire term_42 = done & (slot == 2'd1);
-    wire term_43 = send & (copy_slot == 2'd1);
-    wire term_44 = retire_valid & (retire_slot == 2'd1);
-    wire term_45 = start & term_28;
-    wire term_46 = done & (slot == 2'd2);
-    wire term_47 = send & (copy_slot == 2'd2);
-    wire term_48 = retire_valid & (retire_slot == 2'd2);
-    wire term_49 = start & term_29;
-    wire term_50 = done & (slot == 2'd3);
-    wire term_51 = send & (copy_slot == 2'd3);
-    wire term_52 = retire_valid & (retire_slot == 2'd3);
+    wire term_23 = start & ~next;
+    wire term_24 = done & ~slot;
+    wire term_25 = send & ~copy_slot;
+    wire term_26 = retire_valid & ~retire_slot;
+    wire term_27 = start & next;
+    wire term_28 = done & slot;
+    wire term_29 = send & copy_slot;
+    wire term_30 = retire_valid & retire_slot;
 
     assign out_valid = out_queue_out_valid;
     assign out_end = out_queue_out_end;
@@ -7210,7 +7146,7 @@ module core_a_tile_cache (
     assign pixel_attribute_11 = pixel_queue_out_attribute_11;
     assign pixel_attribute_12 = pixel_queue_out_attribute_12;
     assign pixel_cardinal_0 = pixel_queue_out_cardinal_0;
-    assign slot_ready = {ready_3, ready_2, ready_1, ready_0};
+    assign slot_ready = {ready_1, ready_0};
     assign fill_slot = slot;
     assign drain_enable = drain_step;
     assign drain_slot = slot;
@@ -7289,10 +7225,10 @@ module core_a_tile_cache (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_skid_w539 out_queue (
+    stream_skid_w538 out_queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(term_11),
+        .in_valid(term_7),
         .in_ready(out_queue_in_ready),
         .in_end(head_end),
         .in_center_x(head_center_x),
@@ -7414,12 +7350,12 @@ module core_a_tile_cache (
     stream_skid_w339 pixel_queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(close | (((term_2 & held_leaves) | term_12) & visible)),
+        .in_valid(close | (((term_2 & held_leaves) | term_8) & visible)),
         .in_ready(pixel_queue_in_ready),
         .in_end(close),
         .in_tile(code),
         .in_pixel(term_2 ? held_pixel : drained[5:0]),
-        .in_weight(choice_13),
+        .in_weight(choice_9),
         .in_depth(term_2 ? drain_depth : data_depth),
         .in_peak(term_2 ? drain_peak : data_peak),
         .in_attribute_0(term_2 ? drain_attribute_0 : data_attribute_0),
@@ -7473,83 +7409,59 @@ module core_a_tile_cache (
             read_valid <= 1'd0;
             showing <= 1'd0;
             holding <= 1'd0;
-            next <= 2'd0;
+            next <= 1'd0;
             resident_0 <= 1'd0;
             ready_0 <= 1'd0;
             in_flight_0 <= 8'd0;
             resident_1 <= 1'd0;
             ready_1 <= 1'd0;
             in_flight_1 <= 8'd0;
-            resident_2 <= 1'd0;
-            ready_2 <= 1'd0;
-            in_flight_2 <= 8'd0;
-            resident_3 <= 1'd0;
-            ready_3 <= 1'd0;
-            in_flight_3 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
             if (head_takes) begin
                 head_valid <= in_queue_out_valid;
             end
-            mode <= ((term_14 & last_code) | close) ? 3'd1 : choice_24;
-            code_read <= term_16 & ~code_read;
+            mode <= ((term_10 & last_code) | close) ? 3'd1 : choice_17;
+            code_read <= term_12 & ~code_read;
             looking <= start;
             looked <= looking;
             fill_valid <= fill;
             if (frame_end | finish) begin
                 frame_ended <= frame_end;
             end
-            if (term_14 | next_tile) begin
+            if (term_10 | next_tile) begin
                 code <= code + 12'd1;
             end
             if (looked | done) begin
                 moving <= looked;
             end
-            if (term_33 | read_ready) begin
-                read_valid <= term_33;
+            if (term_21 | read_ready) begin
+                read_valid <= term_21;
             end
             if (drain_step) begin
                 showing <= drain_next;
                 holding <= showing;
             end
             if (start | close) begin
-                next <= (term_29 | close) ? 2'd0 : (next + 2'd1);
+                next <= (next | close) ? 1'd0 : (next + 1'd1);
             end
-            if (term_37 | close) begin
-                resident_0 <= term_37;
+            if (term_23 | close) begin
+                resident_0 <= term_23;
             end
-            if (term_38 | term_37 | finish) begin
-                ready_0 <= term_38;
+            if (term_24 | term_23 | finish) begin
+                ready_0 <= term_24;
             end
-            if (term_39 ^ term_40) begin
-                in_flight_0 <= term_39 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            if (term_25 ^ term_26) begin
+                in_flight_0 <= term_25 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (term_41 | close) begin
-                resident_1 <= term_41;
+            if (term_27 | close) begin
+                resident_1 <= term_27;
             end
-            if (term_42 | term_41 | finish) begin
-                ready_1 <= term_42;
+            if (term_28 | term_27 | finish) begin
+                ready_1 <= term_28;
             end
-            if (term_43 ^ term_44) begin
-                in_flight_1 <= term_43 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
-            end
-            if (term_45 | close) begin
-                resident_2 <= term_45;
-            end
-            if (term_46 | term_45 | finish) begin
-                ready_2 <= term_46;
-            end
-            if (term_47 ^ term_48) begin
-                in_flight_2 <= term_47 ? (in_flight_2 + 8'd1) : (in_flight_2 - 8'd1);
-            end
-            if (term_49 | close) begin
-                resident_3 <= term_49;
-            end
-            if (term_50 | term_49 | finish) begin
-                ready_3 <= term_50;
-            end
-            if (term_51 ^ term_52) begin
-                in_flight_3 <= term_51 ? (in_flight_3 + 8'd1) : (in_flight_3 - 8'd1);
+            if (term_29 ^ term_30) begin
+                in_flight_1 <= term_29 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
         end
     end
@@ -7588,19 +7500,19 @@ module core_a_tile_cache (
             head_bottom <= in_queue_out_bottom;
             head_tile <= in_queue_out_tile;
         end
-        if (term_32) begin
-            slot <= term_19 ? sent_slot : next;
-            read_tile <= term_19 ? code : head_tile;
+        if (term_20) begin
+            slot <= term_15 ? sent_slot : next;
+            read_tile <= term_15 ? code : head_tile;
         end
         if (start) begin
-            evict <= term_34 | (term_29 & resident_3);
-            evict_tile <= term_35 | ({12{term_29}} & tile_3);
+            evict <= (~next & resident_0) | (next & resident_1);
+            evict_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
         end
         if (looked) begin
             load <= touched;
         end
-        if (term_36 | (drain_next | term_12)) begin
-            drained <= term_36 ? 7'd0 : (drained + 7'd1);
+        if (term_22 | (drain_next | term_8)) begin
+            drained <= term_22 ? 7'd0 : (drained + 7'd1);
         end
         if (drain_next) begin
             shown_pixel <= drained[5:0];
@@ -7608,29 +7520,19 @@ module core_a_tile_cache (
         if (drain_step) begin
             held_pixel <= shown_pixel;
         end
-        if (term_36 | fill) begin
-            filled <= term_36 ? 7'd0 : (filled + 7'd1);
+        if (term_22 | fill) begin
+            filled <= term_22 ? 7'd0 : (filled + 7'd1);
         end
-        if (term_37) begin
+        if (term_23) begin
             tile_0 <= head_tile;
         end
-        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_37);
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_23);
         is_of_code_0 <= tile_0 == code;
-        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_41);
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
         is_of_code_1 <= tile_1 == code;
-        is_of_copy_2 <= head_takes ? (tile_2 == in_queue_out_tile) : (is_of_copy_2 | term_45);
-        is_of_code_2 <= tile_2 == code;
-        is_of_copy_3 <= head_takes ? (tile_3 == in_queue_out_tile) : (is_of_copy_3 | term_49);
-        is_of_code_3 <= tile_3 == code;
         touched <= stored_touched;
-        if (term_41) begin
+        if (term_27) begin
             tile_1 <= head_tile;
-        end
-        if (term_45) begin
-            tile_2 <= head_tile;
-        end
-        if (term_49) begin
-            tile_3 <= head_tile;
         end
         if (fill) begin
             fill_pixel <= filled[5:0];
@@ -7654,16 +7556,16 @@ module core_a_tile_cache (
         end
     end
     always @(posedge clk) begin
-        if (looked | (term_14 | (term_19 & touched))) begin
+        if (looked | (term_10 | (term_15 & touched))) begin
             touched_tiles[looked ? read_tile : code] <= looked;
         end
-        stored_touched <= touched_tiles[term_16 ? code : head_tile];
+        stored_touched <= touched_tiles[term_12 ? code : head_tile];
     end
 
 `ifdef POINTCORE_ASSERT
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~term_40 | |in_flight_0)) begin
+            if (!(~term_26 | |in_flight_0)) begin
 `ifdef FORMAL
                 slot_0_retires_what_entered: assert (0);
 `else
@@ -7671,27 +7573,11 @@ module core_a_tile_cache (
                 $stop;
 `endif
             end
-            if (!(~term_44 | |in_flight_1)) begin
+            if (!(~term_30 | |in_flight_1)) begin
 `ifdef FORMAL
                 slot_1_retires_what_entered: assert (0);
 `else
                 $display("assertion failed: slot_1_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_48 | |in_flight_2)) begin
-`ifdef FORMAL
-                slot_2_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_2_retires_what_entered in %m");
-                $stop;
-`endif
-            end
-            if (!(~term_52 | |in_flight_3)) begin
-`ifdef FORMAL
-                slot_3_retires_what_entered: assert (0);
-`else
-                $display("assertion failed: slot_3_retires_what_entered in %m");
                 $stop;
 `endif
             end
@@ -7971,8 +7857,8 @@ module stream_skid_w338 (
 endmodule
 
 // Queue of two in registers.
-// width = 539
-module stream_skid_w539 (
+// width = 538
+module stream_skid_w538 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -8009,7 +7895,7 @@ module stream_skid_w539 (
     input  wire [2:0] in_top,
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
-    input  wire [1:0] in_slot,
+    input  wire in_slot,
     output reg  out_valid,
     input  wire out_ready,
     output wire out_end,
@@ -8044,16 +7930,16 @@ module stream_skid_w539 (
     output wire [2:0] out_top,
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile,
-    output wire [1:0] out_slot
+    output wire out_slot
 );
     reg second_valid;
-    reg [538:0] head;
-    reg [538:0] second;
+    reg [537:0] head;
+    reg [537:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [538:0] in_item = {
+    wire [537:0] in_item = {
         in_end,
         in_center_x,
         in_center_y,
@@ -8089,39 +7975,39 @@ module stream_skid_w539 (
         in_slot
     };
 
-    assign out_end = head[538];
-    assign out_center_x = head[537:514];
-    assign out_center_y = head[513:490];
-    assign out_ax = head[489:466];
-    assign out_bx = head[465:442];
-    assign out_ay = head[441:418];
-    assign out_by = head[417:394];
-    assign out_delta = head[393:370];
-    assign out_mx = head[369:346];
-    assign out_my = head[345:322];
-    assign out_depth = head[321:298];
-    assign out_depth_low = head[297:274];
-    assign out_depth_high = head[273:250];
-    assign out_attribute_0 = head[249:234];
-    assign out_attribute_1 = head[233:218];
-    assign out_attribute_2 = head[217:202];
-    assign out_attribute_3 = head[201:186];
-    assign out_attribute_4 = head[185:170];
-    assign out_attribute_5 = head[169:154];
-    assign out_attribute_6 = head[153:138];
-    assign out_attribute_7 = head[137:122];
-    assign out_attribute_8 = head[121:106];
-    assign out_attribute_9 = head[105:90];
-    assign out_attribute_10 = head[89:74];
-    assign out_attribute_11 = head[73:58];
-    assign out_attribute_12 = head[57:42];
-    assign out_cardinal_0 = head[41:26];
-    assign out_left = head[25:23];
-    assign out_right = head[22:20];
-    assign out_top = head[19:17];
-    assign out_bottom = head[16:14];
-    assign out_tile = head[13:2];
-    assign out_slot = head[1:0];
+    assign out_end = head[537];
+    assign out_center_x = head[536:513];
+    assign out_center_y = head[512:489];
+    assign out_ax = head[488:465];
+    assign out_bx = head[464:441];
+    assign out_ay = head[440:417];
+    assign out_by = head[416:393];
+    assign out_delta = head[392:369];
+    assign out_mx = head[368:345];
+    assign out_my = head[344:321];
+    assign out_depth = head[320:297];
+    assign out_depth_low = head[296:273];
+    assign out_depth_high = head[272:249];
+    assign out_attribute_0 = head[248:233];
+    assign out_attribute_1 = head[232:217];
+    assign out_attribute_2 = head[216:201];
+    assign out_attribute_3 = head[200:185];
+    assign out_attribute_4 = head[184:169];
+    assign out_attribute_5 = head[168:153];
+    assign out_attribute_6 = head[152:137];
+    assign out_attribute_7 = head[136:121];
+    assign out_attribute_8 = head[120:105];
+    assign out_attribute_9 = head[104:89];
+    assign out_attribute_10 = head[88:73];
+    assign out_attribute_11 = head[72:57];
+    assign out_attribute_12 = head[56:41];
+    assign out_cardinal_0 = head[40:25];
+    assign out_left = head[24:22];
+    assign out_right = head[21:19];
+    assign out_top = head[18:16];
+    assign out_bottom = head[15:13];
+    assign out_tile = head[12:1];
+    assign out_slot = head[0];
 
     always @(posedge clk) begin
         if (rst) begin
@@ -10818,7 +10704,7 @@ endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
 // latency = 132
-// initiation_interval = 4
+// initiation_interval = 8
 module core_a_setup (
     input  wire clk,
     input  wire rst,
@@ -10892,150 +10778,166 @@ module core_a_setup (
     output wire [8:0] out_bottom
 );
     (* ram_style = "distributed" *)
-    reg [71:0] delay_5_from_0 [0:3];
+    reg [224:0] delay_17_from_0 [0:15];
     (* ram_style = "distributed" *)
-    reg [215:0] delay_6_from_0 [0:4];
+    reg delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_7_from_0 [0:5];
+    reg [24:0] delay_8_from_4 [0:6];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_8_from_0 [0:6];
+    reg [23:0] delay_5_from_5 [0:3];
     (* ram_style = "distributed" *)
-    reg [47:0] delay_9_from_0 [0:7];
+    reg [48:0] delay_9_from_6 [0:7];
     (* ram_style = "distributed" *)
-    reg delay_17_from_0 [0:15];
-    (* ram_style = "distributed" *)
-    reg [224:0] delay_33_from_0 [0:31];
-    (* ram_style = "distributed" *)
-    reg [72:0] delay_7_from_1 [0:5];
-    (* ram_style = "distributed" *)
-    reg delay_12_from_1 [0:10];
-    (* ram_style = "distributed" *)
-    reg delay_8_from_2 [0:6];
-    (* ram_style = "distributed" *)
-    reg [72:0] delay_18_from_2 [0:16];
-    (* ram_style = "distributed" *)
-    reg [95:0] delay_21_from_2 [0:19];
-    (* ram_style = "distributed" *)
-    reg [47:0] delay_5_from_3 [0:3];
-    (* ram_style = "distributed" *)
-    reg [23:0] delay_11_from_3 [0:9];
-    reg [1:0] phase;
-    reg [1:0] delay_5_from_0_pointer;
-    reg [71:0] delay_5_from_0_out;
-    reg [2:0] delay_6_from_0_pointer;
-    reg [215:0] delay_6_from_0_out;
-    reg [2:0] delay_7_from_0_pointer;
-    reg [23:0] delay_7_from_0_out;
-    reg [2:0] delay_8_from_0_pointer;
-    reg [23:0] delay_8_from_0_out;
-    reg [2:0] delay_9_from_0_pointer;
-    reg [47:0] delay_9_from_0_out;
+    reg [95:0] delay_10_from_6 [0:8];
+    reg [2:0] phase;
     reg [3:0] delay_17_from_0_pointer;
-    reg delay_17_from_0_out;
-    reg [4:0] delay_33_from_0_pointer;
-    reg [224:0] delay_33_from_0_out;
-    reg [2:0] delay_7_from_1_pointer;
-    reg [72:0] delay_7_from_1_out;
-    reg [3:0] delay_12_from_1_pointer;
-    reg delay_12_from_1_out;
-    reg [2:0] delay_8_from_2_pointer;
-    reg delay_8_from_2_out;
-    reg [4:0] delay_18_from_2_pointer;
-    reg [72:0] delay_18_from_2_out;
-    reg [4:0] delay_21_from_2_pointer;
-    reg [95:0] delay_21_from_2_out;
-    reg [1:0] delay_5_from_3_pointer;
-    reg [47:0] delay_5_from_3_out;
-    reg [3:0] delay_11_from_3_pointer;
-    reg [23:0] delay_11_from_3_out;
-    reg [23:0] mul_28_d6;
-    reg [23:0] mul_30_d6;
+    reg [224:0] delay_17_from_0_out;
+    reg [2:0] delay_6_from_1_pointer;
+    reg delay_6_from_1_out;
+    reg [2:0] delay_8_from_4_pointer;
+    reg [24:0] delay_8_from_4_out;
+    reg [1:0] delay_5_from_5_pointer;
+    reg [23:0] delay_5_from_5_out;
+    reg [2:0] delay_9_from_6_pointer;
+    reg [48:0] delay_9_from_6_out;
+    reg [3:0] delay_10_from_6_pointer;
+    reg [95:0] delay_10_from_6_out;
+    reg [23:0] recip_26_d1;
+    reg [23:0] reinterpret_27_d1;
+    reg [23:0] reinterpret_27_d2;
+    reg [23:0] reinterpret_27_d3;
+    reg [23:0] mul_28_d1;
+    reg [23:0] mul_28_d2;
+    reg [23:0] mul_28_d3;
+    reg [23:0] reinterpret_29_d1;
+    reg [23:0] reinterpret_29_d2;
+    reg [23:0] reinterpret_29_d3;
+    reg [23:0] mul_30_d1;
+    reg [23:0] mul_30_d2;
+    reg [23:0] mul_30_d3;
     reg [23:0] add_33_d1;
     reg [23:0] add_33_d2;
-    reg whole_d20;
-    reg whole_d21;
+    reg [23:0] add_33_d3;
+    reg [23:0] add_33_d4;
+    reg whole_d7;
+    reg whole_d8;
+    reg whole_d9;
+    reg whole_d10;
+    reg whole_d11;
+    reg [23:0] reinterpret_41_d1;
+    reg [23:0] reinterpret_41_d2;
+    reg [23:0] reinterpret_41_d3;
+    reg [23:0] mul_42_d1;
+    reg [23:0] reinterpret_43_d1;
+    reg [23:0] reinterpret_43_d2;
+    reg [23:0] reinterpret_43_d3;
     reg [23:0] mul_44_d1;
-    reg [23:0] mul_44_d2;
     reg [23:0] mul_48_d1;
+    reg [23:0] reinterpret_49_d1;
+    reg [23:0] reinterpret_49_d2;
+    reg [23:0] reinterpret_49_d3;
     reg [23:0] mul_50_d1;
-    reg [23:0] mul_50_d2;
     reg [23:0] mul_54_d1;
-    reg [23:0] add_57_d17;
+    reg [23:0] add_57_d1;
+    reg [23:0] add_57_d2;
+    reg [23:0] add_57_d3;
+    reg [23:0] add_57_d4;
+    reg [23:0] add_57_d5;
+    reg [23:0] add_57_d6;
+    reg [23:0] add_57_d7;
+    reg [23:0] add_57_d8;
+    reg [23:0] add_57_d9;
+    reg [23:0] add_57_d10;
+    reg [23:0] add_57_d11;
     reg [23:0] add_60_d1;
     reg [23:0] add_60_d2;
-    reg [23:0] add_60_d3;
     reg [23:0] add_65_d1;
-    reg [23:0] add_65_d2;
-    reg [23:0] add_65_d3;
     reg [23:0] mul_66_d1;
-    reg [23:0] mul_66_d2;
-    reg [23:0] add_77_d1;
+    reg [23:0] add_70_d1;
+    reg [23:0] add_70_d2;
+    reg [23:0] add_70_d3;
+    reg [23:0] add_70_d4;
+    reg [23:0] add_75_d1;
     reg [21:0] shr_93_d1;
     reg [21:0] select_96_d1;
-    reg [21:0] select_96_d2;
     reg [21:0] min_97_d1;
     reg [8:0] resize_101_d1;
     reg [8:0] resize_102_d1;
     reg lt_103_d1;
+    reg [23:0] reinterpret_106_d1;
+    reg [23:0] reinterpret_106_d2;
+    reg [23:0] reinterpret_106_d3;
+    reg [23:0] mul_107_d1;
+    reg [23:0] reinterpret_108_d1;
+    reg [23:0] reinterpret_108_d2;
+    reg [23:0] reinterpret_108_d3;
     reg [23:0] mul_109_d1;
-    reg [23:0] mul_109_d2;
     reg [23:0] mul_113_d1;
+    reg [23:0] reinterpret_114_d1;
+    reg [23:0] reinterpret_114_d2;
+    reg [23:0] reinterpret_114_d3;
     reg [23:0] mul_115_d1;
-    reg [23:0] mul_115_d2;
     reg [23:0] mul_119_d1;
-    reg [23:0] add_122_d18;
+    reg [23:0] add_122_d1;
+    reg [23:0] add_122_d2;
+    reg [23:0] add_122_d3;
+    reg [23:0] add_122_d4;
+    reg [23:0] add_122_d5;
+    reg [23:0] add_122_d6;
+    reg [23:0] add_122_d7;
+    reg [23:0] add_122_d8;
+    reg [23:0] add_122_d9;
+    reg [23:0] add_122_d10;
+    reg [23:0] add_122_d11;
     reg [23:0] add_125_d1;
     reg [23:0] add_125_d2;
-    reg [23:0] add_125_d3;
     reg [23:0] add_130_d1;
-    reg [23:0] add_130_d2;
-    reg [23:0] add_130_d3;
     reg [23:0] mul_131_d1;
-    reg [23:0] mul_131_d2;
     reg [23:0] add_132_d1;
-    reg [23:0] sqrt_133_d1;
-    reg [23:0] add_135_d8;
-    reg [23:0] add_141_d1;
-    reg [23:0] max_143_d1;
+    reg [23:0] add_135_d1;
+    reg [23:0] add_135_d2;
+    reg [23:0] add_135_d3;
+    reg [23:0] add_135_d4;
+    reg [23:0] neg_136_d1;
+    reg [23:0] min_140_d1;
+    reg [23:0] max_142_d1;
     reg [21:0] shr_153_d1;
     reg [21:0] select_154_d1;
     reg [21:0] min_155_d1;
     reg [8:0] resize_159_d1;
     reg lt_160_d1;
     reg [23:0] mul_162_d1;
-    reg [23:0] neg_164_d1;
     reg equal_171_d1;
-    reg [7:0] bits_172_d1;
-    reg [7:0] bits_172_d2;
     reg lt_174_d1;
-    reg [23:0] neg_178_d1;
-    reg [23:0] mul_185_d12;
+    reg [23:0] mul_180_d1;
+    reg [23:0] neg_182_d1;
+    reg [23:0] mul_185_d6;
     reg [23:0] add_187_d1;
     reg [23:0] add_187_d2;
     reg [23:0] add_187_d3;
-    reg [23:0] add_187_d4;
-    reg [23:0] add_187_d5;
     reg [23:0] add_190_d1;
     reg [23:0] add_190_d2;
-    reg [23:0] add_190_d3;
     reg [23:0] abs_191_d1;
+    reg [23:0] abs_191_d2;
     reg [23:0] sqrt_192_d1;
     reg [23:0] mul_194_d1;
     reg [23:0] mul_194_d2;
     reg [23:0] mul_194_d3;
-    reg [23:0] mul_194_d4;
-    reg [23:0] mul_194_d5;
-    reg beyond_near_d1;
     reg [23:0] select_199_d1;
     reg [23:0] select_199_d2;
-    reg [23:0] select_199_d3;
-    reg [23:0] select_199_d4;
-    reg [23:0] select_199_d5;
-    reg [23:0] add_205_d1;
+    reg [23:0] min_200_d1;
+    reg [23:0] select_201_d1;
+    reg le_206_d1;
+    reg le_206_d2;
+    reg le_206_d3;
+    reg le_206_d4;
     reg and_207_d1;
+    reg [23:0] to_fixed_218_d1;
+    reg [23:0] to_fixed_218_d2;
+    reg [23:0] to_fixed_218_d3;
+    reg [23:0] to_fixed_218_d4;
     reg [23:0] to_fixed_222_d1;
     reg [23:0] max_224_d1;
-    reg [23:0] to_fixed_225_d1;
     reg [23:0] recip_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
@@ -11049,18 +10951,6 @@ module core_a_setup (
     reg [23:0] mul_f24_ftz_unit_copy5_b;
     reg [23:0] mul_f24_ftz_unit_copy6_a;
     reg [23:0] mul_f24_ftz_unit_copy6_b;
-    reg [23:0] mul_f24_ftz_unit_copy7_a;
-    reg [23:0] mul_f24_ftz_unit_copy7_b;
-    reg [23:0] mul_f24_ftz_unit_copy8_a;
-    reg [23:0] mul_f24_ftz_unit_copy8_b;
-    reg [23:0] mul_f24_ftz_unit_copy9_a;
-    reg [23:0] mul_f24_ftz_unit_copy9_b;
-    reg [23:0] mul_f24_ftz_unit_copy10_a;
-    reg [23:0] mul_f24_ftz_unit_copy10_b;
-    reg [23:0] mul_f24_ftz_unit_copy11_a;
-    reg [23:0] mul_f24_ftz_unit_copy11_b;
-    reg [23:0] mul_f24_ftz_unit_copy12_a;
-    reg [23:0] mul_f24_ftz_unit_copy12_b;
     reg [23:0] add_f24_ftz_unit_a;
     reg [23:0] add_f24_ftz_unit_b;
     reg [23:0] add_f24_ftz_unit_copy2_a;
@@ -11071,25 +10961,13 @@ module core_a_setup (
     reg [23:0] add_f24_ftz_unit_copy4_b;
     reg [23:0] add_f24_ftz_unit_copy5_a;
     reg [23:0] add_f24_ftz_unit_copy5_b;
-    reg [23:0] add_f24_ftz_unit_copy6_a;
-    reg [23:0] add_f24_ftz_unit_copy6_b;
-    reg [23:0] add_f24_ftz_unit_copy7_a;
-    reg [23:0] add_f24_ftz_unit_copy7_b;
-    reg [23:0] add_f24_ftz_unit_copy8_a;
-    reg [23:0] add_f24_ftz_unit_copy8_b;
-    reg [23:0] add_f24_ftz_unit_copy9_a;
-    reg [23:0] add_f24_ftz_unit_copy9_b;
     reg [23:0] sqrt_f24_ftz_unit_a;
     reg [23:0] min_f24_ftz_unit_a;
     reg [23:0] min_f24_ftz_unit_b;
-    reg [23:0] min_f24_ftz_unit_copy2_a;
-    reg [23:0] min_f24_ftz_unit_copy2_b;
     reg [23:0] max_f24_ftz_unit_a;
     reg [23:0] max_f24_ftz_unit_b;
     reg [23:0] max_f24_ftz_unit_copy2_a;
     reg [23:0] max_f24_ftz_unit_copy2_b;
-    reg [23:0] max_f24_ftz_unit_copy3_a;
-    reg [23:0] max_f24_ftz_unit_copy3_b;
     reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
     reg [23:0] le_f24_ftz_unit_a;
     reg [23:0] le_f24_ftz_unit_b;
@@ -11111,22 +10989,6 @@ module core_a_setup (
     reg valid_d15;
     reg valid_d16;
     reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
-    reg valid_d24;
-    reg valid_d25;
-    reg valid_d26;
-    reg valid_d27;
-    reg valid_d28;
-    reg valid_d29;
-    reg valid_d30;
-    reg valid_d31;
-    reg valid_d32;
-    reg valid_d33;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -11168,98 +11030,129 @@ module core_a_setup (
     wire [23:0] mul_f24_ftz_unit_copy4_y;
     wire [23:0] mul_f24_ftz_unit_copy5_y;
     wire [23:0] mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_y;
-    wire [23:0] mul_f24_ftz_unit_copy9_y;
-    wire [23:0] mul_f24_ftz_unit_copy10_y;
-    wire [23:0] mul_f24_ftz_unit_copy11_y;
-    wire [23:0] mul_f24_ftz_unit_copy12_y;
     wire [23:0] add_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_copy2_y;
     wire [23:0] add_f24_ftz_unit_copy3_y;
     wire [23:0] add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy8_y;
-    wire [23:0] add_f24_ftz_unit_copy9_y;
     wire lt_f24_ftz_unit_y;
     wire [23:0] sqrt_f24_ftz_unit_y;
     wire [23:0] min_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_copy2_y;
     wire [23:0] max_f24_ftz_unit_y;
     wire [23:0] max_f24_ftz_unit_copy2_y;
-    wire [23:0] max_f24_ftz_unit_copy3_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire le_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire term_1 = phase == 2'd0;
-    wire load_0 = queue_in_ready & term_1;
+    wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
     wire and_208 = lt_160_d1 & and_207_d1;
-    wire or_212 = delay_17_from_0_out | delay_18_from_2_out[72];
+    wire or_212 = delay_8_from_4_out[0] | delay_9_from_6_out[48];
     wire and_213 = and_208 & or_212;
-    wire or_215 = delay_33_from_0_out[0] | and_213;
-    wire [23:0] select_216 = delay_17_from_0_out ? 24'h7fc000 : delay_18_from_2_out[23:0];
+    wire or_215 = delay_17_from_0_out[0] | and_213;
+    wire term_1 = phase == 3'd4;
+    wire [23:0] select_216 = delay_8_from_4_out[0] ? 24'h7fc000 : delay_9_from_6_out[23:0];
     wire queue_out_ready = out_ready;
-    wire term_2 = phase == 2'd3;
-    wire load_1 = queue_in_ready & (phase == 2'd1);
-    wire load_2 = queue_in_ready & (phase == 2'd2);
-    wire load_3 = queue_in_ready & term_2;
+    wire term_2 = phase == 3'd7;
+    wire load_1 = queue_in_ready & (phase == 3'd1);
+    wire load_4 = queue_in_ready & term_1;
+    wire load_5 = queue_in_ready & (phase == 3'd5);
+    wire load_6 = queue_in_ready & (phase == 3'd6);
+    wire load_3 = queue_in_ready & (phase == 3'd3);
+    wire load_2 = queue_in_ready & (phase == 3'd2);
     wire [21:0] add_92 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_84 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
-    wire [21:0] select_96 = delay_7_from_1_out[0] ? (add_84 >> 8) : 22'd0;
+    wire [21:0] select_96 = whole_d10 ? (add_84 >> 8) : 22'd0;
+    wire load_7 = queue_in_ready & term_2;
     wire [21:0] min_97 = (22'd512 < shr_93_d1) ? 22'd512 : shr_93_d1;
-    wire [21:0] select_98 = whole_d20 ? min_97_d1 : 22'd512;
+    wire [21:0] select_98 = whole_d10 ? min_97_d1 : 22'd512;
     wire [21:0] sub_100 = select_98 - 22'd1;
-    wire lt_103 = select_96_d2 < select_98;
+    wire lt_103 = select_96_d1 < select_98;
+    wire [23:0] joined_3 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
     wire [21:0] add_152 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] add_146 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
-    wire [21:0] select_154 = whole_d20 ? (add_146 >> 8) : 22'd0;
+    wire [21:0] select_154 = whole_d10 ? (add_146 >> 8) : 22'd0;
     wire [21:0] min_155 = (shr_153_d1 < 22'd512) ? shr_153_d1 : 22'd512;
-    wire [21:0] select_156 = whole_d21 ? min_155_d1 : 22'd512;
+    wire [21:0] select_156 = whole_d11 ? min_155_d1 : 22'd512;
     wire [21:0] sub_157 = select_156 - 22'd1;
     wire lt_160 = select_154_d1 < select_156;
-    wire [8:0] joined_3 = {1'd0, add_f24_ftz_unit_copy2_y[22:15]};
-    wire equal_171 = joined_3 == 9'd0;
-    wire [8:0] add_169 = joined_3 + 9'd12;
-    wire lt_174 = add_169 < {1'd0, bits_172_d2};
-    wire beyond_near = delay_12_from_1_out & le_f24_ftz_unit_y;
-    wire [23:0] select_199 = beyond_near ? add_190_d3 : add_187_d5;
-    wire and_207 = lt_103_d1 & delay_8_from_2_out;
-    wire [23:0] choice_4 = phase[0] ? mul_f24_ftz_unit_y : delay_5_from_3_out[23:0];
-    wire [23:0] choice_5 = phase[0] ? recip_f24_ftz_unit_y : scale_x;
-    wire [23:0] choice_6 = phase[0] ? delay_6_from_0_out[23:0] : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_7 = phase[0] ? mul_f24_ftz_unit_copy2_y : delay_5_from_3_out[47:24];
-    wire [23:0] choice_8 = phase[0] ? delay_6_from_0_out[47:24] : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_9 = phase[0] ? recip_f24_ftz_unit_y : scale_y;
-    wire [23:0] choice_10 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_11 = phase[0] ? delay_6_from_0_out[119:96] : add_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_12 = phase[0] ? mul_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_13 = phase[0] ? delay_6_from_0_out[167:144] : add_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy6_y : mul_f24_ftz_unit_copy7_y;
-    wire [23:0] select_201 = beyond_near_d1 ? mul_194_d5 : min_f24_ftz_unit_copy2_y;
-    wire [23:0] joined_15 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] choice_16 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_17 = phase[0] ? neg_164_d1 : {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_18 = phase[0] ? mul_f24_ftz_unit_copy10_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] joined_19 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_20 = phase[0] ? mul_f24_ftz_unit_copy5_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] joined_21 = {~mul_f24_ftz_unit_copy11_y[23], mul_f24_ftz_unit_copy11_y[22:0]};
-    wire [23:0] joined_22 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_23 = phase[0] ? delay_11_from_3_out : delay_9_from_0_out[47:24];
-    wire [23:0] joined_24 = {~mul_f24_ftz_unit_copy7_y[23], mul_f24_ftz_unit_copy7_y[22:0]};
-    wire [23:0] joined_25 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
-    wire [23:0] choice_26 = phase[0] ? {~mul_194_d2[23], mul_194_d2[22:0]} : {~sqrt_133_d1[23], sqrt_133_d1[22:0]};
-    wire [23:0] choice_27 = phase[0] ? delay_7_from_1_out[48:25] : mul_f24_ftz_unit_copy11_y;
-    wire [23:0] choice_28 = phase[0] ? add_205_d1 : {~add_205_d1[23], add_205_d1[22:0]};
-    wire [23:0] choice_29 = phase[0] ? max_f24_ftz_unit_copy2_y : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_30 = phase[0] ? add_f24_ftz_unit_copy7_y : delay_5_from_0_out[71:48];
-    wire [23:0] choice_31 = phase[0] ? add_f24_ftz_unit_copy9_y : min_f24_ftz_unit_copy2_y;
+    wire [8:0] joined_4 = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire equal_171 = joined_4 == 9'd0;
+    wire [8:0] add_169 = joined_4 + 9'd12;
+    wire lt_174 = add_169 < {1'd0, mul_162_d1[22:15]};
+    wire [23:0] joined_5 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
+    wire [23:0] select_199 = beyond_near ? add_190_d2 : add_187_d3;
+    wire [23:0] select_201 = beyond_near ? mul_194_d3 : min_200_d1;
+    wire and_207 = lt_103_d1 & le_206_d4;
+    wire [23:0] choice_6 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] choice_7 = phase[1] ? (phase[0] ? scale_x : mul_28_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_8 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_28_d3 : scale_x;
+    wire [23:0] choice_9 = phase[1] ? (phase[0] ? mul_42_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_27_d3 : add_60_d2;
+    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_54_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_48_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_12 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_29_d3 : add_65_d1;
+    wire [23:0] choice_14 = phase[1] ? choice_12 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_54_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_16 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_185_d6) : phase[0] ? mul_54_d1 : scale_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_54_d1 : reinterpret_108_d3) : phase[0] ? reinterpret_41_d3 : add_125_d2;
+    wire [23:0] choice_18 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_19 = phase[1] ? choice_18 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_113_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_191_d1) : scale_y;
+    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_113_d1 : reinterpret_114_d3) : phase[0] ? reinterpret_43_d3 : add_130_d1;
+    wire [23:0] choice_23 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_119_d1 : mul_28_d3) : phase[0] ? recip_f24_ftz_unit_y : add_33_d4;
+    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_201_d1) : phase[0] ? mul_28_d3 : scale_y;
+    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_119_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_49_d3 : recip_f24_ftz_unit_y;
+    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_119_d1 : mul_107_d1;
+    wire [23:0] choice_28 = phase[1] ? (phase[0] ? recip_26_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_30_d3) : phase[0] ? mul_30_d3 : mul_48_d1;
+    wire [23:0] choice_30 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_106_d3 : sqrt_192_d1;
+    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_48_d1) : phase[0] ? mul_48_d1 : mul_119_d1;
+    wire [23:0] choice_32 = phase[1] ? (phase[0] ? mul_162_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
+    wire [23:0] choice_33 = phase[1] ? (phase[0] ? add_57_d7 : add_57_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] joined_34 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] choice_35 = phase[1] ? (phase[0] ? joined_34 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] joined_36 = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] choice_37 = phase[0] ? joined_36 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_38 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_39 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_40 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_135_d4) : choice_39;
+    wire [23:0] choice_41 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_70_d4) : phase[0] ? mul_44_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] joined_42 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_43 = phase[1] ? (phase[0] ? joined_42 : neg_136_d1) : choice_23;
+    wire [23:0] choice_44 = phase[1] ? (phase[0] ? depth_a : joined_3) : phase[0] ? joined_34 : mul_66_d1;
+    wire [23:0] choice_45 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] choice_46 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_36) : choice_45;
+    wire [23:0] choice_47 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_50_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_48 = phase[0] ? {~mul_194_d1[23], mul_194_d1[22:0]} : add_122_d9;
+    wire [23:0] choice_49 = phase[1] ? choice_48 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_135_d4;
+    wire [23:0] joined_50 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] choice_51 = phase[1] ? (phase[0] ? select_199_d2 : mul_180_d1) : phase[0] ? mul_180_d1 : filter_radius;
+    wire [23:0] choice_52 = phase[1] ? filter_radius : phase[0] ? mul_109_d1 : add_187_d1;
+    wire [23:0] joined_53 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_54 = phase[1] ? (phase[0] ? joined_53 : neg_182_d1) : phase[0] ? neg_182_d1 : add_122_d8;
+    wire [23:0] choice_55 = phase[1] ? add_57_d8 : phase[0] ? joined_42 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_56 = phase[1] ? (phase[0] ? select_199_d2 : add_122_d4) : add_122_d4;
+    wire [23:0] choice_57 = phase[1] ? add_122_d4 : phase[0] ? mul_115_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_58 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_34) : joined_34;
+    wire [23:0] choice_59 = phase[1] ? joined_34 : phase[0] ? joined_5 : epsilon_bias;
+    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_33_d1) : add_33_d1;
+    wire [23:0] choice_61 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_62 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] choice_63 = phase[1] ? (phase[0] ? max_142_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] choice_64 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_65 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
+    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_67 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_68 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_70 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_224_d1;
     wire edge_on = equal_171_d1 | lt_174_d1;
     wire xor_210 = scale_x[23] ^ scale_y[23];
-    wire xor_211 = add_f24_ftz_unit_copy2_y[23] ^ xor_210;
+    wire xor_211 = add_f24_ftz_unit_y[23] ^ xor_210;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -11297,35 +11190,35 @@ module core_a_setup (
     stream_skid_w549 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d33 & or_215 & term_1),
+        .in_valid(valid_d17 & or_215 & term_1),
         .in_ready(queue_in_ready),
-        .in_end(delay_33_from_0_out[0]),
-        .in_center_x(delay_6_from_0_out[143:120]),
-        .in_center_y(delay_5_from_0_out[47:24]),
-        .in_ax(delay_21_from_2_out[23:0]),
-        .in_bx(delay_21_from_2_out[47:24]),
-        .in_ay(delay_21_from_2_out[71:48]),
-        .in_by(delay_21_from_2_out[95:72]),
+        .in_end(delay_17_from_0_out[0]),
+        .in_center_x(add_57_d11),
+        .in_center_y(add_122_d11),
+        .in_ax(delay_10_from_6_out[23:0]),
+        .in_bx(delay_10_from_6_out[47:24]),
+        .in_ay(delay_10_from_6_out[71:48]),
+        .in_by(delay_10_from_6_out[95:72]),
         .in_delta(select_216),
-        .in_mx(delay_18_from_2_out[47:24]),
-        .in_my(delay_18_from_2_out[71:48]),
-        .in_depth(delay_7_from_1_out[72:49]),
+        .in_mx(delay_9_from_6_out[47:24]),
+        .in_my(delay_8_from_4_out[24:1]),
+        .in_depth(to_fixed_218_d4),
         .in_depth_low(to_fixed_222_d1),
-        .in_depth_high(to_fixed_225_d1),
-        .in_attribute_0(delay_33_from_0_out[16:1]),
-        .in_attribute_1(delay_33_from_0_out[32:17]),
-        .in_attribute_2(delay_33_from_0_out[48:33]),
-        .in_attribute_3(delay_33_from_0_out[64:49]),
-        .in_attribute_4(delay_33_from_0_out[80:65]),
-        .in_attribute_5(delay_33_from_0_out[96:81]),
-        .in_attribute_6(delay_33_from_0_out[112:97]),
-        .in_attribute_7(delay_33_from_0_out[128:113]),
-        .in_attribute_8(delay_33_from_0_out[144:129]),
-        .in_attribute_9(delay_33_from_0_out[160:145]),
-        .in_attribute_10(delay_33_from_0_out[176:161]),
-        .in_attribute_11(delay_33_from_0_out[192:177]),
-        .in_attribute_12(delay_33_from_0_out[208:193]),
-        .in_cardinal_0(delay_33_from_0_out[224:209]),
+        .in_depth_high(to_fixed_f24_ftz_u24q24_unit_y),
+        .in_attribute_0(delay_17_from_0_out[16:1]),
+        .in_attribute_1(delay_17_from_0_out[32:17]),
+        .in_attribute_2(delay_17_from_0_out[48:33]),
+        .in_attribute_3(delay_17_from_0_out[64:49]),
+        .in_attribute_4(delay_17_from_0_out[80:65]),
+        .in_attribute_5(delay_17_from_0_out[96:81]),
+        .in_attribute_6(delay_17_from_0_out[112:97]),
+        .in_attribute_7(delay_17_from_0_out[128:113]),
+        .in_attribute_8(delay_17_from_0_out[144:129]),
+        .in_attribute_9(delay_17_from_0_out[160:145]),
+        .in_attribute_10(delay_17_from_0_out[176:161]),
+        .in_attribute_11(delay_17_from_0_out[192:177]),
+        .in_attribute_12(delay_17_from_0_out[208:193]),
+        .in_cardinal_0(delay_17_from_0_out[224:209]),
         .in_left(resize_101_d1),
         .in_right(resize_102_d1),
         .in_top(select_154_d1[8:0]),
@@ -11427,60 +11320,6 @@ module core_a_setup (
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy7_a),
-        .b(mul_f24_ftz_unit_copy7_b),
-        .y(mul_f24_ftz_unit_copy7_y)
-    );
-
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy8_a),
-        .b(mul_f24_ftz_unit_copy8_b),
-        .y(mul_f24_ftz_unit_copy8_y)
-    );
-
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy9_a),
-        .b(mul_f24_ftz_unit_copy9_b),
-        .y(mul_f24_ftz_unit_copy9_y)
-    );
-
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy10_a),
-        .b(mul_f24_ftz_unit_copy10_b),
-        .y(mul_f24_ftz_unit_copy10_y)
-    );
-
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy11_a),
-        .b(mul_f24_ftz_unit_copy11_b),
-        .y(mul_f24_ftz_unit_copy11_y)
-    );
-
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy12_a),
-        .b(mul_f24_ftz_unit_copy12_b),
-        .y(mul_f24_ftz_unit_copy12_y)
-    );
-
     float_add_s6_ff24ftz add_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -11526,42 +11365,6 @@ module core_a_setup (
         .y(add_f24_ftz_unit_copy5_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy6_a),
-        .b(add_f24_ftz_unit_copy6_b),
-        .y(add_f24_ftz_unit_copy6_y)
-    );
-
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy7_a),
-        .b(add_f24_ftz_unit_copy7_b),
-        .y(add_f24_ftz_unit_copy7_y)
-    );
-
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy8_a),
-        .b(add_f24_ftz_unit_copy8_b),
-        .y(add_f24_ftz_unit_copy8_y)
-    );
-
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy9_a),
-        .b(add_f24_ftz_unit_copy9_b),
-        .y(add_f24_ftz_unit_copy9_y)
-    );
-
     float_lt lt_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -11588,15 +11391,6 @@ module core_a_setup (
         .y(min_f24_ftz_unit_y)
     );
 
-    float_min min_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_f24_ftz_unit_copy2_a),
-        .b(min_f24_ftz_unit_copy2_b),
-        .y(min_f24_ftz_unit_copy2_y)
-    );
-
     float_max max_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -11613,15 +11407,6 @@ module core_a_setup (
         .a(max_f24_ftz_unit_copy2_a),
         .b(max_f24_ftz_unit_copy2_b),
         .y(max_f24_ftz_unit_copy2_y)
-    );
-
-    float_max max_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(max_f24_ftz_unit_copy3_a),
-        .b(max_f24_ftz_unit_copy3_b),
-        .y(max_f24_ftz_unit_copy3_y)
     );
 
     float_to_fixed_w21_fraction8 to_fixed_f24_ftz_u21q8_unit (
@@ -11651,21 +11436,13 @@ module core_a_setup (
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 2'd0;
-            delay_5_from_0_pointer <= 2'd0;
-            delay_6_from_0_pointer <= 3'd0;
-            delay_7_from_0_pointer <= 3'd0;
-            delay_8_from_0_pointer <= 3'd0;
-            delay_9_from_0_pointer <= 3'd0;
+            phase <= 3'd0;
             delay_17_from_0_pointer <= 4'd0;
-            delay_33_from_0_pointer <= 5'd0;
-            delay_7_from_1_pointer <= 3'd0;
-            delay_12_from_1_pointer <= 4'd0;
-            delay_8_from_2_pointer <= 3'd0;
-            delay_18_from_2_pointer <= 5'd0;
-            delay_21_from_2_pointer <= 5'd0;
-            delay_5_from_3_pointer <= 2'd0;
-            delay_11_from_3_pointer <= 4'd0;
+            delay_6_from_1_pointer <= 3'd0;
+            delay_8_from_4_pointer <= 3'd0;
+            delay_5_from_5_pointer <= 2'd0;
+            delay_9_from_6_pointer <= 3'd0;
+            delay_10_from_6_pointer <= 4'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -11683,34 +11460,12 @@ module core_a_setup (
             valid_d15 <= 1'd0;
             valid_d16 <= 1'd0;
             valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
-            valid_d24 <= 1'd0;
-            valid_d25 <= 1'd0;
-            valid_d26 <= 1'd0;
-            valid_d27 <= 1'd0;
-            valid_d28 <= 1'd0;
-            valid_d29 <= 1'd0;
-            valid_d30 <= 1'd0;
-            valid_d31 <= 1'd0;
-            valid_d32 <= 1'd0;
-            valid_d33 <= 1'd0;
         end else begin
             if (queue_in_ready) begin
-                phase <= term_2 ? (phase - 2'd3) : (phase + 2'd1);
+                phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
             end
             if (load_0) begin
-                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
-                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
-                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
-                delay_8_from_0_pointer <= (delay_8_from_0_pointer == 3'd6) ? (delay_8_from_0_pointer - 3'd6) : (delay_8_from_0_pointer + 3'd1);
-                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-                delay_33_from_0_pointer <= (delay_33_from_0_pointer == 5'd31) ? (delay_33_from_0_pointer - 5'd31) : (delay_33_from_0_pointer + 5'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
@@ -11728,257 +11483,215 @@ module core_a_setup (
                 valid_d15 <= valid_d14;
                 valid_d16 <= valid_d15;
                 valid_d17 <= valid_d16;
-                valid_d18 <= valid_d17;
-                valid_d19 <= valid_d18;
-                valid_d20 <= valid_d19;
-                valid_d21 <= valid_d20;
-                valid_d22 <= valid_d21;
-                valid_d23 <= valid_d22;
-                valid_d24 <= valid_d23;
-                valid_d25 <= valid_d24;
-                valid_d26 <= valid_d25;
-                valid_d27 <= valid_d26;
-                valid_d28 <= valid_d27;
-                valid_d29 <= valid_d28;
-                valid_d30 <= valid_d29;
-                valid_d31 <= valid_d30;
-                valid_d32 <= valid_d31;
-                valid_d33 <= valid_d32;
             end
             if (load_1) begin
-                delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
-                delay_12_from_1_pointer <= (delay_12_from_1_pointer == 4'd10) ? (delay_12_from_1_pointer - 4'd10) : (delay_12_from_1_pointer + 4'd1);
+                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
             end
-            if (load_2) begin
-                delay_8_from_2_pointer <= (delay_8_from_2_pointer == 3'd6) ? (delay_8_from_2_pointer - 3'd6) : (delay_8_from_2_pointer + 3'd1);
-                delay_18_from_2_pointer <= (delay_18_from_2_pointer == 5'd16) ? (delay_18_from_2_pointer - 5'd16) : (delay_18_from_2_pointer + 5'd1);
-                delay_21_from_2_pointer <= (delay_21_from_2_pointer == 5'd19) ? (delay_21_from_2_pointer - 5'd19) : (delay_21_from_2_pointer + 5'd1);
+            if (load_4) begin
+                delay_8_from_4_pointer <= (delay_8_from_4_pointer == 3'd6) ? (delay_8_from_4_pointer - 3'd6) : (delay_8_from_4_pointer + 3'd1);
             end
-            if (load_3) begin
-                delay_5_from_3_pointer <= (delay_5_from_3_pointer == 2'd3) ? (delay_5_from_3_pointer - 2'd3) : (delay_5_from_3_pointer + 2'd1);
-                delay_11_from_3_pointer <= (delay_11_from_3_pointer == 4'd9) ? (delay_11_from_3_pointer - 4'd9) : (delay_11_from_3_pointer + 4'd1);
+            if (load_5) begin
+                delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+            end
+            if (load_6) begin
+                delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
+                delay_10_from_6_pointer <= (delay_10_from_6_pointer == 4'd8) ? (delay_10_from_6_pointer - 4'd8) : (delay_10_from_6_pointer + 4'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (load_3) begin
-            mul_28_d6 <= delay_5_from_3_out[23:0];
-            mul_30_d6 <= delay_5_from_3_out[47:24];
-            mul_44_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_44_d2 <= mul_44_d1;
-            mul_50_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_50_d2 <= mul_50_d1;
-            add_60_d1 <= add_f24_ftz_unit_copy2_y;
-            add_60_d2 <= add_60_d1;
-            add_60_d3 <= add_60_d2;
-            add_65_d1 <= add_f24_ftz_unit_copy3_y;
-            add_65_d2 <= add_65_d1;
-            add_65_d3 <= add_65_d2;
-            select_96_d1 <= select_96;
-            select_96_d2 <= select_96_d1;
-            min_97_d1 <= min_97;
-            mul_109_d1 <= mul_f24_ftz_unit_copy7_y;
-            mul_109_d2 <= mul_109_d1;
-            mul_115_d1 <= mul_f24_ftz_unit_copy8_y;
-            mul_115_d2 <= mul_115_d1;
-            add_125_d1 <= add_f24_ftz_unit_copy5_y;
-            add_125_d2 <= add_125_d1;
-            add_125_d3 <= add_125_d2;
-            add_130_d1 <= add_f24_ftz_unit_copy6_y;
-            add_130_d2 <= add_130_d1;
-            add_130_d3 <= add_130_d2;
-            add_132_d1 <= add_f24_ftz_unit_copy7_y;
-            max_143_d1 <= max_f24_ftz_unit_copy3_y;
-            resize_159_d1 <= sub_157[8:0];
-            lt_160_d1 <= lt_160;
-            mul_185_d12 <= delay_11_from_3_out;
-            add_190_d1 <= add_f24_ftz_unit_copy8_y;
-            add_190_d2 <= add_190_d1;
-            add_190_d3 <= add_190_d2;
-        end
-        if (load_0) begin
-            add_33_d1 <= add_f24_ftz_unit_y;
-            add_33_d2 <= add_33_d1;
-            add_57_d17 <= delay_7_from_0_out;
-            resize_101_d1 <= select_96_d2[8:0];
-            resize_102_d1 <= sub_100[8:0];
-            lt_103_d1 <= lt_103;
-            add_122_d18 <= delay_8_from_0_out;
-            sqrt_133_d1 <= sqrt_f24_ftz_unit_y;
-            select_154_d1 <= select_154;
-            abs_191_d1 <= {1'd0, mul_185_d12[22:0]};
-            mul_194_d1 <= mul_f24_ftz_unit_copy12_y;
-            mul_194_d2 <= mul_194_d1;
-            mul_194_d3 <= mul_194_d2;
-            mul_194_d4 <= mul_194_d3;
-            mul_194_d5 <= mul_194_d4;
-            add_205_d1 <= add_f24_ftz_unit_copy9_y;
+        if (load_5) begin
+            recip_26_d1 <= recip_f24_ftz_unit_y;
+            add_122_d1 <= add_f24_ftz_unit_y;
+            add_122_d2 <= add_122_d1;
+            add_122_d3 <= add_122_d2;
+            add_122_d4 <= add_122_d3;
+            add_122_d5 <= add_122_d4;
+            add_122_d6 <= add_122_d5;
+            add_122_d7 <= add_122_d6;
+            add_122_d8 <= add_122_d7;
+            add_122_d9 <= add_122_d8;
+            add_122_d10 <= add_122_d9;
+            add_122_d11 <= add_122_d10;
+            mul_185_d6 <= delay_5_from_5_out;
+            sqrt_192_d1 <= sqrt_f24_ftz_unit_y;
             to_fixed_222_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
         end
+        if (load_0) begin
+            reinterpret_27_d1 <= in_tangent1_z;
+            reinterpret_27_d2 <= reinterpret_27_d1;
+            reinterpret_27_d3 <= reinterpret_27_d2;
+            reinterpret_29_d1 <= in_tangent2_z;
+            reinterpret_29_d2 <= reinterpret_29_d1;
+            reinterpret_29_d3 <= reinterpret_29_d2;
+            add_33_d1 <= add_f24_ftz_unit_y;
+            add_33_d2 <= add_33_d1;
+            add_33_d3 <= add_33_d2;
+            add_33_d4 <= add_33_d3;
+            reinterpret_41_d1 <= in_center_x;
+            reinterpret_41_d2 <= reinterpret_41_d1;
+            reinterpret_41_d3 <= reinterpret_41_d2;
+            reinterpret_43_d1 <= in_tangent1_x;
+            reinterpret_43_d2 <= reinterpret_43_d1;
+            reinterpret_43_d3 <= reinterpret_43_d2;
+            reinterpret_49_d1 <= in_tangent2_x;
+            reinterpret_49_d2 <= reinterpret_49_d1;
+            reinterpret_49_d3 <= reinterpret_49_d2;
+            resize_102_d1 <= sub_100[8:0];
+            lt_103_d1 <= lt_103;
+            reinterpret_106_d1 <= in_center_y;
+            reinterpret_106_d2 <= reinterpret_106_d1;
+            reinterpret_106_d3 <= reinterpret_106_d2;
+            reinterpret_108_d1 <= in_tangent1_y;
+            reinterpret_108_d2 <= reinterpret_108_d1;
+            reinterpret_108_d3 <= reinterpret_108_d2;
+            reinterpret_114_d1 <= in_tangent2_y;
+            reinterpret_114_d2 <= reinterpret_114_d1;
+            reinterpret_114_d3 <= reinterpret_114_d2;
+            min_140_d1 <= min_f24_ftz_unit_y;
+            select_154_d1 <= select_154;
+            abs_191_d1 <= {1'd0, mul_185_d6[22:0]};
+            abs_191_d2 <= abs_191_d1;
+            mul_194_d1 <= mul_f24_ftz_unit_copy4_y;
+            mul_194_d2 <= mul_194_d1;
+            mul_194_d3 <= mul_194_d2;
+        end
+        if (load_3) begin
+            mul_28_d1 <= mul_f24_ftz_unit_y;
+            mul_28_d2 <= mul_28_d1;
+            mul_28_d3 <= mul_28_d2;
+            mul_30_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_30_d2 <= mul_30_d1;
+            mul_30_d3 <= mul_30_d2;
+            mul_42_d1 <= mul_f24_ftz_unit_copy3_y;
+            mul_44_d1 <= mul_f24_ftz_unit_copy4_y;
+            mul_50_d1 <= mul_f24_ftz_unit_copy5_y;
+            add_60_d1 <= add_f24_ftz_unit_y;
+            add_60_d2 <= add_60_d1;
+            select_96_d1 <= select_96;
+            mul_107_d1 <= mul_f24_ftz_unit_copy6_y;
+            add_125_d1 <= add_f24_ftz_unit_copy2_y;
+            add_125_d2 <= add_125_d1;
+            resize_159_d1 <= sub_157[8:0];
+            lt_160_d1 <= lt_160;
+            min_200_d1 <= min_f24_ftz_unit_y;
+        end
         if (load_1) begin
-            whole_d20 <= delay_7_from_1_out[0];
-            whole_d21 <= whole_d20;
-            add_135_d8 <= delay_7_from_1_out[48:25];
-            add_141_d1 <= add_f24_ftz_unit_copy8_y;
+            whole_d7 <= delay_6_from_1_out;
+            whole_d8 <= whole_d7;
+            whole_d9 <= whole_d8;
+            whole_d10 <= whole_d9;
+            whole_d11 <= whole_d10;
+            add_70_d1 <= add_f24_ftz_unit_y;
+            add_70_d2 <= add_70_d1;
+            add_70_d3 <= add_70_d2;
+            add_70_d4 <= add_70_d3;
+            add_135_d1 <= add_f24_ftz_unit_copy5_y;
+            add_135_d2 <= add_135_d1;
+            add_135_d3 <= add_135_d2;
+            add_135_d4 <= add_135_d3;
             shr_153_d1 <= add_152 >> 8;
-            mul_162_d1 <= mul_f24_ftz_unit_copy9_y;
-            neg_164_d1 <= {~mul_f24_ftz_unit_copy10_y[23], mul_f24_ftz_unit_copy10_y[22:0]};
-            sqrt_192_d1 <= sqrt_f24_ftz_unit_y;
-            beyond_near_d1 <= beyond_near;
             select_199_d1 <= select_199;
             select_199_d2 <= select_199_d1;
-            select_199_d3 <= select_199_d2;
-            select_199_d4 <= select_199_d3;
-            select_199_d5 <= select_199_d4;
+            select_201_d1 <= select_201;
             and_207_d1 <= and_207;
+            to_fixed_218_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            to_fixed_218_d2 <= to_fixed_218_d1;
+            to_fixed_218_d3 <= to_fixed_218_d2;
+            to_fixed_218_d4 <= to_fixed_218_d3;
             max_224_d1 <= max_f24_ftz_unit_copy2_y;
         end
-        if (load_2) begin
+        if (load_6) begin
             mul_48_d1 <= mul_f24_ftz_unit_y;
             mul_54_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_66_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_66_d2 <= mul_66_d1;
-            add_77_d1 <= add_f24_ftz_unit_y;
             shr_93_d1 <= add_92 >> 8;
-            mul_113_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_119_d1 <= mul_f24_ftz_unit_copy6_y;
-            mul_131_d1 <= mul_f24_ftz_unit_copy8_y;
-            mul_131_d2 <= mul_131_d1;
-            min_155_d1 <= min_155;
+            mul_113_d1 <= mul_f24_ftz_unit_copy3_y;
+            mul_119_d1 <= mul_f24_ftz_unit_copy4_y;
+            max_142_d1 <= max_f24_ftz_unit_y;
+            mul_162_d1 <= mul_f24_ftz_unit_copy6_y;
             equal_171_d1 <= equal_171;
-            bits_172_d1 <= mul_162_d1[22:15];
-            bits_172_d2 <= bits_172_d1;
             lt_174_d1 <= lt_174;
-            neg_178_d1 <= {~mul_f24_ftz_unit_copy9_y[23], mul_f24_ftz_unit_copy9_y[22:0]};
-            add_187_d1 <= add_f24_ftz_unit_copy5_y;
+        end
+        if (load_4) begin
+            add_57_d1 <= add_f24_ftz_unit_y;
+            add_57_d2 <= add_57_d1;
+            add_57_d3 <= add_57_d2;
+            add_57_d4 <= add_57_d3;
+            add_57_d5 <= add_57_d4;
+            add_57_d6 <= add_57_d5;
+            add_57_d7 <= add_57_d6;
+            add_57_d8 <= add_57_d7;
+            add_57_d9 <= add_57_d8;
+            add_57_d10 <= add_57_d9;
+            add_57_d11 <= add_57_d10;
+            add_65_d1 <= add_f24_ftz_unit_copy2_y;
+            resize_101_d1 <= select_96_d1[8:0];
+            mul_109_d1 <= mul_f24_ftz_unit_copy3_y;
+            mul_115_d1 <= mul_f24_ftz_unit_copy4_y;
+            add_130_d1 <= add_f24_ftz_unit_copy3_y;
+            neg_136_d1 <= joined_3;
+        end
+        if (load_2) begin
+            mul_66_d1 <= mul_f24_ftz_unit_copy2_y;
+            add_75_d1 <= add_f24_ftz_unit_y;
+            mul_131_d1 <= mul_f24_ftz_unit_copy4_y;
+            min_155_d1 <= min_155;
+            add_187_d1 <= add_f24_ftz_unit_copy2_y;
             add_187_d2 <= add_187_d1;
             add_187_d3 <= add_187_d2;
-            add_187_d4 <= add_187_d3;
-            add_187_d5 <= add_187_d4;
-            to_fixed_225_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            le_206_d1 <= le_f24_ftz_unit_y;
+            le_206_d2 <= le_206_d1;
+            le_206_d3 <= le_206_d2;
+            le_206_d4 <= le_206_d3;
+        end
+        if (load_7) begin
+            min_97_d1 <= min_97;
+            add_132_d1 <= add_f24_ftz_unit_copy3_y;
+            mul_180_d1 <= mul_f24_ftz_unit_y;
+            neg_182_d1 <= joined_5;
+            add_190_d1 <= add_f24_ftz_unit_copy4_y;
+            add_190_d2 <= add_190_d1;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-            mul_f24_ftz_unit_a <= phase[1] ? choice_4 : choice_5;
-            mul_f24_ftz_unit_b <= phase[1] ? mul_f24_ftz_unit_y : choice_6;
-            mul_f24_ftz_unit_copy2_a <= phase[1] ? choice_7 : choice_5;
-            mul_f24_ftz_unit_copy2_b <= phase[1] ? mul_f24_ftz_unit_copy2_y : choice_8;
-            mul_f24_ftz_unit_copy3_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy3_b <= phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? delay_6_from_0_out[71:48] : add_60_d3;
-            mul_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y) : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_y) : phase[0] ? delay_6_from_0_out[95:72] : add_65_d3;
-            mul_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? scale_x : mul_f24_ftz_unit_copy2_y) : choice_9;
-            mul_f24_ftz_unit_copy5_b <= phase[1] ? choice_10 : choice_11;
-            mul_f24_ftz_unit_copy6_a <= phase[1] ? choice_4 : choice_9;
-            mul_f24_ftz_unit_copy6_b <= phase[1] ? choice_12 : choice_13;
-            mul_f24_ftz_unit_copy7_a <= phase[1] ? choice_7 : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy7_b <= phase[1] ? mul_f24_ftz_unit_copy6_y : phase[0] ? delay_6_from_0_out[191:168] : add_125_d3;
-            mul_f24_ftz_unit_copy8_a <= phase[1] ? (phase[0] ? scale_y : mul_f24_ftz_unit_copy7_y) : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy8_b <= phase[1] ? choice_14 : phase[0] ? delay_6_from_0_out[215:192] : add_130_d3;
-            mul_f24_ftz_unit_copy9_a <= phase[1] ? (phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy5_y) : mul_28_d6;
-            mul_f24_ftz_unit_copy9_b <= phase[1] ? (phase[0] ? mul_119_d1 : mul_f24_ftz_unit_copy5_y) : phase[0] ? mul_54_d1 : mul_119_d1;
-            mul_f24_ftz_unit_copy10_a <= phase[1] ? (phase[0] ? mul_54_d1 : mul_f24_ftz_unit_copy6_y) : phase[0] ? mul_30_d6 : delay_5_from_0_out[23:0];
-            mul_f24_ftz_unit_copy10_b <= phase[1] ? (phase[0] ? mul_113_d1 : mul_f24_ftz_unit_copy6_y) : phase[0] ? mul_113_d1 : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy11_a <= phase[1] ? (phase[0] ? select_201 : mul_185_d12) : phase[0] ? mul_30_d6 : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy11_b <= phase[1] ? (phase[0] ? epsilon_scale : mul_f24_ftz_unit_copy10_y) : phase[0] ? mul_48_d1 : sqrt_192_d1;
-            mul_f24_ftz_unit_copy12_a <= phase[1] ? abs_191_d1 : recip_f24_ftz_unit_y;
-            mul_f24_ftz_unit_copy12_b <= phase[1] ? mul_f24_ftz_unit_copy11_y : depth_b;
-            add_f24_ftz_unit_a <= phase[1] ? (phase[0] ? filter_radius : delay_9_from_0_out[23:0]) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-            add_f24_ftz_unit_b <= phase[1] ? (phase[0] ? delay_7_from_0_out : joined_15) : choice_16;
-            add_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? mul_162_d1 : delay_7_from_1_out[24:1]) : phase[0] ? mul_44_d2 : mul_f24_ftz_unit_y;
-            add_f24_ftz_unit_copy2_b <= phase[1] ? choice_17 : phase[0] ? joined_15 : mul_f24_ftz_unit_copy2_y;
-            add_f24_ftz_unit_copy3_a <= phase[1] ? choice_18 : phase[0] ? mul_50_d2 : mul_f24_ftz_unit_copy4_y;
-            add_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? neg_178_d1 : delay_7_from_1_out[24:1]) : phase[0] ? joined_19 : mul_f24_ftz_unit_copy5_y;
-            add_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy9_y : add_57_d17) : choice_20;
-            add_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? joined_21 : joined_22) : phase[0] ? origin_x : mul_66_d2;
-            add_f24_ftz_unit_copy5_a <= phase[1] ? choice_23 : phase[0] ? mul_109_d2 : mul_f24_ftz_unit_copy6_y;
-            add_f24_ftz_unit_copy5_b <= phase[1] ? (phase[0] ? depth_a : joined_24) : phase[0] ? joined_25 : mul_f24_ftz_unit_copy7_y;
-            add_f24_ftz_unit_copy6_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy8_y : add_135_d8) : phase[0] ? mul_115_d2 : mul_f24_ftz_unit_copy9_y;
-            add_f24_ftz_unit_copy6_b <= phase[1] ? choice_26 : phase[0] ? joined_24 : mul_f24_ftz_unit_copy10_y;
-            add_f24_ftz_unit_copy7_a <= phase[1] ? joined_22 : mul_f24_ftz_unit_copy8_y;
-            add_f24_ftz_unit_copy7_b <= phase[1] ? add_122_d18 : phase[0] ? origin_y : mul_131_d2;
-            add_f24_ftz_unit_copy8_a <= phase[1] ? filter_radius : phase[0] ? sqrt_133_d1 : add_187_d1;
-            add_f24_ftz_unit_copy8_b <= phase[1] ? delay_8_from_0_out : choice_27;
-            add_f24_ftz_unit_copy9_a <= phase[1] ? select_199_d5 : mul_f24_ftz_unit_copy11_y;
-            add_f24_ftz_unit_copy9_b <= phase[1] ? choice_28 : epsilon_bias;
-            sqrt_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : add_33_d2) : add_132_d1;
-            min_f24_ftz_unit_a <= phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-            min_f24_ftz_unit_b <= phase[1] ? choice_29 : phase[0] ? add_f24_ftz_unit_copy4_y : 24'h45fff8;
-            min_f24_ftz_unit_copy2_a <= phase[1] ? add_f24_ftz_unit_copy6_y : phase[0] ? add_f24_ftz_unit_copy6_y : 24'h3f8000;
-            min_f24_ftz_unit_copy2_b <= phase[1] ? add_f24_ftz_unit_copy7_y : choice_30;
-            max_f24_ftz_unit_a <= phase[1] ? 24'd0 : phase[0] ? add_f24_ftz_unit_copy3_y : min_f24_ftz_unit_y;
-            max_f24_ftz_unit_b <= phase[1] ? min_f24_ftz_unit_y : phase[0] ? add_77_d1 : 24'd0;
-            max_f24_ftz_unit_copy2_a <= phase[1] ? 24'd0 : add_f24_ftz_unit_copy8_y;
-            max_f24_ftz_unit_copy2_b <= phase[1] ? add_f24_ftz_unit_copy9_y : add_141_d1;
-            max_f24_ftz_unit_copy3_a <= 24'd0;
-            max_f24_ftz_unit_copy3_b <= phase[1] ? select_199_d1 : choice_31;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_143_d1;
-            le_f24_ftz_unit_a <= phase[1] ? (phase[0] ? add_187_d5 : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy6_y) : add_f24_ftz_unit_copy6_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[1] ? max_224_d1 : max_f24_ftz_unit_copy3_y;
+            recip_f24_ftz_unit_a <= phase[2] ? choice_6 : in_center_z;
+            mul_f24_ftz_unit_a <= phase[2] ? choice_7 : choice_8;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_9 : choice_10;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_11 : phase[1] ? choice_12 : phase[0] ? mul_30_d3 : scale_x;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_13 : choice_14;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_15 : choice_16;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_17 : choice_19;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_20 : choice_21;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_22 : phase[1] ? choice_23 : add_f24_ftz_unit_copy5_y;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_24 : choice_25;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_26 : choice_27;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_28 : choice_29;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_30 : choice_31;
+            add_f24_ftz_unit_a <= phase[2] ? choice_32 : choice_33;
+            add_f24_ftz_unit_b <= phase[2] ? choice_35 : phase[1] ? choice_37 : choice_38;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_40 : choice_41;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_43 : choice_44;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_46 : choice_47;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_49 : phase[1] ? add_70_d4 : phase[0] ? joined_50 : mul_131_d1;
+            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_51 : choice_52;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_54 : choice_55;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_56 : choice_57;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_58 : choice_59;
+            sqrt_f24_ftz_unit_a <= phase[2] ? choice_60 : phase[1] ? add_33_d1 : add_132_d1;
+            min_f24_ftz_unit_a <= phase[2] ? choice_61 : choice_62;
+            min_f24_ftz_unit_b <= phase[2] ? choice_63 : phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : abs_191_d2;
+            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_64;
+            max_f24_ftz_unit_b <= phase[2] ? choice_65 : choice_66;
+            max_f24_ftz_unit_copy2_a <= 24'd0;
+            max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : select_199_d1) : phase[1] ? select_199_d1 : min_140_d1;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_67 : max_f24_ftz_unit_y;
+            le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_187_d3 : 24'd0) : 24'd0) : 24'd0;
+            le_f24_ftz_unit_b <= phase[2] ? choice_68 : add_f24_ftz_unit_copy3_y;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_69 : choice_70;
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {abs_191_d1, add_122_d18, add_33_d2};
-        end
-        if (load_0) begin
-            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {
-                in_tangent2_y,
-                in_tangent1_y,
-                in_center_y,
-                add_57_d17,
-                in_tangent2_x,
-                in_tangent1_x,
-                in_center_x,
-                in_tangent2_z,
-                in_tangent1_z
-            };
-        end
-        if (load_0) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= delay_9_from_0_out[23:0];
-        end
-        if (load_0) begin
-            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_8_from_0[delay_8_from_0_pointer] <= delay_9_from_0_out[47:24];
-        end
-        if (load_0) begin
-            delay_8_from_0_out <= delay_8_from_0[delay_8_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_9_from_0[delay_9_from_0_pointer] <= {add_f24_ftz_unit_copy7_y, add_f24_ftz_unit_copy4_y};
-        end
-        if (load_0) begin
-            delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= edge_on;
-        end
-        if (load_0) begin
-            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_33_from_0[delay_33_from_0_pointer] <= {
+            delay_17_from_0[delay_17_from_0_pointer] <= {
                 in_cardinal_0,
                 in_attribute_12,
                 in_attribute_11,
@@ -11997,63 +11710,47 @@ module core_a_setup (
             };
         end
         if (load_0) begin
-            delay_33_from_0_out <= delay_33_from_0[delay_33_from_0_pointer];
+            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_1) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_y, delay_12_from_1_out};
+            delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
         end
         if (load_1) begin
-            delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
+            delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
         end
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_12_from_1[delay_12_from_1_pointer] <= lt_f24_ftz_unit_y;
+        if (load_4) begin
+            delay_8_from_4[delay_8_from_4_pointer] <= {add_f24_ftz_unit_copy4_y, edge_on};
         end
-        if (load_1) begin
-            delay_12_from_1_out <= delay_12_from_1[delay_12_from_1_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_2) begin
-            delay_8_from_2[delay_8_from_2_pointer] <= le_f24_ftz_unit_y;
-        end
-        if (load_2) begin
-            delay_8_from_2_out <= delay_8_from_2[delay_8_from_2_pointer];
+        if (load_4) begin
+            delay_8_from_4_out <= delay_8_from_4[delay_8_from_4_pointer];
         end
     end
     always @(posedge clk) begin
-        if (load_2) begin
-            delay_18_from_2[delay_18_from_2_pointer] <= {xor_211, add_f24_ftz_unit_copy4_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy2_y};
+        if (load_5) begin
+            delay_5_from_5[delay_5_from_5_pointer] <= mul_f24_ftz_unit_copy6_y;
         end
-        if (load_2) begin
-            delay_18_from_2_out <= delay_18_from_2[delay_18_from_2_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_2) begin
-            delay_21_from_2[delay_21_from_2_pointer] <= {mul_119_d1, mul_113_d1, mul_54_d1, mul_48_d1};
-        end
-        if (load_2) begin
-            delay_21_from_2_out <= delay_21_from_2[delay_21_from_2_pointer];
+        if (load_5) begin
+            delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
         end
     end
     always @(posedge clk) begin
-        if (load_3) begin
-            delay_5_from_3[delay_5_from_3_pointer] <= {mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_y};
+        if (load_6) begin
+            delay_9_from_6[delay_9_from_6_pointer] <= {xor_211, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
         end
-        if (load_3) begin
-            delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
+        if (load_6) begin
+            delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
         end
     end
     always @(posedge clk) begin
-        if (load_3) begin
-            delay_11_from_3[delay_11_from_3_pointer] <= mul_f24_ftz_unit_copy12_y;
+        if (load_6) begin
+            delay_10_from_6[delay_10_from_6_pointer] <= {mul_119_d1, mul_113_d1, mul_54_d1, mul_48_d1};
         end
-        if (load_3) begin
-            delay_11_from_3_out <= delay_11_from_3[delay_11_from_3_pointer];
+        if (load_6) begin
+            delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
         end
     end
 
@@ -13233,7 +12930,7 @@ endmodule
 
 // World space to camera space.
 // latency = 28
-// initiation_interval = 4
+// initiation_interval = 8
 module core_a_transform (
     input  wire clk,
     input  wire rst,
@@ -13303,15 +13000,11 @@ module core_a_transform (
     output wire [15:0] out_attribute_12,
     output wire [15:0] out_cardinal_0
 );
-    (* ram_style = "distributed" *)
-    reg [207:0] delay_6_from_0 [0:4];
-    (* ram_style = "distributed" *)
-    reg [16:0] delay_7_from_0 [0:5];
-    reg [1:0] phase;
-    reg [2:0] delay_6_from_0_pointer;
-    reg [207:0] delay_6_from_0_out;
-    reg [2:0] delay_7_from_0_pointer;
-    reg [16:0] delay_7_from_0_out;
+    reg [2:0] phase;
+    reg end_d1;
+    reg end_d2;
+    reg end_d3;
+    reg end_d4;
     reg [15:0] attribute_0_d1;
     reg [15:0] attribute_1_d1;
     reg [15:0] attribute_2_d1;
@@ -13325,71 +13018,105 @@ module core_a_transform (
     reg [15:0] attribute_10_d1;
     reg [15:0] attribute_11_d1;
     reg [15:0] attribute_12_d1;
+    reg [15:0] cardinal_0_d1;
+    reg [15:0] cardinal_0_d2;
+    reg [15:0] cardinal_0_d3;
+    reg [15:0] cardinal_0_d4;
+    reg [23:0] reinterpret_37_d1;
+    reg [23:0] reinterpret_38_d1;
     reg [23:0] reinterpret_39_d1;
-    reg [23:0] mul_43_d1;
-    reg [23:0] mul_43_d2;
     reg [23:0] mul_48_d1;
-    reg [23:0] add_49_d1;
-    reg [23:0] mul_53_d1;
     reg [23:0] add_55_d1;
+    reg [23:0] add_56_d1;
     reg [23:0] add_57_d1;
     reg [23:0] reinterpret_58_d1;
     reg [23:0] reinterpret_59_d1;
     reg [23:0] reinterpret_60_d1;
     reg [23:0] mul_64_d1;
-    reg [23:0] mul_64_d2;
     reg [23:0] add_65_d1;
-    reg [23:0] add_65_d2;
+    reg [23:0] mul_66_d1;
     reg [23:0] mul_69_d1;
-    reg [23:0] mul_69_d2;
     reg [23:0] add_70_d1;
-    reg [23:0] add_70_d2;
-    reg [23:0] mul_71_d1;
     reg [23:0] mul_74_d1;
-    reg [23:0] mul_74_d2;
     reg [23:0] add_75_d1;
-    reg [23:0] add_75_d2;
     reg [23:0] reinterpret_76_d1;
     reg [23:0] reinterpret_77_d1;
     reg [23:0] reinterpret_78_d1;
+    reg [23:0] mul_79_d1;
     reg [23:0] mul_82_d1;
-    reg [23:0] mul_82_d2;
     reg [23:0] add_83_d1;
-    reg [23:0] add_83_d2;
+    reg [23:0] add_86_d1;
     reg [23:0] mul_87_d1;
-    reg [23:0] mul_87_d2;
     reg [23:0] add_88_d1;
-    reg [23:0] add_88_d2;
+    reg [23:0] mul_89_d1;
+    reg [23:0] add_91_d1;
     reg [23:0] mul_92_d1;
-    reg [23:0] mul_92_d2;
     reg [23:0] add_93_d1;
-    reg [23:0] add_93_d2;
     reg equal_100_d1;
     reg [15:0] select_106_d1;
+    reg [15:0] select_107_d1;
+    reg [15:0] select_107_d2;
+    reg [15:0] select_107_d3;
     reg equal_111_d1;
     reg [15:0] select_114_d1;
+    reg [15:0] select_115_d1;
+    reg [15:0] select_115_d2;
+    reg [15:0] select_115_d3;
     reg equal_119_d1;
     reg [15:0] select_122_d1;
+    reg [15:0] select_123_d1;
+    reg [15:0] select_123_d2;
+    reg [15:0] select_123_d3;
     reg equal_127_d1;
     reg [15:0] select_130_d1;
+    reg [15:0] select_131_d1;
+    reg [15:0] select_131_d2;
+    reg [15:0] select_131_d3;
     reg equal_135_d1;
     reg [15:0] select_138_d1;
+    reg [15:0] select_139_d1;
+    reg [15:0] select_139_d2;
+    reg [15:0] select_139_d3;
     reg equal_143_d1;
     reg [15:0] select_146_d1;
+    reg [15:0] select_147_d1;
+    reg [15:0] select_147_d2;
+    reg [15:0] select_147_d3;
     reg equal_151_d1;
     reg [15:0] select_154_d1;
+    reg [15:0] select_155_d1;
+    reg [15:0] select_155_d2;
+    reg [15:0] select_155_d3;
     reg equal_159_d1;
     reg [15:0] select_162_d1;
+    reg [15:0] select_163_d1;
+    reg [15:0] select_163_d2;
+    reg [15:0] select_163_d3;
     reg equal_167_d1;
     reg [15:0] select_170_d1;
+    reg [15:0] select_171_d1;
+    reg [15:0] select_171_d2;
+    reg [15:0] select_171_d3;
     reg equal_175_d1;
     reg [15:0] select_178_d1;
+    reg [15:0] select_179_d1;
+    reg [15:0] select_179_d2;
+    reg [15:0] select_179_d3;
     reg equal_183_d1;
     reg [15:0] select_186_d1;
+    reg [15:0] select_187_d1;
+    reg [15:0] select_187_d2;
+    reg [15:0] select_187_d3;
     reg equal_191_d1;
     reg [15:0] select_194_d1;
+    reg [15:0] select_195_d1;
+    reg [15:0] select_195_d2;
+    reg [15:0] select_195_d3;
     reg equal_199_d1;
     reg [15:0] select_202_d1;
+    reg [15:0] select_203_d1;
+    reg [15:0] select_203_d2;
+    reg [15:0] select_203_d3;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
     reg [23:0] mul_f24_ftz_unit_copy2_a;
@@ -13398,31 +13125,16 @@ module core_a_transform (
     reg [23:0] mul_f24_ftz_unit_copy3_b;
     reg [23:0] mul_f24_ftz_unit_copy4_a;
     reg [23:0] mul_f24_ftz_unit_copy4_b;
-    reg [23:0] mul_f24_ftz_unit_copy5_a;
-    reg [23:0] mul_f24_ftz_unit_copy5_b;
-    reg [23:0] mul_f24_ftz_unit_copy6_a;
-    reg [23:0] mul_f24_ftz_unit_copy6_b;
-    reg [23:0] mul_f24_ftz_unit_copy7_a;
-    reg [23:0] mul_f24_ftz_unit_copy7_b;
     reg [23:0] add_f24_ftz_unit_a;
     reg [23:0] add_f24_ftz_unit_b;
     reg [23:0] add_f24_ftz_unit_copy2_a;
     reg [23:0] add_f24_ftz_unit_copy2_b;
     reg [23:0] add_f24_ftz_unit_copy3_a;
     reg [23:0] add_f24_ftz_unit_copy3_b;
-    reg [23:0] add_f24_ftz_unit_copy4_a;
-    reg [23:0] add_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_copy5_a;
-    reg [23:0] add_f24_ftz_unit_copy5_b;
-    reg [23:0] add_f24_ftz_unit_copy6_a;
-    reg [23:0] add_f24_ftz_unit_copy6_b;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
     reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -13454,87 +13166,99 @@ module core_a_transform (
     wire [23:0] mul_f24_ftz_unit_copy2_y;
     wire [23:0] mul_f24_ftz_unit_copy3_y;
     wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_y;
     wire [23:0] add_f24_ftz_unit_y;
     wire [23:0] add_f24_ftz_unit_copy2_y;
     wire [23:0] add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy6_y;
     wire lt_f24_ftz_unit_y;
 
-    wire term_1 = phase == 2'd0;
-    wire load_0 = queue_in_ready & term_1;
+    wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
-    wire or_95 = delay_7_from_0_out[0] | lt_f24_ftz_unit_y;
+    wire or_95 = end_d4 | lt_f24_ftz_unit_y;
+    wire term_1 = phase == 3'd4;
     wire queue_out_ready = out_ready;
-    wire term_2 = phase == 2'd3;
-    wire load_2 = queue_in_ready & (phase == 2'd2);
-    wire load_1 = queue_in_ready & (phase == 2'd1);
-    wire load_3 = queue_in_ready & term_2;
+    wire term_2 = phase == 3'd7;
+    wire load_7 = queue_in_ready & term_2;
+    wire load_2 = queue_in_ready & (phase == 3'd2);
+    wire load_3 = queue_in_ready & (phase == 3'd3);
+    wire load_5 = queue_in_ready & (phase == 3'd5);
+    wire load_6 = queue_in_ready & (phase == 3'd6);
+    wire load_1 = queue_in_ready & (phase == 3'd1);
     wire equal_100 = in_attribute_0[14:10] == 5'd31;
     wire equal_102 = in_attribute_0[9:0] == 10'd0;
     wire [15:0] select_106 = equal_102 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire load_4 = queue_in_ready & term_1;
+    wire [15:0] select_107 = equal_100_d1 ? select_106_d1 : attribute_0_d1;
     wire equal_111 = 5'd31 == in_attribute_1[14:10];
     wire equal_112 = 10'd0 == in_attribute_1[9:0];
     wire [15:0] select_114 = equal_112 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_115 = equal_111_d1 ? select_114_d1 : attribute_1_d1;
     wire equal_119 = 5'd31 == in_attribute_2[14:10];
     wire equal_120 = 10'd0 == in_attribute_2[9:0];
     wire [15:0] select_122 = equal_120 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_123 = equal_119_d1 ? select_122_d1 : attribute_2_d1;
     wire equal_127 = 5'd31 == in_attribute_3[14:10];
     wire equal_128 = 10'd0 == in_attribute_3[9:0];
     wire [15:0] select_130 = equal_128 ? {in_attribute_3[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_131 = equal_127_d1 ? select_130_d1 : attribute_3_d1;
     wire equal_135 = 5'd31 == in_attribute_4[14:10];
     wire equal_136 = 10'd0 == in_attribute_4[9:0];
     wire [15:0] select_138 = equal_136 ? {in_attribute_4[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_139 = equal_135_d1 ? select_138_d1 : attribute_4_d1;
     wire equal_143 = 5'd31 == in_attribute_5[14:10];
     wire equal_144 = 10'd0 == in_attribute_5[9:0];
     wire [15:0] select_146 = equal_144 ? {in_attribute_5[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_147 = equal_143_d1 ? select_146_d1 : attribute_5_d1;
     wire equal_151 = 5'd31 == in_attribute_6[14:10];
     wire equal_152 = 10'd0 == in_attribute_6[9:0];
     wire [15:0] select_154 = equal_152 ? {in_attribute_6[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_155 = equal_151_d1 ? select_154_d1 : attribute_6_d1;
     wire equal_159 = 5'd31 == in_attribute_7[14:10];
     wire equal_160 = 10'd0 == in_attribute_7[9:0];
     wire [15:0] select_162 = equal_160 ? {in_attribute_7[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_163 = equal_159_d1 ? select_162_d1 : attribute_7_d1;
     wire equal_167 = 5'd31 == in_attribute_8[14:10];
     wire equal_168 = 10'd0 == in_attribute_8[9:0];
     wire [15:0] select_170 = equal_168 ? {in_attribute_8[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_171 = equal_167_d1 ? select_170_d1 : attribute_8_d1;
     wire equal_175 = 5'd31 == in_attribute_9[14:10];
     wire equal_176 = 10'd0 == in_attribute_9[9:0];
     wire [15:0] select_178 = equal_176 ? {in_attribute_9[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_179 = equal_175_d1 ? select_178_d1 : attribute_9_d1;
     wire equal_183 = 5'd31 == in_attribute_10[14:10];
     wire equal_184 = 10'd0 == in_attribute_10[9:0];
     wire [15:0] select_186 = equal_184 ? {in_attribute_10[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_187 = equal_183_d1 ? select_186_d1 : attribute_10_d1;
     wire equal_191 = 5'd31 == in_attribute_11[14:10];
     wire equal_192 = 10'd0 == in_attribute_11[9:0];
     wire [15:0] select_194 = equal_192 ? {in_attribute_11[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_195 = equal_191_d1 ? select_194_d1 : attribute_11_d1;
     wire equal_199 = 5'd31 == in_attribute_12[14:10];
     wire equal_200 = 10'd0 == in_attribute_12[9:0];
     wire [15:0] select_202 = equal_200 ? {in_attribute_12[15], 15'h7bff} : 16'd0;
-    wire [23:0] choice_3 = phase[0] ? reinterpret_60_d1 : reinterpret_77_d1;
-    wire [23:0] choice_4 = phase[0] ? reinterpret_58_d1 : in_center_y;
-    wire [23:0] choice_5 = phase[0] ? m22 : m21;
-    wire [23:0] choice_6 = phase[0] ? reinterpret_78_d1 : reinterpret_76_d1;
-    wire [23:0] choice_7 = phase[0] ? mul_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_8 = phase[0] ? add_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_9 = phase[0] ? mul_f24_ftz_unit_copy6_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_10 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_11 = phase[0] ? mul_f24_ftz_unit_copy6_y : add_f24_ftz_unit_copy6_y;
     wire [15:0] select_203 = equal_199_d1 ? select_202_d1 : attribute_12_d1;
-    wire [15:0] select_195 = equal_191_d1 ? select_194_d1 : attribute_11_d1;
-    wire [15:0] select_187 = equal_183_d1 ? select_186_d1 : attribute_10_d1;
-    wire [15:0] select_179 = equal_175_d1 ? select_178_d1 : attribute_9_d1;
-    wire [15:0] select_171 = equal_167_d1 ? select_170_d1 : attribute_8_d1;
-    wire [15:0] select_163 = equal_159_d1 ? select_162_d1 : attribute_7_d1;
-    wire [15:0] select_155 = equal_151_d1 ? select_154_d1 : attribute_6_d1;
-    wire [15:0] select_147 = equal_143_d1 ? select_146_d1 : attribute_5_d1;
-    wire [15:0] select_139 = equal_135_d1 ? select_138_d1 : attribute_4_d1;
-    wire [15:0] select_131 = equal_127_d1 ? select_130_d1 : attribute_3_d1;
-    wire [15:0] select_123 = equal_119_d1 ? select_122_d1 : attribute_2_d1;
-    wire [15:0] select_115 = equal_111_d1 ? select_114_d1 : attribute_1_d1;
-    wire [15:0] select_107 = equal_100_d1 ? select_106_d1 : attribute_0_d1;
+    wire [23:0] choice_3 = phase[0] ? reinterpret_39_d1 : reinterpret_78_d1;
+    wire [23:0] choice_4 = phase[1] ? choice_3 : phase[0] ? reinterpret_60_d1 : reinterpret_76_d1;
+    wire [23:0] choice_5 = phase[1] ? (phase[0] ? reinterpret_76_d1 : reinterpret_39_d1) : phase[0] ? reinterpret_37_d1 : in_center_x;
+    wire [23:0] choice_6 = phase[0] ? reinterpret_60_d1 : reinterpret_77_d1;
+    wire [23:0] choice_7 = phase[0] ? reinterpret_59_d1 : reinterpret_58_d1;
+    wire [23:0] choice_8 = phase[1] ? choice_7 : phase[0] ? reinterpret_38_d1 : in_center_y;
+    wire [23:0] choice_9 = phase[1] ? (phase[0] ? reinterpret_58_d1 : reinterpret_59_d1) : in_center_x;
+    wire [23:0] choice_10 = phase[1] ? reinterpret_77_d1 : phase[0] ? reinterpret_77_d1 : reinterpret_76_d1;
+    wire [23:0] choice_11 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] choice_12 = phase[1] ? choice_11 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] choice_13 = phase[1] ? (phase[0] ? m03 : mul_89_d1) : phase[0] ? mul_79_d1 : mul_66_d1;
+    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_16 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? m23 : add_91_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_69_d1 : mul_64_d1) : phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_19 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_20 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_92_d1) : choice_19;
+    wire [23:0] choice_21 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_22 = phase[1] ? choice_21 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
+    wire [23:0] choice_23 = phase[1] ? add_86_d1 : phase[0] ? add_86_d1 : add_f24_ftz_unit_y;
+    wire [23:0] choice_24 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_74_d1 : mul_f24_ftz_unit_copy4_y) : choice_24;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -13565,32 +13289,32 @@ module core_a_transform (
     stream_skid_w441 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d7 & or_95 & term_1),
+        .in_valid(valid_d4 & or_95 & term_1),
         .in_ready(queue_in_ready),
-        .in_end(delay_7_from_0_out[0]),
+        .in_end(end_d4),
         .in_center_x(add_55_d1),
-        .in_center_y(add_f24_ftz_unit_copy4_y),
+        .in_center_y(add_56_d1),
         .in_center_z(add_57_d1),
-        .in_tangent1_x(add_65_d2),
-        .in_tangent1_y(add_70_d2),
-        .in_tangent1_z(add_75_d2),
-        .in_tangent2_x(add_83_d2),
-        .in_tangent2_y(add_88_d2),
-        .in_tangent2_z(add_93_d2),
-        .in_attribute_0(delay_6_from_0_out[15:0]),
-        .in_attribute_1(delay_6_from_0_out[31:16]),
-        .in_attribute_2(delay_6_from_0_out[47:32]),
-        .in_attribute_3(delay_6_from_0_out[63:48]),
-        .in_attribute_4(delay_6_from_0_out[79:64]),
-        .in_attribute_5(delay_6_from_0_out[95:80]),
-        .in_attribute_6(delay_6_from_0_out[111:96]),
-        .in_attribute_7(delay_6_from_0_out[127:112]),
-        .in_attribute_8(delay_6_from_0_out[143:128]),
-        .in_attribute_9(delay_6_from_0_out[159:144]),
-        .in_attribute_10(delay_6_from_0_out[175:160]),
-        .in_attribute_11(delay_6_from_0_out[191:176]),
-        .in_attribute_12(delay_6_from_0_out[207:192]),
-        .in_cardinal_0(delay_7_from_0_out[16:1]),
+        .in_tangent1_x(add_65_d1),
+        .in_tangent1_y(add_70_d1),
+        .in_tangent1_z(add_75_d1),
+        .in_tangent2_x(add_83_d1),
+        .in_tangent2_y(add_88_d1),
+        .in_tangent2_z(add_93_d1),
+        .in_attribute_0(select_107_d3),
+        .in_attribute_1(select_115_d3),
+        .in_attribute_2(select_123_d3),
+        .in_attribute_3(select_131_d3),
+        .in_attribute_4(select_139_d3),
+        .in_attribute_5(select_147_d3),
+        .in_attribute_6(select_155_d3),
+        .in_attribute_7(select_163_d3),
+        .in_attribute_8(select_171_d3),
+        .in_attribute_9(select_179_d3),
+        .in_attribute_10(select_187_d3),
+        .in_attribute_11(select_195_d3),
+        .in_attribute_12(select_203_d3),
+        .in_cardinal_0(cardinal_0_d4),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -13655,33 +13379,6 @@ module core_a_transform (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy5_a),
-        .b(mul_f24_ftz_unit_copy5_b),
-        .y(mul_f24_ftz_unit_copy5_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy6_a),
-        .b(mul_f24_ftz_unit_copy6_b),
-        .y(mul_f24_ftz_unit_copy6_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy7_a),
-        .b(mul_f24_ftz_unit_copy7_b),
-        .y(mul_f24_ftz_unit_copy7_y)
-    );
-
     float_add_s6_ff24ftz add_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -13709,33 +13406,6 @@ module core_a_transform (
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy4_a),
-        .b(add_f24_ftz_unit_copy4_b),
-        .y(add_f24_ftz_unit_copy4_y)
-    );
-
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy5_a),
-        .b(add_f24_ftz_unit_copy5_b),
-        .y(add_f24_ftz_unit_copy5_y)
-    );
-
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy6_a),
-        .b(add_f24_ftz_unit_copy6_b),
-        .y(add_f24_ftz_unit_copy6_y)
-    );
-
     float_lt lt_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
@@ -13747,35 +13417,29 @@ module core_a_transform (
 
     always @(posedge clk) begin
         if (rst) begin
-            phase <= 2'd0;
-            delay_6_from_0_pointer <= 3'd0;
-            delay_7_from_0_pointer <= 3'd0;
+            phase <= 3'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
             valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
         end else begin
             if (queue_in_ready) begin
-                phase <= term_2 ? (phase - 2'd3) : (phase + 2'd1);
+                phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
             end
             if (load_0) begin
-                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
-                delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
                 valid_d4 <= valid_d3;
-                valid_d5 <= valid_d4;
-                valid_d6 <= valid_d5;
-                valid_d7 <= valid_d6;
             end
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
+            end_d1 <= in_end;
+            end_d2 <= end_d1;
+            end_d3 <= end_d2;
+            end_d4 <= end_d3;
             attribute_0_d1 <= in_attribute_0;
             attribute_1_d1 <= in_attribute_1;
             attribute_2_d1 <= in_attribute_2;
@@ -13789,30 +13453,22 @@ module core_a_transform (
             attribute_10_d1 <= in_attribute_10;
             attribute_11_d1 <= in_attribute_11;
             attribute_12_d1 <= in_attribute_12;
+            cardinal_0_d1 <= in_cardinal_0;
+            cardinal_0_d2 <= cardinal_0_d1;
+            cardinal_0_d3 <= cardinal_0_d2;
+            cardinal_0_d4 <= cardinal_0_d3;
+            reinterpret_37_d1 <= in_center_x;
+            reinterpret_38_d1 <= in_center_y;
             reinterpret_39_d1 <= in_center_z;
-            mul_53_d1 <= mul_f24_ftz_unit_y;
             reinterpret_58_d1 <= in_tangent1_x;
             reinterpret_59_d1 <= in_tangent1_y;
             reinterpret_60_d1 <= in_tangent1_z;
-            mul_64_d1 <= mul_f24_ftz_unit_copy2_y;
-            mul_64_d2 <= mul_64_d1;
-            add_65_d1 <= add_f24_ftz_unit_copy5_y;
-            add_65_d2 <= add_65_d1;
-            mul_69_d1 <= mul_f24_ftz_unit_copy5_y;
-            mul_69_d2 <= mul_69_d1;
-            add_70_d1 <= add_f24_ftz_unit_copy6_y;
-            add_70_d2 <= add_70_d1;
-            mul_74_d1 <= mul_f24_ftz_unit_copy3_y;
-            mul_74_d2 <= mul_74_d1;
             reinterpret_76_d1 <= in_tangent2_x;
             reinterpret_77_d1 <= in_tangent2_y;
             reinterpret_78_d1 <= in_tangent2_z;
-            mul_82_d1 <= mul_f24_ftz_unit_copy4_y;
-            mul_82_d2 <= mul_82_d1;
-            mul_87_d1 <= mul_f24_ftz_unit_copy6_y;
-            mul_87_d2 <= mul_87_d1;
-            mul_92_d1 <= mul_f24_ftz_unit_copy7_y;
-            mul_92_d2 <= mul_92_d1;
+            mul_79_d1 <= mul_f24_ftz_unit_y;
+            add_86_d1 <= add_f24_ftz_unit_copy2_y;
+            add_88_d1 <= add_f24_ftz_unit_copy3_y;
             equal_100_d1 <= equal_100;
             select_106_d1 <= select_106;
             equal_111_d1 <= equal_111;
@@ -13840,84 +13496,92 @@ module core_a_transform (
             equal_199_d1 <= equal_199;
             select_202_d1 <= select_202;
         end
+        if (load_7) begin
+            mul_48_d1 <= mul_f24_ftz_unit_y;
+            mul_66_d1 <= mul_f24_ftz_unit_copy4_y;
+            add_83_d1 <= add_f24_ftz_unit_copy3_y;
+        end
         if (load_2) begin
-            mul_43_d1 <= mul_f24_ftz_unit_y;
-            mul_43_d2 <= mul_43_d1;
             add_55_d1 <= add_f24_ftz_unit_y;
             add_57_d1 <= add_f24_ftz_unit_copy2_y;
-            mul_71_d1 <= mul_f24_ftz_unit_copy6_y;
-        end
-        if (load_1) begin
-            mul_48_d1 <= mul_f24_ftz_unit_copy5_y;
-            add_75_d1 <= add_f24_ftz_unit_copy3_y;
-            add_75_d2 <= add_75_d1;
-            add_83_d1 <= add_f24_ftz_unit_copy4_y;
-            add_83_d2 <= add_83_d1;
-            add_88_d1 <= add_f24_ftz_unit_copy5_y;
-            add_88_d2 <= add_88_d1;
-            add_93_d1 <= add_f24_ftz_unit_copy6_y;
-            add_93_d2 <= add_93_d1;
+            mul_64_d1 <= mul_f24_ftz_unit_y;
+            mul_69_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_74_d1 <= mul_f24_ftz_unit_copy3_y;
         end
         if (load_3) begin
-            add_49_d1 <= add_f24_ftz_unit_copy2_y;
+            add_56_d1 <= add_f24_ftz_unit_copy3_y;
+            mul_82_d1 <= mul_f24_ftz_unit_y;
+            mul_87_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_92_d1 <= mul_f24_ftz_unit_copy3_y;
+        end
+        if (load_5) begin
+            add_65_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_6) begin
+            add_70_d1 <= add_f24_ftz_unit_copy2_y;
+            add_75_d1 <= add_f24_ftz_unit_copy3_y;
+        end
+        if (load_1) begin
+            mul_89_d1 <= mul_f24_ftz_unit_copy4_y;
+            add_91_d1 <= add_f24_ftz_unit_y;
+            add_93_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_4) begin
+            select_107_d1 <= select_107;
+            select_107_d2 <= select_107_d1;
+            select_107_d3 <= select_107_d2;
+            select_115_d1 <= select_115;
+            select_115_d2 <= select_115_d1;
+            select_115_d3 <= select_115_d2;
+            select_123_d1 <= select_123;
+            select_123_d2 <= select_123_d1;
+            select_123_d3 <= select_123_d2;
+            select_131_d1 <= select_131;
+            select_131_d2 <= select_131_d1;
+            select_131_d3 <= select_131_d2;
+            select_139_d1 <= select_139;
+            select_139_d2 <= select_139_d1;
+            select_139_d3 <= select_139_d2;
+            select_147_d1 <= select_147;
+            select_147_d2 <= select_147_d1;
+            select_147_d3 <= select_147_d2;
+            select_155_d1 <= select_155;
+            select_155_d2 <= select_155_d1;
+            select_155_d3 <= select_155_d2;
+            select_163_d1 <= select_163;
+            select_163_d2 <= select_163_d1;
+            select_163_d3 <= select_163_d2;
+            select_171_d1 <= select_171;
+            select_171_d2 <= select_171_d1;
+            select_171_d3 <= select_171_d2;
+            select_179_d1 <= select_179;
+            select_179_d2 <= select_179_d1;
+            select_179_d3 <= select_179_d2;
+            select_187_d1 <= select_187;
+            select_187_d2 <= select_187_d1;
+            select_187_d3 <= select_187_d2;
+            select_195_d1 <= select_195;
+            select_195_d2 <= select_195_d1;
+            select_195_d3 <= select_195_d2;
+            select_203_d1 <= select_203;
+            select_203_d2 <= select_203_d1;
+            select_203_d3 <= select_203_d2;
         end
         if (queue_in_ready) begin
-            mul_f24_ftz_unit_a <= phase[1] ? (phase[0] ? m22 : m00) : phase[0] ? m02 : m00;
-            mul_f24_ftz_unit_b <= phase[1] ? (phase[0] ? reinterpret_39_d1 : reinterpret_76_d1) : phase[0] ? reinterpret_39_d1 : in_center_x;
-            mul_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? m02 : m01) : phase[0] ? m00 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[1] ? choice_3 : choice_4;
-            mul_f24_ftz_unit_copy3_a <= phase[1] ? choice_5 : phase[0] ? m01 : m10;
-            mul_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? reinterpret_60_d1 : reinterpret_59_d1) : phase[0] ? reinterpret_59_d1 : in_center_x;
-            mul_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? m02 : m10) : phase[0] ? m10 : m11;
-            mul_f24_ftz_unit_copy4_b <= phase[1] ? choice_6 : choice_4;
-            mul_f24_ftz_unit_copy5_a <= phase[1] ? (phase[0] ? m12 : m11) : phase[0] ? m11 : m12;
-            mul_f24_ftz_unit_copy5_b <= phase[1] ? choice_3 : phase[0] ? reinterpret_59_d1 : reinterpret_39_d1;
-            mul_f24_ftz_unit_copy6_a <= phase[1] ? (phase[0] ? m12 : m20) : m20;
-            mul_f24_ftz_unit_copy6_b <= phase[1] ? choice_6 : phase[0] ? reinterpret_58_d1 : in_center_x;
-            mul_f24_ftz_unit_copy7_a <= phase[1] ? choice_5 : m21;
-            mul_f24_ftz_unit_copy7_b <= phase[1] ? (phase[0] ? reinterpret_78_d1 : reinterpret_77_d1) : in_center_y;
-            add_f24_ftz_unit_a <= phase[1] ? (phase[0] ? m03 : mul_f24_ftz_unit_copy2_y) : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-            add_f24_ftz_unit_b <= phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_43_d2;
-            add_f24_ftz_unit_copy2_a <= phase[1] ? (phase[0] ? m23 : mul_f24_ftz_unit_copy4_y) : choice_7;
-            add_f24_ftz_unit_copy2_b <= phase[1] ? choice_8 : phase[0] ? mul_f24_ftz_unit_copy4_y : mul_48_d1;
-            add_f24_ftz_unit_copy3_a <= phase[1] ? (phase[0] ? mul_71_d1 : add_f24_ftz_unit_copy3_y) : choice_9;
-            add_f24_ftz_unit_copy3_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_74_d2) : phase[0] ? mul_f24_ftz_unit_copy7_y : mul_53_d1;
-            add_f24_ftz_unit_copy4_a <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : m13;
-            add_f24_ftz_unit_copy4_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_82_d2) : add_49_d1;
-            add_f24_ftz_unit_copy5_a <= phase[1] ? choice_10 : add_f24_ftz_unit_y;
-            add_f24_ftz_unit_copy5_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy5_y : mul_87_d2) : mul_64_d2;
-            add_f24_ftz_unit_copy6_a <= phase[1] ? choice_11 : add_f24_ftz_unit_copy2_y;
-            add_f24_ftz_unit_copy6_b <= phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy7_y : mul_92_d2) : mul_69_d2;
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= {
-                select_203,
-                select_195,
-                select_187,
-                select_179,
-                select_171,
-                select_163,
-                select_155,
-                select_147,
-                select_139,
-                select_131,
-                select_123,
-                select_115,
-                select_107
-            };
-        end
-        if (load_0) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (load_0) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= {in_cardinal_0, in_end};
-        end
-        if (load_0) begin
-            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+            mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_4 : choice_5;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_3 : choice_6) : choice_8;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_78_d1 : choice_6) : choice_9;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_10 : phase[1] ? choice_7 : in_center_y;
+            add_f24_ftz_unit_a <= phase[2] ? choice_12 : choice_13;
+            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_14 : choice_11) : choice_15;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_16 : choice_17;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_18 : choice_20;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_22 : choice_23;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_25 : phase[1] ? mul_87_d1 : phase[0] ? mul_87_d1 : mul_82_d1;
         end
     end
 endmodule

@@ -2575,6 +2575,7 @@ module core_a_accumulator (
     reg [15:0] head_attribute_12;
     reg [15:0] head_cardinal_0;
     reg [7:0] collisions;
+    reg arrived;
     reg [319:0] slot_0_read;
     reg [319:0] slot_0_pixel;
     reg [319:0] slot_1_read;
@@ -2796,44 +2797,44 @@ module core_a_accumulator (
     wire [319:0] drained = drained_slot[1] ? (drained_slot[0] ? slot_3_pixel : slot_2_pixel) : drained_slot[0] ? slot_1_pixel : slot_0_pixel;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
-    wire [3:0] shifted_2 = slot_ready >> head_slot;
-    wire arrived = shifted_2[0];
     wire slot_wait = may_issue_inside & ~arrived;
     wire on_the_way = |collisions;
     wire hazard = may_issue_inside & (arrived & on_the_way);
     wire issue = term_1 & ~(slot_wait | hazard);
-    wire term_3 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_3 | valid_7 | valid_8);
+    wire term_2 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
+    wire issue_end = head_valid & head_end & ~(term_2 | valid_7 | valid_8);
     wire head_takes = ~head_valid | (issue | issue_end);
     wire queue_ready = head_takes;
     wire places_out_ready = queue_ready;
     wire samples_out_ready = queue_ready;
     wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_4 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
-    wire term_5 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_6 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_7 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_8 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_9 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_10 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_11 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [7:0] joined_12 = {
+    wire term_3 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
+    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [7:0] joined_11 = {
+        term_3,
         term_4,
         term_5,
         term_6,
         term_7,
         term_8,
         term_9,
-        term_10,
-        head_valid & (head_inside & ~head_end) & term_11
+        head_valid & (head_inside & ~head_end) & term_10
     };
-    wire term_13 = drain_enable & (drain_slot == 2'd0);
-    wire term_14 = drain_enable & (drain_slot == 2'd1);
-    wire term_15 = drain_enable & (drain_slot == 2'd2);
-    wire term_16 = drain_enable & (drain_slot == 2'd3);
+    wire [3:0] shifted_12 = slot_ready >> places_out_slot;
+    wire [3:0] shifted_13 = slot_ready >> head_slot;
+    wire term_14 = drain_enable & (drain_slot == 2'd0);
+    wire term_15 = drain_enable & (drain_slot == 2'd1);
+    wire term_16 = drain_enable & (drain_slot == 2'd2);
+    wire term_17 = drain_enable & (drain_slot == 2'd3);
     wire filling_0 = fill_valid & (fill_slot == 2'd0);
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] joined_17 = {
+    wire [319:0] joined_18 = {
         fill_weight,
         fill_depth,
         fill_peak,
@@ -2854,61 +2855,61 @@ module core_a_accumulator (
     };
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_18 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_19 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_18};
+    wire [14:0] choice_19 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_20 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_19};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_20 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_21 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_20};
+    wire [14:0] choice_21 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_22 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_21};
     wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_22 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_23 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_22};
+    wire [14:0] choice_23 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_24 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_23};
     wire overflow_of_attribute_3 = &add_attribute_3_y[14:10];
-    wire [14:0] choice_24 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
-    wire [15:0] choice_25 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_24};
+    wire [14:0] choice_25 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
+    wire [15:0] choice_26 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_25};
     wire overflow_of_attribute_4 = &add_attribute_4_y[14:10];
-    wire [14:0] choice_26 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
-    wire [15:0] choice_27 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_26};
+    wire [14:0] choice_27 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
+    wire [15:0] choice_28 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_27};
     wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
-    wire [14:0] choice_28 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
-    wire [15:0] choice_29 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_28};
+    wire [14:0] choice_29 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
+    wire [15:0] choice_30 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_29};
     wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
-    wire [14:0] choice_30 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
-    wire [15:0] choice_31 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_30};
+    wire [14:0] choice_31 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
+    wire [15:0] choice_32 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_31};
     wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
-    wire [14:0] choice_32 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
-    wire [15:0] choice_33 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_32};
+    wire [14:0] choice_33 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
+    wire [15:0] choice_34 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_33};
     wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
-    wire [14:0] choice_34 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
-    wire [15:0] choice_35 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_34};
+    wire [14:0] choice_35 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
+    wire [15:0] choice_36 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_35};
     wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
-    wire [14:0] choice_36 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
-    wire [15:0] choice_37 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_36};
+    wire [14:0] choice_37 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
+    wire [15:0] choice_38 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_37};
     wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
-    wire [14:0] choice_38 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
-    wire [15:0] choice_39 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_38};
+    wire [14:0] choice_39 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
+    wire [15:0] choice_40 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_39};
     wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
-    wire [14:0] choice_40 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
-    wire [15:0] choice_41 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_40};
+    wire [14:0] choice_41 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
+    wire [15:0] choice_42 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_41};
     wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
-    wire [14:0] choice_42 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
-    wire [15:0] choice_43 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_42};
+    wire [14:0] choice_43 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
+    wire [15:0] choice_44 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_43};
     wire [319:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
         late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
         selected ? weight_8 : peak_8,
-        choice_19,
-        choice_21,
-        choice_23,
-        choice_25,
-        choice_27,
-        choice_29,
-        choice_31,
-        choice_33,
-        choice_35,
-        choice_37,
-        choice_39,
-        choice_41,
-        choice_43,
+        choice_20,
+        choice_22,
+        choice_24,
+        choice_26,
+        choice_28,
+        choice_30,
+        choice_32,
+        choice_34,
+        choice_36,
+        choice_38,
+        choice_40,
+        choice_42,
+        choice_44,
         selected ? cardinal_0_8 : stored_cardinal_0_8
     };
     wire filling_1 = fill_valid & (fill_slot == 2'd1);
@@ -3202,7 +3203,8 @@ module core_a_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_12 : (collisions << 1);
+        collisions <= head_takes ? joined_11 : (collisions << 1);
+        arrived <= head_takes ? shifted_12[0] : shifted_13[0];
         stored <= slot_2[1] ? (slot_2[0] ? slot_3_pixel : slot_2_pixel) : slot_2[0] ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -3392,16 +3394,16 @@ module core_a_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
-        if (slot_ready[0] | term_13) begin
+        if (slot_ready[0] | term_14) begin
             slot_0_pixel <= slot_0_read;
         end
-        if (slot_ready[1] | term_14) begin
+        if (slot_ready[1] | term_15) begin
             slot_1_pixel <= slot_1_read;
         end
-        if (slot_ready[2] | term_15) begin
+        if (slot_ready[2] | term_16) begin
             slot_2_pixel <= slot_2_read;
         end
-        if (slot_ready[3] | term_16) begin
+        if (slot_ready[3] | term_17) begin
             slot_3_pixel <= slot_3_read;
         end
         if (drain_enable) begin
@@ -3410,38 +3412,38 @@ module core_a_accumulator (
     end
     always @(posedge clk) begin
         if (filling_0 | (writes & (slot_8 == 2'd0))) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_17 : result;
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_18 : result;
         end
-        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_13) begin
+        if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_14) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
         if (filling_1 | (writes & (slot_8 == 2'd1))) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_17 : result;
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_18 : result;
         end
-        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_14) begin
+        if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_15) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
         if (filling_2 | (writes & (slot_8 == 2'd2))) begin
-            slot_2_pixels[filling_2 ? fill_pixel : pixel_8] <= filling_2 ? joined_17 : result;
+            slot_2_pixels[filling_2 ? fill_pixel : pixel_8] <= filling_2 ? joined_18 : result;
         end
-        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_15) begin
+        if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_16) begin
             slot_2_read <= slot_2_pixels[slot_ready[2] ? head_pixel : drain_pixel];
         end
     end
     always @(posedge clk) begin
         if (filling_3 | (writes & (slot_8 == 2'd3))) begin
-            slot_3_pixels[filling_3 ? fill_pixel : pixel_8] <= filling_3 ? joined_17 : result;
+            slot_3_pixels[filling_3 ? fill_pixel : pixel_8] <= filling_3 ? joined_18 : result;
         end
-        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_16) begin
+        if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_17) begin
             slot_3_read <= slot_3_pixels[slot_ready[3] ? head_pixel : drain_pixel];
         end
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_2[3:1]};
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[3:1], shifted_13[3:1]};
 
 `ifdef POINTCORE_ASSERT
     always @(posedge clk) begin

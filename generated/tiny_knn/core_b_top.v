@@ -439,6 +439,11 @@ module core_b_queue (
     reg [23:0] query_radii [0:3];
     (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
+    reg head_valid;
+    reg [1:0] head_thread;
+    reg [15:0] head_address;
+    reg head_last;
+    reg [23:0] head_distance0;
     reg owned;
     reg [1:0] owner;
     reg [327:0] working;
@@ -467,14 +472,17 @@ module core_b_queue (
     reg farthest_valid;
     reg fetching;
     reg sending;
+    reg readout_idle;
     reg [1:0] readout_thread;
+    reg fetch_from_working;
+    reg fetch_from_nothing;
     reg [327:0] stored;
     reg [43:0] query;
-    reg [3:0] from_leaf;
-    reg [23:0] radius2;
     reg item_found;
     reg [15:0] item_index;
     reg [23:0] item_distance2;
+    reg [3:0] from_leaf;
+    reg [23:0] radius2;
     reg [327:0] sent_row;
     reg [15:0] sent_number;
     reg [3:0] position;
@@ -501,34 +509,34 @@ module core_b_queue (
     wire [15:0] choice_6 = position[1] ? (position[0] ? sent_row[162:147] : sent_row[121:106]) : position[0] ? sent_row[80:65] : sent_row[39:24];
     wire [23:0] choice_7 = position[1] ? (position[0] ? sent_row[310:287] : sent_row[269:246]) : position[0] ? sent_row[228:205] : sent_row[187:164];
     wire [23:0] choice_8 = position[1] ? (position[0] ? sent_row[146:123] : sent_row[105:82]) : position[0] ? sent_row[64:41] : sent_row[23:0];
-    wire readout_reads = finish_queue_out_valid & ~(fetching | sending);
+    wire readout_reads = finish_queue_out_valid & readout_idle;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire farthest_is_known = farthest_valid & (farthest_thread == beat_thread) & ~(beat_reads | item_reads);
-    wire term_9 = (beat_distance0 < radius2) & (~farthest_is_known | (beat_distance0 < farthest));
-    wire candidate_lanes = beat_pending & term_9;
-    wire chosen = candidate_lanes & (1'd0 - candidate_lanes);
-    wire rest = candidate_lanes & ~chosen;
+    wire chosen = beat_pending & (1'd0 - beat_pending);
+    wire rest = beat_pending & ~chosen;
     wire stays = beat_valid & rest;
     wire done = moves & ~stays;
     wire [1:0] tail = item_valid ? item_thread : owner;
-    wire follows_tail = (item_valid | owned) & (tail == candidates_queue_out_thread);
-    wire follows_beat = beat_thread == candidates_queue_out_thread;
-    wire term_10 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = candidates_queue_out_valid & term_10;
-    wire candidates_queue_out_ready = take;
-    wire write_back = item_reads & owned;
-    wire readout_starts = readout_reads & ~(write_back & (owner == finish_queue_out_thread));
+    wire follows_tail = (item_valid | owned) & (tail == head_thread);
+    wire follows_beat = beat_thread == head_thread;
+    wire term_9 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = head_valid & term_9;
+    wire head_takes = ~head_valid | take;
+    wire candidates_queue_out_ready = head_takes;
+    wire finished_owns = owned & (owner == finish_queue_out_thread);
+    wire readout_starts = readout_reads & ~(item_reads & finished_owns);
     wire finish_queue_out_ready = readout_starts;
-    wire term_11 = query[27:24] < 4'd1;
-    wire term_12 = query[27:24] < 4'd2;
-    wire term_13 = query[27:24] < 4'd3;
-    wire term_14 = query[27:24] < 4'd4;
-    wire term_15 = query[27:24] < 4'd5;
-    wire term_16 = query[27:24] < 4'd6;
-    wire term_17 = query[27:24] < 4'd7;
-    wire term_18 = query[27:24] < 4'd8;
+    wire term_10 = query[27:24] < 4'd1;
+    wire term_11 = query[27:24] < 4'd2;
+    wire term_12 = query[27:24] < 4'd3;
+    wire term_13 = query[27:24] < 4'd4;
+    wire term_14 = query[27:24] < 4'd5;
+    wire term_15 = query[27:24] < 4'd6;
+    wire term_16 = query[27:24] < 4'd7;
+    wire term_17 = query[27:24] < 4'd8;
     wire [327:0] initial_row = {
+        17'd0,
+        term_10 ? 24'd0 : query[23:0],
         17'd0,
         term_11 ? 24'd0 : query[23:0],
         17'd0,
@@ -542,32 +550,31 @@ module core_b_queue (
         17'd0,
         term_16 ? 24'd0 : query[23:0],
         17'd0,
-        term_17 ? 24'd0 : query[23:0],
-        17'd0,
-        term_18 ? 24'd0 : query[23:0]
+        term_17 ? 24'd0 : query[23:0]
     };
-    wire choice_19 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
-    wire [15:0] choice_20 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
-    wire [23:0] choice_21 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
-    wire choice_22 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
-    wire [15:0] choice_23 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
-    wire [23:0] choice_24 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
-    wire choice_25 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
-    wire [15:0] choice_26 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
-    wire [23:0] choice_27 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
-    wire choice_28 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
-    wire [15:0] choice_29 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
-    wire [23:0] choice_30 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
-    wire choice_31 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
-    wire [15:0] choice_32 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
-    wire [23:0] choice_33 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
-    wire choice_34 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
-    wire [15:0] choice_35 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
-    wire [23:0] choice_36 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
-    wire choice_37 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
-    wire [15:0] choice_38 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
-    wire [23:0] choice_39 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
+    wire choice_18 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
+    wire [15:0] choice_19 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
+    wire [23:0] choice_20 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
+    wire choice_21 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
+    wire [15:0] choice_22 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
+    wire [23:0] choice_23 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
+    wire choice_24 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
+    wire [15:0] choice_25 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
+    wire [23:0] choice_26 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
+    wire choice_27 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
+    wire [15:0] choice_28 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
+    wire [23:0] choice_29 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
+    wire choice_30 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
+    wire [15:0] choice_31 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
+    wire [23:0] choice_32 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
+    wire choice_33 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
+    wire [15:0] choice_34 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
+    wire [23:0] choice_35 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
+    wire choice_36 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
+    wire [15:0] choice_37 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
+    wire [23:0] choice_38 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
     wire [327:0] inserted_row = {
+        choice_18,
         choice_19,
         choice_20,
         choice_21,
@@ -588,13 +595,12 @@ module core_b_queue (
         choice_36,
         choice_37,
         choice_38,
-        choice_39,
         nearer[0] ? new_found : working[40],
         nearer[0] ? new_index : working[39:24],
         nearer[0] ? new_distance2 : working[23:0]
     };
     wire reads = moves & beat_reads;
-    wire [3:0] joined_40 = {
+    wire [3:0] joined_39 = {
         reads & (beat_thread == 2'd3),
         reads & (beat_thread == 2'd2),
         reads & (beat_thread == 2'd1),
@@ -606,43 +612,52 @@ module core_b_queue (
         start_valid & (start_thread == 2'd1),
         start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] shifted_41 = fresh >> candidates_queue_out_thread;
-    wire is_fresh = shifted_41[0];
-    wire [3:0] shifted_42 = fresh >> beat_thread;
-    wire [7:0] joined_43 = {~term_11, ~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18};
+    wire [3:0] shifted_40 = fresh >> head_thread;
+    wire is_fresh = shifted_40[0];
+    wire choice_41 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
+    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == head_thread) & ~choice_41);
+    wire term_42 = (head_distance0 < radius2) & (~farthest_will_be_known | (head_distance0 < farthest));
+    wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
+    wire term_43 = rest & (~farthest_is_known | (beat_distance0 < farthest));
+    wire left = waits ? beat_pending : term_43;
+    wire [3:0] shifted_44 = fresh >> beat_thread;
+    wire [7:0] joined_45 = {~term_10, ~term_11, ~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17};
     wire [327:0] base = item_reads ? stored : working;
-    wire term_44 = item_distance2 < base[310:287];
-    wire term_45 = item_distance2 < base[269:246];
-    wire term_46 = item_distance2 < base[228:205];
-    wire term_47 = item_distance2 < base[187:164];
-    wire term_48 = item_distance2 < base[146:123];
-    wire term_49 = item_distance2 < base[105:82];
-    wire term_50 = item_distance2 < base[64:41];
-    wire term_51 = item_distance2 < base[23:0];
-    wire [7:0] joined_52 = {term_44, term_45, term_46, term_47, term_48, term_49, term_50, term_51};
-    wire term_53 = item_distance2 < new_distance2;
-    wire [7:0] joined_54 = {
-        nearer[7] ? (nearer[6] ? term_45 : term_53) : term_44,
-        nearer[6] ? (nearer[5] ? term_46 : term_53) : term_45,
-        nearer[5] ? (nearer[4] ? term_47 : term_53) : term_46,
-        nearer[4] ? (nearer[3] ? term_48 : term_53) : term_47,
-        nearer[3] ? (nearer[2] ? term_49 : term_53) : term_48,
-        nearer[2] ? (nearer[1] ? term_50 : term_53) : term_49,
-        nearer[1] ? (nearer[0] ? term_51 : term_53) : term_50,
-        nearer[0] ? term_53 : term_51
+    wire term_46 = item_distance2 < base[310:287];
+    wire term_47 = item_distance2 < base[269:246];
+    wire term_48 = item_distance2 < base[228:205];
+    wire term_49 = item_distance2 < base[187:164];
+    wire term_50 = item_distance2 < base[146:123];
+    wire term_51 = item_distance2 < base[105:82];
+    wire term_52 = item_distance2 < base[64:41];
+    wire term_53 = item_distance2 < base[23:0];
+    wire [7:0] joined_54 = {term_46, term_47, term_48, term_49, term_50, term_51, term_52, term_53};
+    wire term_55 = item_distance2 < new_distance2;
+    wire [7:0] joined_56 = {
+        nearer[7] ? (nearer[6] ? term_47 : term_55) : term_46,
+        nearer[6] ? (nearer[5] ? term_48 : term_55) : term_47,
+        nearer[5] ? (nearer[4] ? term_49 : term_55) : term_48,
+        nearer[4] ? (nearer[3] ? term_50 : term_55) : term_49,
+        nearer[3] ? (nearer[2] ? term_51 : term_55) : term_50,
+        nearer[2] ? (nearer[1] ? term_52 : term_55) : term_51,
+        nearer[1] ? (nearer[0] ? term_53 : term_55) : term_52,
+        nearer[0] ? term_55 : term_53
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_43 : joined_52) : joined_54;
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_45 : joined_54) : joined_56;
     wire result_transfer = sending & result_ready;
+    wire result_ends = result_transfer & last_result;
+    wire [3:0] shifted_57 = fresh >> finish_queue_out_thread;
     wire [3:0] leaf_set = {
         radius_valid & (radius_thread == 2'd3),
         radius_valid & (radius_thread == 2'd2),
         radius_valid & (radius_thread == 2'd1),
         radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_55 = from_leaf >> candidates_queue_out_thread;
+    wire [3:0] shifted_58 = from_leaf >> candidates_queue_out_thread;
     wire [23:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
     wire [23:0] query_radius2 = query_radii[candidates_queue_out_thread];
-    wire [3:0] shifted_56 = fresh >> readout_thread;
+    wire write_back = item_reads & owned;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
     assign result_valid = sending;
@@ -682,6 +697,7 @@ module core_b_queue (
 
     always @(posedge clk) begin
         if (rst) begin
+            head_valid <= 1'd0;
             owned <= 1'd0;
             fresh <= 4'd0;
             beat_valid <= 1'd0;
@@ -697,18 +713,22 @@ module core_b_queue (
             farthest_valid <= 1'd0;
             fetching <= 1'd0;
             sending <= 1'd0;
+            readout_idle <= 1'd1;
             from_leaf <= 4'd0;
             released_valid <= 1'd0;
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
         end else begin
+            if (head_takes) begin
+                head_valid <= candidates_queue_out_valid;
+            end
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_40) | query_set;
+            fresh <= (fresh & ~joined_39) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? (beat_valid ? ~follows_beat : (~follows_tail | is_fresh)) : (beat_reads & waits);
+            beat_reads <= take ? choice_41 : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
-            item_inserts <= moves & candidate_lanes;
+            item_inserts <= moves & beat_pending;
             item_last <= done & beat_last;
             nearer <= nearer_entries & {8{item_inserts}};
             new_last <= item_last;
@@ -716,7 +736,8 @@ module core_b_queue (
             event_insert <= nearer[7];
             farthest_valid <= owned & ~item_reads;
             fetching <= readout_starts;
-            sending <= fetching | (sending & ~(result_transfer & last_result));
+            sending <= fetching | (sending & ~result_ends);
+            readout_idle <= (readout_idle & ~readout_starts) | result_ends;
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             released_valid <= fetching;
             event_beat <= done;
@@ -724,37 +745,45 @@ module core_b_queue (
         end
     end
     always @(posedge clk) begin
+        if (head_takes) begin
+            head_thread <= candidates_queue_out_thread;
+            head_address <= candidates_queue_out_address;
+            head_last <= candidates_queue_out_last;
+            head_distance0 <= candidates_queue_out_distance0;
+            radius2 <= shifted_58[0] ? leaf_radius2 : query_radius2;
+        end
         if (item_valid) begin
             owner <= item_thread;
         end
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? 1'd1 : waits ? beat_pending : rest;
+        beat_pending <= take ? term_42 : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_42[0];
+        item_fresh <= shifted_44[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_21;
-        farthest <= choice_21;
+        radius_radius2 <= choice_20;
+        farthest <= choice_20;
         farthest_thread <= owner;
+        fetch_from_working <= finished_owns;
+        fetch_from_nothing <= shifted_57[0];
         item_found <= 1'd1;
         item_index <= beat_address;
         item_distance2 <= beat_distance0;
         released_thread <= readout_thread;
         if (take) begin
-            beat_thread <= candidates_queue_out_thread;
-            beat_address <= candidates_queue_out_address;
-            beat_last <= candidates_queue_out_last;
-            beat_distance0 <= candidates_queue_out_distance0;
-            radius2 <= shifted_55[0] ? leaf_radius2 : query_radius2;
+            beat_thread <= head_thread;
+            beat_address <= head_address;
+            beat_last <= head_last;
+            beat_distance0 <= head_distance0;
         end
         if (readout_starts) begin
             readout_thread <= finish_queue_out_thread;
         end
         if (fetching) begin
-            sent_row <= shifted_56[0] ? initial_row : (owned & (owner == readout_thread)) ? working : stored;
+            sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[43:28];
         end
         if (fetching | result_transfer) begin
@@ -794,14 +823,50 @@ module core_b_queue (
         base[245:229],
         base[286:270],
         base[327:311],
-        shifted_41[3:1],
-        shifted_42[3:1],
-        shifted_55[3:1],
-        shifted_56[3:1],
+        shifted_40[3:1],
+        shifted_44[3:1],
+        shifted_57[3:1],
+        shifted_58[3:1],
         start_x,
         start_y,
         start_z
     };
+
+`ifdef POINTCORE_ASSERT
+    wire term_59 = fetch_from_working == (owned & (owner == readout_thread));
+    wire [3:0] shifted_60 = fresh >> readout_thread;
+
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(~fetching | term_59)) begin
+`ifdef FORMAL
+                a_fetched_row_stays_where_it_is: assert (0);
+`else
+                $display("assertion failed: a_fetched_row_stays_where_it_is in %m");
+                $stop;
+`endif
+            end
+            if (!(~fetching | (fetch_from_nothing == shifted_60[0]))) begin
+`ifdef FORMAL
+                a_fetched_row_stays_fresh: assert (0);
+`else
+                $display("assertion failed: a_fetched_row_stays_fresh in %m");
+                $stop;
+`endif
+            end
+            if (!(readout_idle == ~(fetching | sending))) begin
+`ifdef FORMAL
+                idle_when_neither: assert (0);
+`else
+                $display("assertion failed: idle_when_neither in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+
+    wire _unused_by_checks = &{1'b0, shifted_60[3:1]};
+`endif
 endmodule
 
 // Takes out beats without a point near enough.
@@ -1186,6 +1251,7 @@ module core_b_leaf (
     wire query_advance = ~query_valid | distance_in_ready;
     wire beat_queue_out_ready = query_advance;
     wire distance_out_ready = candidates_ready;
+    wire writes_leaf = tree_valid & tree_is_leaf;
 
     assign fetch_valid = fetch_queue_out_valid;
     assign fetch_thread = fetch_queue_out_thread;
@@ -1300,10 +1366,10 @@ module core_b_leaf (
         end
     end
     always @(posedge clk) begin
-        if (tree_valid & tree_is_leaf) begin
+        if (writes_leaf) begin
             leaves_0[tree_address] <= {tree_begin, tree_beats};
         end
-        if (table_advance) begin
+        if (table_advance & ~writes_leaf) begin
             f0_found_0 <= leaves_0[leaf_queue_out_leaf];
         end
     end
@@ -1317,6 +1383,21 @@ module core_b_leaf (
     end
 
     wire _unused = &{1'b0, start_k, start_number, start_radius2, tree_dimension, tree_internal_leaf, tree_split};
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(~(writes_leaf & leaf_queue_out_valid))) begin
+`ifdef FORMAL
+                no_leaf_is_looked_up_while_one_is_written: assert (0);
+`else
+                $display("assertion failed: no_leaf_is_looked_up_while_one_is_written in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Squared distances of points to a query.
@@ -2127,10 +2208,13 @@ module core_b_traversal (
     reg [23:0] s_coordinate;
     reg [23:0] s_split;
     reg [26:0] even_node_0;
+    reg [23:0] v_even_split;
+    reg [1:0] v_even_dimension;
+    reg v_even_internal_leaf;
     reg [26:0] odd_node_0;
-    reg [23:0] v_split;
-    reg [1:0] v_dimension;
-    reg v_internal_leaf;
+    reg [23:0] v_odd_split;
+    reg [1:0] v_odd_dimension;
+    reg v_odd_internal_leaf;
     reg [71:0] query;
 
     wire descend_queue_in_ready;
@@ -2155,7 +2239,7 @@ module core_b_traversal (
 
     assign descend_ready = descend_queue_in_ready;
     assign resume_ready = resume_queue_in_ready;
-    wire at_leaf = v_node[6] | v_internal_leaf;
+    wire at_leaf = v_node[6] | (v_node[0] ? v_odd_internal_leaf : v_even_internal_leaf);
     wire reaches = v_valid & at_leaf;
     wire proceeds = ~reaches | leaf_queue_in_ready;
     wire advance = path_in_ready & proceeds;
@@ -2168,15 +2252,16 @@ module core_b_traversal (
     wire [6:0] choice_3 = ~choice_2[6] ? (choice_2 << 1) : choice_2;
     wire leaf_queue_out_ready = leaf_ready;
     wire path_out_ready = 1'd1;
-    wire [23:0] coordinate = v_dimension[1] ? query[23:0] : v_dimension[0] ? query[47:24] : query[71:48];
-    wire [1:0] choice_4 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire [6:0] choice_5 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
-    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_5;
-    wire choice_6 = f_is_child ? ~less_y : f_node[0];
-    wire term_7 = tree_valid & ~tree_is_leaf;
-    wire writes_even = term_7 & ~tree_address[0];
-    wire [26:0] joined_8 = {tree_split, tree_dimension, tree_internal_leaf};
-    wire writes_odd = term_7 & tree_address[0];
+    wire [1:0] choice_4 = v_node[0] ? v_odd_dimension : v_even_dimension;
+    wire [23:0] coordinate = choice_4[1] ? query[23:0] : choice_4[0] ? query[47:24] : query[71:48];
+    wire [23:0] choice_5 = v_node[0] ? v_odd_split : v_even_split;
+    wire [1:0] choice_6 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire [6:0] choice_7 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
+    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_7;
+    wire term_8 = tree_valid & ~tree_is_leaf;
+    wire writes_even = term_8 & ~tree_address[0];
+    wire [26:0] joined_9 = {tree_split, tree_dimension, tree_internal_leaf};
+    wire writes_odd = term_8 & tree_address[0];
 
     assign leaf_valid = leaf_queue_out_valid;
     assign leaf_thread = leaf_queue_out_thread;
@@ -2250,7 +2335,7 @@ module core_b_traversal (
         .rst(rst),
         .enable(advance),
         .a(coordinate),
-        .b(v_split),
+        .b(choice_5),
         .y(less_y)
     );
 
@@ -2271,34 +2356,37 @@ module core_b_traversal (
     end
     always @(posedge clk) begin
         if (advance) begin
-            f_thread <= descends ? v_thread : choice_4;
+            f_thread <= descends ? v_thread : choice_6;
             f_node <= next_node;
             v_thread <= f_thread;
-            v_node <= {f_node[6:1], choice_6};
+            v_node <= {f_node[6:1], f_is_child ? ~less_y : f_node[0]};
             s_thread <= v_thread;
             s_node <= v_node;
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= v_split;
-            v_split <= choice_6 ? odd_node_0[26:3] : even_node_0[26:3];
-            v_dimension <= choice_6 ? odd_node_0[2:1] : even_node_0[2:1];
-            v_internal_leaf <= choice_6 ? odd_node_0[0] : even_node_0[0];
+            s_split <= choice_5;
+            v_even_split <= even_node_0[26:3];
+            v_even_dimension <= even_node_0[2:1];
+            v_even_internal_leaf <= even_node_0[0];
+            v_odd_split <= odd_node_0[26:3];
+            v_odd_dimension <= odd_node_0[2:1];
+            v_odd_internal_leaf <= odd_node_0[0];
         end
     end
     always @(posedge clk) begin
         if (writes_even) begin
-            even_nodes_0[tree_address[5:1]] <= joined_8;
+            even_nodes_0[tree_address[5:1]] <= joined_9;
         end
-        if (advance) begin
+        if (advance & ~writes_even) begin
             even_node_0 <= even_nodes_0[next_node[5:1]];
         end
     end
     always @(posedge clk) begin
         if (writes_odd) begin
-            odd_nodes_0[tree_address[5:1]] <= joined_8;
+            odd_nodes_0[tree_address[5:1]] <= joined_9;
         end
-        if (advance) begin
+        if (advance & ~writes_odd) begin
             odd_node_0 <= odd_nodes_0[next_node[5:1]];
         end
     end
