@@ -129,14 +129,14 @@ impl Synthesizer {
     /// A tool's failure, or a unit that the device cannot hold.
     pub fn measure(&self, unit: &Unit, seeds: u32, progress: Progress<'_>) -> Result<Measurement, SynthesisError> {
         let name = &unit.name;
-        let (synthesis, synthesis_key) = watched(name, None, progress, || self.synthesize(name, &design(unit)?))?;
+        let synthesis = watched(name, None, progress, || self.synthesize(name, &design(unit)?))?;
         let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
-        let area = cells::parse(self.target, &read(&synthesis.join(CELLS))?).map_err(report)?;
+        let area = cells::parse(self.target, &read(&synthesis.0.join(CELLS))?).map_err(report)?;
         let mut runs = Vec::new();
         if let Some((device, router)) = &self.router {
             check_capacity(name, device, &area)?;
             let route = |seed| {
-                let run = || self.route(unit, device, router, &synthesis, &synthesis_key, seed);
+                let run = || self.route(unit, device, router, &synthesis, seed);
                 watched(name, Some(seed), progress, run)
             };
             runs = (1..=seeds).into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
@@ -170,27 +170,36 @@ impl Synthesizer {
         Ok((entry, key))
     }
 
-    /// The clock of a netlist with one seed.
+    /// The clock of a unit with one seed. A core is placed and routed in two steps, each of which takes as long as many units.
     fn route(
         &self,
         unit: &Unit,
         device: &Device,
         router: &Tool,
-        synthesis: &Path,
-        synthesis_key: &str,
+        synthesis: &(PathBuf, String),
         seed: u32,
     ) -> Result<Timing, SynthesisError> {
-        let seed = seed.to_string();
-        let parts = [synthesis_key, &router.description, &seed];
-        let key = key(parts.into_iter().chain(device.arguments(unit.extent)));
-        let entry = self.cache.entry(&key, |content| {
-            let netlist = content.join(NETLIST);
-            fs::copy(synthesis.join(NETLIST), &netlist).map_err(file("copy the netlist to", &netlist))?;
-            let files = ["--seed", &seed, "--json", NETLIST, "--report", TIMING, "--log", ROUTING];
-            let arguments = ["-q", "--timing-allow-fail"].into_iter().chain(files).chain(device.arguments(unit.extent));
-            router.run(&unit.name, content, &arguments.collect::<Vec<_>>())?;
-            Ok::<_, SynthesisError>(fs::remove_file(&netlist).map_err(file("remove", &netlist))?)
-        })?;
+        let run = |(start, start_key): &(PathBuf, String), netlist: &str, options: &[&str]| {
+            let seed = seed.to_string();
+            let arguments: Vec<_> = device.arguments(unit.extent).chain(options.iter().copied()).collect();
+            let parts = [start_key.as_str(), &router.description, &seed];
+            let key = key(parts.into_iter().chain(arguments.iter().copied()));
+            let entry = self.cache.entry(&key, |content| {
+                let copy = content.join(netlist);
+                fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
+                let files = ["--seed", &seed, "--json", netlist, "--report", TIMING, "--log", ROUTING];
+                router.run(&unit.name, content, &[&["-q", "--timing-allow-fail"], &files[..], &arguments].concat())?;
+                Ok::<_, SynthesisError>(fs::remove_file(&copy).map_err(file("remove", &copy))?)
+            })?;
+            Ok::<_, SynthesisError>((entry, key))
+        };
+        let (entry, _) = match unit.extent {
+            Extent::Unit => run(synthesis, NETLIST, &[])?,
+            Extent::Core => {
+                let placed = run(synthesis, NETLIST, &["--no-route", "--write", PLACED])?;
+                run(&placed, PLACED, &["--no-pack", "--no-place"])?
+            }
+        };
         timing::parse(&read(&entry.join(TIMING))?)
             .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
     }
@@ -217,6 +226,8 @@ pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError
 const CELLS: &str = "cells.json";
 /// What yosys hands to place and route.
 const NETLIST: &str = "netlist.json";
+/// What placing hands to routing.
+const PLACED: &str = "placed.json";
 /// What place and route say on their way; a whole core takes them most of an hour.
 const ROUTING: &str = "route.log";
 /// What place and route report.

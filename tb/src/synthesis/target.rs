@@ -8,10 +8,19 @@ use std::fmt::Write as _;
 
 /// A clock in MHz beyond what the units reach, so that the tools do not stop early.
 const ALONE: &[&str] = &["--freq", "160"];
-/// A core fills its device, and what counts first is that all wires find a way: the router that negotiates, cells less dense than they could be, and
-/// short wires rather than short critical paths.
-const WHOLE: &[&str] =
-    &["--freq", "100", "--router", "router2", "--placer-heap-beta", "0.75", "--placer-heap-timingweight", "3"];
+/// A core fills its device, and what counts first is that all wires find a way: cells less dense than they could be, short wires rather than short
+/// critical paths, and the router that negotiates, with the weights that let what was fought over in the past count.
+const WHOLE: &[&str] = &[
+    "--freq",
+    "100",
+    "--placer-heap-beta",
+    "0.75",
+    "--placer-heap-timingweight",
+    "3",
+    "--router",
+    "router2",
+    "--router2-alt-weights",
+];
 
 /// A technology.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum, Serialize, Deserialize)]
