@@ -100,12 +100,19 @@ impl Nodes {
         match self {
             Self::Memories(memories) => {
                 let address = pair(config, next);
-                // Chosen behind registers: in one cycle a block RAM only gets as far as these.
                 let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
-                    let node = memory.read_if(m, &format!("{name}_node"), advance, &address);
-                    Record::unpack(&fields, &node).register(m, &format!("v_{name}_"), advance)
+                    Record::unpack(&fields, &memory.read_if(m, &format!("{name}_node"), advance, &address))
                 });
-                (wanted, odd.mux(&v.node.bit(0), &even))
+                // The split is chosen behind registers: in one cycle a block RAM only gets as far as these. The few bits that
+                // choose the coordinate, and so are needed early, are chosen in front of them.
+                let (wide, few): (Vec<_>, Vec<_>) = fields.iter().cloned().partition(|(name, _)| name == "split");
+                let splits = [("even", &even), ("odd", &odd)];
+                let [even_split, odd_split] =
+                    splits.map(|(name, node)| node.only(&wide).register(m, &format!("v_{name}_"), advance));
+                let chosen = odd.only(&few).mux(&wanted.node.bit(0), &even.only(&few)).register(m, "v_", advance);
+                let split = odd_split.mux(&v.node.bit(0), &even_split);
+                let record = |name: &str| if name == "split" { split.get(name) } else { chosen.get(name) };
+                (wanted, Record::new(&fields, record))
             }
             Self::Cache { node, record } => {
                 node.push(m, &(advance & &wanted.valid), |name| match name {

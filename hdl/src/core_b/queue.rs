@@ -11,7 +11,7 @@ use pointcore_spec::core_b::{Config, records};
 use super::queue_readout::{Readout, Rows, Whose};
 use super::queue_row::{entries, entry_fields, initial, insert, is_sentinel, row, row_bits};
 use super::radii::radii;
-use super::sets::{contains, decode, index_of, lowest, set};
+use super::sets::{contains, decode, index_of, lowest, set, several};
 use crate::rtl::{Expr, Module, Reg, bit, cat};
 use crate::units::records::{Head, Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, width};
 
@@ -67,7 +67,7 @@ impl Choice {
             "index" => index.clone(),
             _ => nearest_lane.clone(),
         });
-        let stays = m.wire("stays", &(&beat.valid & rest.any()));
+        let stays = m.wire("stays", &(&beat.valid & several(&beat.pending)));
         Self { any: beat.pending.any(), rest, stays, neighbor }
     }
 }

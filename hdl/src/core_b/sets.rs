@@ -1,6 +1,6 @@
 //! Sets of threads or lanes, a bit each.
 
-use crate::rtl::{Expr, cat, lit};
+use crate::rtl::{Expr, bit, cat, lit};
 
 /// The members' bits side by side, the first lowest.
 pub(super) fn set(members: &[Expr]) -> Expr {
@@ -33,4 +33,10 @@ pub(super) fn index_of(single: &Expr, bits: usize) -> Expr {
         })
         .collect();
     set(&digits)
+}
+
+/// Whether a set has more than one member, each against those before it: sooner known than which is the lowest.
+pub(super) fn several(set: &Expr) -> Expr {
+    let pair = |member: usize| set.bit(member) & set.trunc(member).any();
+    (1..set.width()).map(pair).fold(bit(false), |any, pair| any | pair)
 }
