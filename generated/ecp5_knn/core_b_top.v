@@ -1476,55 +1476,52 @@ module core_b_queue (
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
-    wire [3:0] rest = beat_pending & ~chosen;
-    wire stays = beat_valid & |rest;
+    wire term_41 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
+    wire stays = beat_valid & (term_41 | (beat_pending[3] & |beat_pending[2:0]));
     wire done = moves & ~stays;
     wire [3:0] tail = item_valid ? item_thread : owner;
     wire follows_tail = (item_valid | owned) & (tail == head_thread);
     wire follows_beat = beat_thread == head_thread;
-    wire term_41 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = head_valid & term_41;
+    wire term_42 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = head_valid & term_42;
     wire head_takes = ~head_valid | take;
     wire candidates_queue_out_ready = head_takes;
     wire finished_owns = owned & (owner == finish_queue_out_thread);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
     wire finish_queue_out_ready = readout_starts;
-    wire term_42 = query[37:32] < 6'd1;
-    wire term_43 = query[37:32] < 6'd2;
-    wire term_44 = query[37:32] < 6'd3;
-    wire term_45 = query[37:32] < 6'd4;
-    wire term_46 = query[37:32] < 6'd5;
-    wire term_47 = query[37:32] < 6'd6;
-    wire term_48 = query[37:32] < 6'd7;
-    wire term_49 = query[37:32] < 6'd8;
-    wire term_50 = query[37:32] < 6'd9;
-    wire term_51 = query[37:32] < 6'd10;
-    wire term_52 = query[37:32] < 6'd11;
-    wire term_53 = query[37:32] < 6'd12;
-    wire term_54 = query[37:32] < 6'd13;
-    wire term_55 = query[37:32] < 6'd14;
-    wire term_56 = query[37:32] < 6'd15;
-    wire term_57 = query[37:32] < 6'd16;
-    wire term_58 = query[37:32] < 6'd17;
-    wire term_59 = query[37:32] < 6'd18;
-    wire term_60 = query[37:32] < 6'd19;
-    wire term_61 = query[37:32] < 6'd20;
-    wire term_62 = query[37:32] < 6'd21;
-    wire term_63 = query[37:32] < 6'd22;
-    wire term_64 = query[37:32] < 6'd23;
-    wire term_65 = query[37:32] < 6'd24;
-    wire term_66 = query[37:32] < 6'd25;
-    wire term_67 = query[37:32] < 6'd26;
-    wire term_68 = query[37:32] < 6'd27;
-    wire term_69 = query[37:32] < 6'd28;
-    wire term_70 = query[37:32] < 6'd29;
-    wire term_71 = query[37:32] < 6'd30;
-    wire term_72 = query[37:32] < 6'd31;
-    wire term_73 = query[37:32] < 6'd32;
+    wire term_43 = query[37:32] < 6'd1;
+    wire term_44 = query[37:32] < 6'd2;
+    wire term_45 = query[37:32] < 6'd3;
+    wire term_46 = query[37:32] < 6'd4;
+    wire term_47 = query[37:32] < 6'd5;
+    wire term_48 = query[37:32] < 6'd6;
+    wire term_49 = query[37:32] < 6'd7;
+    wire term_50 = query[37:32] < 6'd8;
+    wire term_51 = query[37:32] < 6'd9;
+    wire term_52 = query[37:32] < 6'd10;
+    wire term_53 = query[37:32] < 6'd11;
+    wire term_54 = query[37:32] < 6'd12;
+    wire term_55 = query[37:32] < 6'd13;
+    wire term_56 = query[37:32] < 6'd14;
+    wire term_57 = query[37:32] < 6'd15;
+    wire term_58 = query[37:32] < 6'd16;
+    wire term_59 = query[37:32] < 6'd17;
+    wire term_60 = query[37:32] < 6'd18;
+    wire term_61 = query[37:32] < 6'd19;
+    wire term_62 = query[37:32] < 6'd20;
+    wire term_63 = query[37:32] < 6'd21;
+    wire term_64 = query[37:32] < 6'd22;
+    wire term_65 = query[37:32] < 6'd23;
+    wire term_66 = query[37:32] < 6'd24;
+    wire term_67 = query[37:32] < 6'd25;
+    wire term_68 = query[37:32] < 6'd26;
+    wire term_69 = query[37:32] < 6'd27;
+    wire term_70 = query[37:32] < 6'd28;
+    wire term_71 = query[37:32] < 6'd29;
+    wire term_72 = query[37:32] < 6'd30;
+    wire term_73 = query[37:32] < 6'd31;
+    wire term_74 = query[37:32] < 6'd32;
     wire [1823:0] initial_row = {
-        25'd0,
-        term_42 ? 32'd0 : query[31:0],
         25'd0,
         term_43 ? 32'd0 : query[31:0],
         25'd0,
@@ -1586,103 +1583,104 @@ module core_b_queue (
         25'd0,
         term_72 ? 32'd0 : query[31:0],
         25'd0,
-        term_73 ? 32'd0 : query[31:0]
+        term_73 ? 32'd0 : query[31:0],
+        25'd0,
+        term_74 ? 32'd0 : query[31:0]
     };
-    wire choice_74 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
-    wire [23:0] choice_75 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] choice_76 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire choice_77 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
-    wire [23:0] choice_78 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] choice_79 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire choice_80 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
-    wire [23:0] choice_81 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] choice_82 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire choice_83 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
-    wire [23:0] choice_84 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] choice_85 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire choice_86 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
-    wire [23:0] choice_87 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] choice_88 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire choice_89 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
-    wire [23:0] choice_90 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] choice_91 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire choice_92 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
-    wire [23:0] choice_93 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] choice_94 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire choice_95 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
-    wire [23:0] choice_96 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] choice_97 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire choice_98 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
-    wire [23:0] choice_99 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] choice_100 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire choice_101 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
-    wire [23:0] choice_102 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] choice_103 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire choice_104 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
-    wire [23:0] choice_105 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] choice_106 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire choice_107 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
-    wire [23:0] choice_108 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] choice_109 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire choice_110 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
-    wire [23:0] choice_111 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] choice_112 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire choice_113 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
-    wire [23:0] choice_114 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] choice_115 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire choice_116 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
-    wire [23:0] choice_117 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] choice_118 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire choice_119 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
-    wire [23:0] choice_120 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] choice_121 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire choice_122 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
-    wire [23:0] choice_123 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] choice_124 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire choice_125 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
-    wire [23:0] choice_126 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] choice_127 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire choice_128 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
-    wire [23:0] choice_129 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] choice_130 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire choice_131 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
-    wire [23:0] choice_132 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] choice_133 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire choice_134 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
-    wire [23:0] choice_135 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] choice_136 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire choice_137 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
-    wire [23:0] choice_138 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] choice_139 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire choice_140 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
-    wire [23:0] choice_141 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] choice_142 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire choice_143 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
-    wire [23:0] choice_144 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] choice_145 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire choice_146 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
-    wire [23:0] choice_147 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] choice_148 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire choice_149 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
-    wire [23:0] choice_150 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] choice_151 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire choice_152 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
-    wire [23:0] choice_153 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] choice_154 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire choice_155 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
-    wire [23:0] choice_156 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] choice_157 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire choice_158 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
-    wire [23:0] choice_159 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] choice_160 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire choice_161 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
-    wire [23:0] choice_162 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] choice_163 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire choice_164 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
-    wire [23:0] choice_165 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] choice_166 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
+    wire choice_75 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
+    wire [23:0] choice_76 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
+    wire [31:0] choice_77 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
+    wire choice_78 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
+    wire [23:0] choice_79 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
+    wire [31:0] choice_80 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
+    wire choice_81 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
+    wire [23:0] choice_82 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
+    wire [31:0] choice_83 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
+    wire choice_84 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
+    wire [23:0] choice_85 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
+    wire [31:0] choice_86 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
+    wire choice_87 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
+    wire [23:0] choice_88 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
+    wire [31:0] choice_89 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
+    wire choice_90 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
+    wire [23:0] choice_91 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
+    wire [31:0] choice_92 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
+    wire choice_93 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
+    wire [23:0] choice_94 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
+    wire [31:0] choice_95 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
+    wire choice_96 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
+    wire [23:0] choice_97 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
+    wire [31:0] choice_98 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
+    wire choice_99 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
+    wire [23:0] choice_100 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
+    wire [31:0] choice_101 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
+    wire choice_102 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
+    wire [23:0] choice_103 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
+    wire [31:0] choice_104 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
+    wire choice_105 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
+    wire [23:0] choice_106 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
+    wire [31:0] choice_107 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
+    wire choice_108 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
+    wire [23:0] choice_109 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
+    wire [31:0] choice_110 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
+    wire choice_111 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
+    wire [23:0] choice_112 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
+    wire [31:0] choice_113 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
+    wire choice_114 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
+    wire [23:0] choice_115 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
+    wire [31:0] choice_116 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
+    wire choice_117 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
+    wire [23:0] choice_118 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
+    wire [31:0] choice_119 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
+    wire choice_120 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
+    wire [23:0] choice_121 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
+    wire [31:0] choice_122 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
+    wire choice_123 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
+    wire [23:0] choice_124 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
+    wire [31:0] choice_125 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
+    wire choice_126 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
+    wire [23:0] choice_127 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
+    wire [31:0] choice_128 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
+    wire choice_129 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
+    wire [23:0] choice_130 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
+    wire [31:0] choice_131 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
+    wire choice_132 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
+    wire [23:0] choice_133 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
+    wire [31:0] choice_134 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
+    wire choice_135 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
+    wire [23:0] choice_136 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
+    wire [31:0] choice_137 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
+    wire choice_138 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
+    wire [23:0] choice_139 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
+    wire [31:0] choice_140 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
+    wire choice_141 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
+    wire [23:0] choice_142 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
+    wire [31:0] choice_143 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
+    wire choice_144 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
+    wire [23:0] choice_145 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
+    wire [31:0] choice_146 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
+    wire choice_147 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
+    wire [23:0] choice_148 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
+    wire [31:0] choice_149 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
+    wire choice_150 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
+    wire [23:0] choice_151 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
+    wire [31:0] choice_152 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
+    wire choice_153 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
+    wire [23:0] choice_154 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
+    wire [31:0] choice_155 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
+    wire choice_156 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
+    wire [23:0] choice_157 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
+    wire [31:0] choice_158 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
+    wire choice_159 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
+    wire [23:0] choice_160 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
+    wire [31:0] choice_161 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
+    wire choice_162 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
+    wire [23:0] choice_163 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
+    wire [31:0] choice_164 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
+    wire choice_165 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
+    wire [23:0] choice_166 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
+    wire [31:0] choice_167 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
     wire [1823:0] inserted_row = {
-        choice_74,
         choice_75,
         choice_76,
         choice_77,
@@ -1775,12 +1773,13 @@ module core_b_queue (
         choice_164,
         choice_165,
         choice_166,
+        choice_167,
         nearer[0] ? new_found : working[56],
         nearer[0] ? new_index : working[55:32],
         nearer[0] ? new_distance2 : working[31:0]
     };
     wire reads = moves & beat_reads;
-    wire [15:0] joined_167 = {
+    wire [15:0] joined_168 = {
         reads & (beat_thread == 4'd15),
         reads & (beat_thread == 4'd14),
         reads & (beat_thread == 4'd13),
@@ -1816,26 +1815,27 @@ module core_b_queue (
         start_valid & (start_thread == 4'd1),
         start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] shifted_168 = fresh >> head_thread;
-    wire is_fresh = shifted_168[0];
-    wire choice_169 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire [15:0] shifted_169 = fresh >> head_thread;
+    wire is_fresh = shifted_169[0];
+    wire choice_170 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == head_thread) & ~choice_169);
-    wire term_170 = (head_distance3 < radius2) & (~farthest_will_be_known | (head_distance3 < farthest));
-    wire term_171 = (head_distance2 < radius2) & (~farthest_will_be_known | (head_distance2 < farthest));
-    wire term_172 = (head_distance1 < radius2) & (~farthest_will_be_known | (head_distance1 < farthest));
-    wire term_173 = (head_distance0 < radius2) & (~farthest_will_be_known | (head_distance0 < farthest));
+    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == head_thread) & ~choice_170);
+    wire term_171 = (head_distance3 < radius2) & (~farthest_will_be_known | (head_distance3 < farthest));
+    wire term_172 = (head_distance2 < radius2) & (~farthest_will_be_known | (head_distance2 < farthest));
+    wire term_173 = (head_distance1 < radius2) & (~farthest_will_be_known | (head_distance1 < farthest));
+    wire term_174 = (head_distance0 < radius2) & (~farthest_will_be_known | (head_distance0 < farthest));
+    wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
+    wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire [3:0] joined_174 = {
+    wire [3:0] joined_175 = {
         ~farthest_is_known | (beat_distance3 < farthest),
         ~farthest_is_known | (beat_distance2 < farthest),
         ~farthest_is_known | (beat_distance1 < farthest),
         ~farthest_is_known | (beat_distance0 < farthest)
     };
-    wire [3:0] left = waits ? beat_pending : (rest & joined_174);
-    wire [15:0] shifted_175 = fresh >> beat_thread;
-    wire [31:0] joined_176 = {
-        ~term_42,
+    wire [3:0] left = waits ? beat_pending : (rest & joined_175);
+    wire [15:0] shifted_176 = fresh >> beat_thread;
+    wire [31:0] joined_177 = {
         ~term_43,
         ~term_44,
         ~term_45,
@@ -1866,43 +1866,43 @@ module core_b_queue (
         ~term_70,
         ~term_71,
         ~term_72,
-        ~term_73
+        ~term_73,
+        ~term_74
     };
     wire [1823:0] base = item_reads ? stored : working;
-    wire term_177 = item_distance2 < base[1798:1767];
-    wire term_178 = item_distance2 < base[1741:1710];
-    wire term_179 = item_distance2 < base[1684:1653];
-    wire term_180 = item_distance2 < base[1627:1596];
-    wire term_181 = item_distance2 < base[1570:1539];
-    wire term_182 = item_distance2 < base[1513:1482];
-    wire term_183 = item_distance2 < base[1456:1425];
-    wire term_184 = item_distance2 < base[1399:1368];
-    wire term_185 = item_distance2 < base[1342:1311];
-    wire term_186 = item_distance2 < base[1285:1254];
-    wire term_187 = item_distance2 < base[1228:1197];
-    wire term_188 = item_distance2 < base[1171:1140];
-    wire term_189 = item_distance2 < base[1114:1083];
-    wire term_190 = item_distance2 < base[1057:1026];
-    wire term_191 = item_distance2 < base[1000:969];
-    wire term_192 = item_distance2 < base[943:912];
-    wire term_193 = item_distance2 < base[886:855];
-    wire term_194 = item_distance2 < base[829:798];
-    wire term_195 = item_distance2 < base[772:741];
-    wire term_196 = item_distance2 < base[715:684];
-    wire term_197 = item_distance2 < base[658:627];
-    wire term_198 = item_distance2 < base[601:570];
-    wire term_199 = item_distance2 < base[544:513];
-    wire term_200 = item_distance2 < base[487:456];
-    wire term_201 = item_distance2 < base[430:399];
-    wire term_202 = item_distance2 < base[373:342];
-    wire term_203 = item_distance2 < base[316:285];
-    wire term_204 = item_distance2 < base[259:228];
-    wire term_205 = item_distance2 < base[202:171];
-    wire term_206 = item_distance2 < base[145:114];
-    wire term_207 = item_distance2 < base[88:57];
-    wire term_208 = item_distance2 < base[31:0];
-    wire [31:0] joined_209 = {
-        term_177,
+    wire term_178 = item_distance2 < base[1798:1767];
+    wire term_179 = item_distance2 < base[1741:1710];
+    wire term_180 = item_distance2 < base[1684:1653];
+    wire term_181 = item_distance2 < base[1627:1596];
+    wire term_182 = item_distance2 < base[1570:1539];
+    wire term_183 = item_distance2 < base[1513:1482];
+    wire term_184 = item_distance2 < base[1456:1425];
+    wire term_185 = item_distance2 < base[1399:1368];
+    wire term_186 = item_distance2 < base[1342:1311];
+    wire term_187 = item_distance2 < base[1285:1254];
+    wire term_188 = item_distance2 < base[1228:1197];
+    wire term_189 = item_distance2 < base[1171:1140];
+    wire term_190 = item_distance2 < base[1114:1083];
+    wire term_191 = item_distance2 < base[1057:1026];
+    wire term_192 = item_distance2 < base[1000:969];
+    wire term_193 = item_distance2 < base[943:912];
+    wire term_194 = item_distance2 < base[886:855];
+    wire term_195 = item_distance2 < base[829:798];
+    wire term_196 = item_distance2 < base[772:741];
+    wire term_197 = item_distance2 < base[715:684];
+    wire term_198 = item_distance2 < base[658:627];
+    wire term_199 = item_distance2 < base[601:570];
+    wire term_200 = item_distance2 < base[544:513];
+    wire term_201 = item_distance2 < base[487:456];
+    wire term_202 = item_distance2 < base[430:399];
+    wire term_203 = item_distance2 < base[373:342];
+    wire term_204 = item_distance2 < base[316:285];
+    wire term_205 = item_distance2 < base[259:228];
+    wire term_206 = item_distance2 < base[202:171];
+    wire term_207 = item_distance2 < base[145:114];
+    wire term_208 = item_distance2 < base[88:57];
+    wire term_209 = item_distance2 < base[31:0];
+    wire [31:0] joined_210 = {
         term_178,
         term_179,
         term_180,
@@ -1933,33 +1933,33 @@ module core_b_queue (
         term_205,
         term_206,
         term_207,
-        term_208
+        term_208,
+        term_209
     };
-    wire term_210 = item_distance2 < new_distance2;
-    wire choice_211 = nearer[31] ? (nearer[30] ? term_178 : term_210) : term_177;
-    wire choice_212 = nearer[30] ? (nearer[29] ? term_179 : term_210) : term_178;
-    wire choice_213 = nearer[29] ? (nearer[28] ? term_180 : term_210) : term_179;
-    wire choice_214 = nearer[28] ? (nearer[27] ? term_181 : term_210) : term_180;
-    wire choice_215 = nearer[27] ? (nearer[26] ? term_182 : term_210) : term_181;
-    wire choice_216 = nearer[26] ? (nearer[25] ? term_183 : term_210) : term_182;
-    wire choice_217 = nearer[25] ? (nearer[24] ? term_184 : term_210) : term_183;
-    wire choice_218 = nearer[24] ? (nearer[23] ? term_185 : term_210) : term_184;
-    wire choice_219 = nearer[23] ? (nearer[22] ? term_186 : term_210) : term_185;
-    wire choice_220 = nearer[22] ? (nearer[21] ? term_187 : term_210) : term_186;
-    wire choice_221 = nearer[21] ? (nearer[20] ? term_188 : term_210) : term_187;
-    wire choice_222 = nearer[20] ? (nearer[19] ? term_189 : term_210) : term_188;
-    wire choice_223 = nearer[19] ? (nearer[18] ? term_190 : term_210) : term_189;
-    wire choice_224 = nearer[18] ? (nearer[17] ? term_191 : term_210) : term_190;
-    wire choice_225 = nearer[17] ? (nearer[16] ? term_192 : term_210) : term_191;
-    wire choice_226 = nearer[16] ? (nearer[15] ? term_193 : term_210) : term_192;
-    wire choice_227 = nearer[15] ? (nearer[14] ? term_194 : term_210) : term_193;
-    wire choice_228 = nearer[14] ? (nearer[13] ? term_195 : term_210) : term_194;
-    wire choice_229 = nearer[13] ? (nearer[12] ? term_196 : term_210) : term_195;
-    wire choice_230 = nearer[12] ? (nearer[11] ? term_197 : term_210) : term_196;
-    wire choice_231 = nearer[11] ? (nearer[10] ? term_198 : term_210) : term_197;
-    wire choice_232 = nearer[10] ? (nearer[9] ? term_199 : term_210) : term_198;
-    wire [31:0] joined_233 = {
-        choice_211,
+    wire term_211 = item_distance2 < new_distance2;
+    wire choice_212 = nearer[31] ? (nearer[30] ? term_179 : term_211) : term_178;
+    wire choice_213 = nearer[30] ? (nearer[29] ? term_180 : term_211) : term_179;
+    wire choice_214 = nearer[29] ? (nearer[28] ? term_181 : term_211) : term_180;
+    wire choice_215 = nearer[28] ? (nearer[27] ? term_182 : term_211) : term_181;
+    wire choice_216 = nearer[27] ? (nearer[26] ? term_183 : term_211) : term_182;
+    wire choice_217 = nearer[26] ? (nearer[25] ? term_184 : term_211) : term_183;
+    wire choice_218 = nearer[25] ? (nearer[24] ? term_185 : term_211) : term_184;
+    wire choice_219 = nearer[24] ? (nearer[23] ? term_186 : term_211) : term_185;
+    wire choice_220 = nearer[23] ? (nearer[22] ? term_187 : term_211) : term_186;
+    wire choice_221 = nearer[22] ? (nearer[21] ? term_188 : term_211) : term_187;
+    wire choice_222 = nearer[21] ? (nearer[20] ? term_189 : term_211) : term_188;
+    wire choice_223 = nearer[20] ? (nearer[19] ? term_190 : term_211) : term_189;
+    wire choice_224 = nearer[19] ? (nearer[18] ? term_191 : term_211) : term_190;
+    wire choice_225 = nearer[18] ? (nearer[17] ? term_192 : term_211) : term_191;
+    wire choice_226 = nearer[17] ? (nearer[16] ? term_193 : term_211) : term_192;
+    wire choice_227 = nearer[16] ? (nearer[15] ? term_194 : term_211) : term_193;
+    wire choice_228 = nearer[15] ? (nearer[14] ? term_195 : term_211) : term_194;
+    wire choice_229 = nearer[14] ? (nearer[13] ? term_196 : term_211) : term_195;
+    wire choice_230 = nearer[13] ? (nearer[12] ? term_197 : term_211) : term_196;
+    wire choice_231 = nearer[12] ? (nearer[11] ? term_198 : term_211) : term_197;
+    wire choice_232 = nearer[11] ? (nearer[10] ? term_199 : term_211) : term_198;
+    wire choice_233 = nearer[10] ? (nearer[9] ? term_200 : term_211) : term_199;
+    wire [31:0] joined_234 = {
         choice_212,
         choice_213,
         choice_214,
@@ -1981,22 +1981,23 @@ module core_b_queue (
         choice_230,
         choice_231,
         choice_232,
-        nearer[9] ? (nearer[8] ? term_200 : term_210) : term_199,
-        nearer[8] ? (nearer[7] ? term_201 : term_210) : term_200,
-        nearer[7] ? (nearer[6] ? term_202 : term_210) : term_201,
-        nearer[6] ? (nearer[5] ? term_203 : term_210) : term_202,
-        nearer[5] ? (nearer[4] ? term_204 : term_210) : term_203,
-        nearer[4] ? (nearer[3] ? term_205 : term_210) : term_204,
-        nearer[3] ? (nearer[2] ? term_206 : term_210) : term_205,
-        nearer[2] ? (nearer[1] ? term_207 : term_210) : term_206,
-        nearer[1] ? (nearer[0] ? term_208 : term_210) : term_207,
-        nearer[0] ? term_210 : term_208
+        choice_233,
+        nearer[9] ? (nearer[8] ? term_201 : term_211) : term_200,
+        nearer[8] ? (nearer[7] ? term_202 : term_211) : term_201,
+        nearer[7] ? (nearer[6] ? term_203 : term_211) : term_202,
+        nearer[6] ? (nearer[5] ? term_204 : term_211) : term_203,
+        nearer[5] ? (nearer[4] ? term_205 : term_211) : term_204,
+        nearer[4] ? (nearer[3] ? term_206 : term_211) : term_205,
+        nearer[3] ? (nearer[2] ? term_207 : term_211) : term_206,
+        nearer[2] ? (nearer[1] ? term_208 : term_211) : term_207,
+        nearer[1] ? (nearer[0] ? term_209 : term_211) : term_208,
+        nearer[0] ? term_211 : term_209
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_176 : joined_209) : joined_233;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_177 : joined_210) : joined_234;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [15:0] shifted_234 = fresh >> finish_queue_out_thread;
-    wire [31:0] choice_235 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [15:0] shifted_235 = fresh >> finish_queue_out_thread;
+    wire [31:0] choice_236 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15),
         radius_valid & (radius_thread == 4'd14),
@@ -2015,7 +2016,7 @@ module core_b_queue (
         radius_valid & (radius_thread == 4'd1),
         radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_236 = from_leaf >> candidates_queue_out_thread;
+    wire [15:0] shifted_237 = from_leaf >> candidates_queue_out_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
     wire [31:0] query_radius2 = query_radii[candidates_queue_out_thread];
     wire write_back = item_reads & owned;
@@ -2090,9 +2091,9 @@ module core_b_queue (
                 head_valid <= candidates_queue_out_valid;
             end
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_167) | query_set;
+            fresh <= (fresh & ~joined_168) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? choice_169 : (beat_reads & waits);
+            beat_reads <= take ? choice_170 : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & |beat_pending;
@@ -2120,28 +2121,28 @@ module core_b_queue (
             head_distance1 <= candidates_queue_out_distance1;
             head_distance2 <= candidates_queue_out_distance2;
             head_distance3 <= candidates_queue_out_distance3;
-            radius2 <= shifted_236[0] ? leaf_radius2 : query_radius2;
+            radius2 <= shifted_237[0] ? leaf_radius2 : query_radius2;
         end
         if (item_valid) begin
             owner <= item_thread;
         end
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? {term_170, term_171, term_172, term_173} : left;
+        beat_pending <= take ? {term_171, term_172, term_173, term_174} : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_175[0];
+        item_fresh <= shifted_176[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_76;
-        farthest <= choice_76;
+        radius_radius2 <= choice_77;
+        farthest <= choice_77;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_234[0];
+        fetch_from_nothing <= shifted_235[0];
         item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : choice_235;
+        item_distance2 <= chosen[0] ? beat_distance0 : choice_236;
         released_thread <= readout_thread;
         if (take) begin
             beat_thread <= head_thread;
@@ -2220,22 +2221,22 @@ module core_b_queue (
         base[1709:1685],
         base[1766:1742],
         base[1823:1799],
-        shifted_168[15:1],
-        shifted_175[15:1],
-        shifted_234[15:1],
-        shifted_236[15:1],
+        shifted_169[15:1],
+        shifted_176[15:1],
+        shifted_235[15:1],
+        shifted_237[15:1],
         start_x,
         start_y,
         start_z
     };
 
 `ifdef POINTCORE_ASSERT
-    wire term_237 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [15:0] shifted_238 = fresh >> readout_thread;
+    wire term_238 = fetch_from_working == (owned & (owner == readout_thread));
+    wire [15:0] shifted_239 = fresh >> readout_thread;
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~fetching | term_237)) begin
+            if (!(~fetching | term_238)) begin
 `ifdef FORMAL
                 a_fetched_row_stays_where_it_is: assert (0);
 `else
@@ -2243,7 +2244,7 @@ module core_b_queue (
                 $stop;
 `endif
             end
-            if (!(~fetching | (fetch_from_nothing == shifted_238[0]))) begin
+            if (!(~fetching | (fetch_from_nothing == shifted_239[0]))) begin
 `ifdef FORMAL
                 a_fetched_row_stays_fresh: assert (0);
 `else
@@ -2262,7 +2263,7 @@ module core_b_queue (
         end
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_238[15:1]};
+    wire _unused_by_checks = &{1'b0, shifted_239[15:1]};
 `endif
 endmodule
 
@@ -4517,9 +4518,6 @@ module core_b_traversal (
     reg [1:0] even_node_30;
     reg [1:0] even_node_32;
     reg even_node_34;
-    reg [31:0] v_even_split;
-    reg [1:0] v_even_dimension;
-    reg v_even_internal_leaf;
     reg [1:0] odd_node_0;
     reg [1:0] odd_node_2;
     reg [1:0] odd_node_4;
@@ -4538,9 +4536,10 @@ module core_b_traversal (
     reg [1:0] odd_node_30;
     reg [1:0] odd_node_32;
     reg odd_node_34;
+    reg [31:0] v_even_split;
     reg [31:0] v_odd_split;
-    reg [1:0] v_odd_dimension;
-    reg v_odd_internal_leaf;
+    reg [1:0] v_dimension;
+    reg v_internal_leaf;
     reg [95:0] query;
 
     wire descend_queue_in_ready;
@@ -4565,7 +4564,7 @@ module core_b_traversal (
 
     assign descend_ready = descend_queue_in_ready;
     assign resume_ready = resume_queue_in_ready;
-    wire at_leaf = v_node[14] | (v_node[0] ? v_odd_internal_leaf : v_even_internal_leaf);
+    wire at_leaf = v_node[14] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
     wire proceeds = ~reaches | leaf_queue_in_ready;
     wire advance = path_in_ready & proceeds;
@@ -4579,12 +4578,12 @@ module core_b_traversal (
     wire [14:0] choice_4 = ~choice_3[14] ? (choice_3 << 1) : choice_3;
     wire leaf_queue_out_ready = leaf_ready;
     wire path_out_ready = 1'd1;
-    wire [1:0] choice_5 = v_node[0] ? v_odd_dimension : v_even_dimension;
-    wire [31:0] coordinate = choice_5[1] ? query[31:0] : choice_5[0] ? query[63:32] : query[95:64];
-    wire [31:0] choice_6 = v_node[0] ? v_odd_split : v_even_split;
-    wire [3:0] choice_7 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire [14:0] choice_8 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
-    wire [14:0] next_node = descends ? {v_node[13:0], 1'd0} : choice_8;
+    wire [31:0] coordinate = v_dimension[1] ? query[31:0] : v_dimension[0] ? query[63:32] : query[95:64];
+    wire [31:0] choice_5 = v_node[0] ? v_odd_split : v_even_split;
+    wire [3:0] choice_6 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire [14:0] choice_7 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
+    wire [14:0] next_node = descends ? {v_node[13:0], 1'd0} : choice_7;
+    wire choice_8 = f_is_child ? ~less_y : f_node[0];
     wire term_9 = tree_valid & ~tree_is_leaf;
     wire writes_even = term_9 & ~tree_address[0];
     wire [1:0] joined_10 = {tree_dimension[0], tree_internal_leaf};
@@ -4665,7 +4664,7 @@ module core_b_traversal (
         .rst(rst),
         .enable(advance),
         .a(coordinate),
-        .b(choice_6),
+        .b(choice_5),
         .y(less_y)
     );
 
@@ -4686,16 +4685,16 @@ module core_b_traversal (
     end
     always @(posedge clk) begin
         if (advance) begin
-            f_thread <= descends ? v_thread : choice_7;
+            f_thread <= descends ? v_thread : choice_6;
             f_node <= next_node;
             v_thread <= f_thread;
-            v_node <= {f_node[14:1], f_is_child ? ~less_y : f_node[0]};
+            v_node <= {f_node[14:1], choice_8};
             s_thread <= v_thread;
             s_node <= v_node;
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= choice_6;
+            s_split <= choice_5;
             v_even_split <= {
                 even_node_34,
                 even_node_32,
@@ -4715,8 +4714,6 @@ module core_b_traversal (
                 even_node_4,
                 even_node_2[1]
             };
-            v_even_dimension <= {even_node_2[0], even_node_0[1]};
-            v_even_internal_leaf <= even_node_0[0];
             v_odd_split <= {
                 odd_node_34,
                 odd_node_32,
@@ -4736,8 +4733,8 @@ module core_b_traversal (
                 odd_node_4,
                 odd_node_2[1]
             };
-            v_odd_dimension <= {odd_node_2[0], odd_node_0[1]};
-            v_odd_internal_leaf <= odd_node_0[0];
+            v_dimension <= choice_8 ? {odd_node_2[0], odd_node_0[1]} : {even_node_2[0], even_node_0[1]};
+            v_internal_leaf <= choice_8 ? odd_node_0[0] : even_node_0[0];
         end
     end
     always @(posedge clk) begin

@@ -512,9 +512,7 @@ module core_b_queue (
     wire readout_reads = finish_queue_out_valid & readout_idle;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire chosen = beat_pending & (1'd0 - beat_pending);
-    wire rest = beat_pending & ~chosen;
-    wire stays = beat_valid & rest;
+    wire stays = 1'd0;
     wire done = moves & ~stays;
     wire [1:0] tail = item_valid ? item_thread : owner;
     wire follows_tail = (item_valid | owned) & (tail == head_thread);
@@ -618,6 +616,8 @@ module core_b_queue (
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
     wire farthest_will_be_known = farthest_is_current & ((farthest_thread == head_thread) & ~choice_41);
     wire term_42 = (head_distance0 < radius2) & (~farthest_will_be_known | (head_distance0 < farthest));
+    wire chosen = beat_pending & (1'd0 - beat_pending);
+    wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire term_43 = rest & (~farthest_is_known | (beat_distance0 < farthest));
     wire left = waits ? beat_pending : term_43;
@@ -2208,13 +2208,11 @@ module core_b_traversal (
     reg [23:0] s_coordinate;
     reg [23:0] s_split;
     reg [26:0] even_node_0;
-    reg [23:0] v_even_split;
-    reg [1:0] v_even_dimension;
-    reg v_even_internal_leaf;
     reg [26:0] odd_node_0;
+    reg [23:0] v_even_split;
     reg [23:0] v_odd_split;
-    reg [1:0] v_odd_dimension;
-    reg v_odd_internal_leaf;
+    reg [1:0] v_dimension;
+    reg v_internal_leaf;
     reg [71:0] query;
 
     wire descend_queue_in_ready;
@@ -2239,7 +2237,7 @@ module core_b_traversal (
 
     assign descend_ready = descend_queue_in_ready;
     assign resume_ready = resume_queue_in_ready;
-    wire at_leaf = v_node[6] | (v_node[0] ? v_odd_internal_leaf : v_even_internal_leaf);
+    wire at_leaf = v_node[6] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
     wire proceeds = ~reaches | leaf_queue_in_ready;
     wire advance = path_in_ready & proceeds;
@@ -2252,12 +2250,12 @@ module core_b_traversal (
     wire [6:0] choice_3 = ~choice_2[6] ? (choice_2 << 1) : choice_2;
     wire leaf_queue_out_ready = leaf_ready;
     wire path_out_ready = 1'd1;
-    wire [1:0] choice_4 = v_node[0] ? v_odd_dimension : v_even_dimension;
-    wire [23:0] coordinate = choice_4[1] ? query[23:0] : choice_4[0] ? query[47:24] : query[71:48];
-    wire [23:0] choice_5 = v_node[0] ? v_odd_split : v_even_split;
-    wire [1:0] choice_6 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire [6:0] choice_7 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
-    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_7;
+    wire [23:0] coordinate = v_dimension[1] ? query[23:0] : v_dimension[0] ? query[47:24] : query[71:48];
+    wire [23:0] choice_4 = v_node[0] ? v_odd_split : v_even_split;
+    wire [1:0] choice_5 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire [6:0] choice_6 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
+    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_6;
+    wire choice_7 = f_is_child ? ~less_y : f_node[0];
     wire term_8 = tree_valid & ~tree_is_leaf;
     wire writes_even = term_8 & ~tree_address[0];
     wire [26:0] joined_9 = {tree_split, tree_dimension, tree_internal_leaf};
@@ -2335,7 +2333,7 @@ module core_b_traversal (
         .rst(rst),
         .enable(advance),
         .a(coordinate),
-        .b(choice_5),
+        .b(choice_4),
         .y(less_y)
     );
 
@@ -2356,22 +2354,20 @@ module core_b_traversal (
     end
     always @(posedge clk) begin
         if (advance) begin
-            f_thread <= descends ? v_thread : choice_6;
+            f_thread <= descends ? v_thread : choice_5;
             f_node <= next_node;
             v_thread <= f_thread;
-            v_node <= {f_node[6:1], f_is_child ? ~less_y : f_node[0]};
+            v_node <= {f_node[6:1], choice_7};
             s_thread <= v_thread;
             s_node <= v_node;
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= choice_5;
+            s_split <= choice_4;
             v_even_split <= even_node_0[26:3];
-            v_even_dimension <= even_node_0[2:1];
-            v_even_internal_leaf <= even_node_0[0];
             v_odd_split <= odd_node_0[26:3];
-            v_odd_dimension <= odd_node_0[2:1];
-            v_odd_internal_leaf <= odd_node_0[0];
+            v_dimension <= choice_7 ? odd_node_0[2:1] : even_node_0[2:1];
+            v_internal_leaf <= choice_7 ? odd_node_0[0] : even_node_0[0];
         end
     end
     always @(posedge clk) begin

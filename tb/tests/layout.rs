@@ -17,6 +17,7 @@ const HELPERS: &[&str] = &[
     "bus/tests",
     "bus/wiring",
     "core_a/blend",
+    "core_a/division",
     "core_a/heap_links",
     "core_a/heap_order",
     "core_a/heap_stage",

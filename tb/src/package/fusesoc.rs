@@ -1,6 +1,7 @@
 //! The FuseSoC core (CAPI2) of a package.
 
 use super::{File, GENERATOR, Package, Role};
+use crate::synthesis::arguments_for_a_core;
 
 /// What FuseSoC calls the core of a configuration: vendor, library, name, version.
 #[must_use]
@@ -36,6 +37,9 @@ pub fn text(package: &Package) -> String {
     if tested {
         filesets += &fileset("test", package.files_for(Role::Test));
     }
+    // Quoted, since YAML would read some of them as numbers.
+    let nextpnr: Vec<_> = arguments_for_a_core().map(|argument| format!("\"{argument}\"")).collect();
+    let nextpnr = nextpnr.join(", ");
     let test = format!(
         r"
   sim:
@@ -98,7 +102,7 @@ targets:
     filesets: [rtl, pins]
     flow: trellis
     flow_options:
-      nextpnr_options: [--85k, --speed, "6", --package, CABGA756, --lpf-allow-unconstrained, --timing-allow-fail, --report, timing.json]
+      nextpnr_options: [{nextpnr}, "--timing-allow-fail", "--report", "timing.json"]
     toplevel: {core}_pins
 "#,
         vlnv = fusesoc_name(name),

@@ -20,7 +20,9 @@ pub fn choices_row(name: &str, plan: &Plan) -> String {
 /// The line of a scene.
 #[must_use]
 pub fn table_row(name: &str, plan: &Plan, costs: &Costs) -> String {
-    let percent = |share: Option<f64>| share.map_or_else(|| "?".to_owned(), |share| format!("{:.1} %", 100.0 * share));
+    // Rounded first, and zero added: what is lost below a tenth is no "-0.0".
+    let rounded = |share: f64| (1000.0 * share).round() / 10.0 + 0.0;
+    let percent = |share: Option<f64>| share.map_or_else(|| "?".to_owned(), |share| format!("{:.1} %", rounded(share)));
     let saved = [costs.area_saved(), Some(costs.memory_saved()), Some(costs.multipliers_saved()), costs.cycles_saved()];
     format!("{} {} |", choices_row(name, plan), saved.map(percent).join(" | "))
 }

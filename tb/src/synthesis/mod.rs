@@ -17,6 +17,7 @@ pub use record::{Entry, Record, Stale};
 pub use steps::{Progress, State, Step};
 pub use table::{Style, table};
 pub use target::Target;
+pub(crate) use target::arguments_for_a_core;
 pub use timing::Timing;
 pub use units::{Extent, GROUPS, Group, Unit, all, known, standard};
 
@@ -181,7 +182,7 @@ impl Synthesizer {
     ) -> Result<Timing, SynthesisError> {
         let run = |(start, start_key): &(PathBuf, String), netlist: &str, options: &[&str]| {
             let seed = seed.to_string();
-            let arguments: Vec<_> = device.arguments(unit.extent).chain(options.iter().copied()).collect();
+            let arguments: Vec<&str> = device.arguments(unit.extent).chain(options.iter().copied()).collect();
             let parts = [start_key.as_str(), &router.description, &seed];
             let key = key(parts.into_iter().chain(arguments.iter().copied()));
             let entry = self.cache.entry(&key, |content| {

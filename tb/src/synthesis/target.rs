@@ -58,7 +58,7 @@ pub(super) struct Device {
     pub capacities: &'static [Capacity],
 }
 
-const ECP5: Device = Device {
+static ECP5: Device = Device {
     name: "LFE5U-85F",
     program: "nextpnr-ecp5",
     arguments: &["--85k", "--speed", "6", "--package", "CABGA756", "--lpf-allow-unconstrained"],
@@ -95,6 +95,11 @@ impl Device {
         };
         self.arguments.iter().chain(effort).copied()
     }
+}
+
+/// The arguments of `nextpnr-ecp5` for a whole core, beside files and seed.
+pub(crate) fn arguments_for_a_core() -> impl Iterator<Item = &'static str> {
+    ECP5.arguments(Extent::Core)
 }
 
 impl Target {

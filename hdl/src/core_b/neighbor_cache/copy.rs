@@ -8,7 +8,7 @@ use super::deliver::Answer;
 use super::lru::{Chosen, Entries};
 use super::neighborhoods::Neighborhoods;
 use super::tickets::Tickets;
-use crate::rtl::{Expr, Module, lit};
+use crate::rtl::{Expr, Module, bit, lit};
 use crate::units::records::{Record, queue_in};
 
 /// What becomes of results in a cycle.
@@ -62,7 +62,8 @@ pub(super) fn copy(
 
     // Whether this neighbor is one only chooses among comparisons that need not wait for it.
     let wanted = query.get("k");
-    let [none_left, one_left, two_left] = [0, 1, 2].map(|more| rank.add_lit(more).eq(&wanted));
+    let left = |more: u128| if more < 1 << rank_bits { rank.add_lit(more).eq(&wanted) } else { bit(false) };
+    let [none_left, one_left, two_left] = [0, 1, 2].map(left);
     let full = m.wire("copy_full", &is_found.mux(&one_left, &none_left));
     let one_less = is_found.mux(&two_left, &one_left);
     let surplus = &full & !is_ball;
