@@ -29,7 +29,7 @@ use shell::Shelled;
 use std::fs;
 use std::path::{Path, PathBuf};
 use steps::watched;
-use target::Device;
+use target::{Device, ROUTING_SETTINGS};
 use tools::Tool;
 
 /// Why a unit could not be measured.
@@ -188,6 +188,9 @@ impl Synthesizer {
             let entry = self.cache.entry(&key, |content| {
                 let copy = content.join(netlist);
                 fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
+                if netlist == PLACED {
+                    write(&copy, &with_settings(&read(&copy)?))?;
+                }
                 let files = ["--seed", &seed, "--json", netlist, "--report", TIMING, "--log", ROUTING];
                 router.run(&unit.name, content, &[&["-q", "--timing-allow-fail"], &files[..], &arguments].concat())?;
                 Ok::<_, SynthesisError>(fs::remove_file(&copy).map_err(file("remove", &copy))?)
@@ -198,12 +201,20 @@ impl Synthesizer {
             Extent::Unit => run(synthesis, NETLIST, &[])?,
             Extent::Core => {
                 let placed = run(synthesis, NETLIST, &["--no-route", "--write", PLACED])?;
-                run(&placed, PLACED, &["--no-pack", "--no-place"])?
+                let key = key([placed.1.as_str(), &with_settings(SETTINGS)]);
+                run(&(placed.0, key), PLACED, &["--no-pack", "--no-place"])?
             }
         };
         timing::parse(&read(&entry.join(TIMING))?)
             .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
     }
+}
+
+/// A placed design with the router's settings among its own.
+fn with_settings(design: &str) -> String {
+    let settings: String =
+        ROUTING_SETTINGS.iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
+    design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
 }
 
 /// A unit in its shell.
@@ -219,14 +230,18 @@ fn design(unit: &Unit) -> Result<Shelled, SynthesisError> {
 pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError> {
     let design = design(unit)?;
     let script = target.script(&design);
-    let arguments = target.device().into_iter().flat_map(|device| device.arguments(unit.extent));
-    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments)))
+    let arguments: Vec<&str> = target.device().into_iter().flat_map(|device| device.arguments(unit.extent)).collect();
+    let settings = with_settings(SETTINGS);
+    let settings = (target.device().is_some() && unit.extent == Extent::Core).then_some(settings.as_str());
+    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments).chain(settings)))
 }
 
 /// What yosys counts.
 const CELLS: &str = "cells.json";
 /// What yosys hands to place and route.
 const NETLIST: &str = "netlist.json";
+/// Where a placed design has its settings.
+const SETTINGS: &str = "\"settings\": {";
 /// What placing hands to routing.
 const PLACED: &str = "placed.json";
 /// What place and route say on their way; a whole core takes them most of an hour.
@@ -257,6 +272,15 @@ fn write(path: &Path, text: &str) -> Result<(), FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_placed_design_gets_the_routers_settings_once() {
+        let design = with_settings(r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#);
+        let design: serde_json::Value = serde_json::from_str(&design).expect("it stays JSON");
+        let margin = design["a"]["settings"]["router2/bbMargin/x"].as_str().expect("it is a string of bits");
+        assert_eq!((u32::from_str_radix(margin, 2), &design["a"]["settings"]["seed"]), (Ok(10), &"1".into()));
+        assert_eq!(design["a"]["b"]["settings"], serde_json::json!({}));
+    }
 
     #[test]
     fn what_a_device_cannot_hold_is_said_before_it_is_placed() {

@@ -9,18 +9,13 @@ use std::fmt::Write as _;
 /// A clock in MHz beyond what the units reach, so that the tools do not stop early.
 const ALONE: &[&str] = &["--freq", "160"];
 /// A core fills its device, and what counts first is that all wires find a way: cells less dense than they could be, short wires rather than short
-/// critical paths, and the router that negotiates, with the weights that let what was fought over in the past count.
-const WHOLE: &[&str] = &[
-    "--freq",
-    "100",
-    "--placer-heap-beta",
-    "0.75",
-    "--placer-heap-timingweight",
-    "3",
-    "--router",
-    "router2",
-    "--router2-alt-weights",
-];
+/// critical paths, and the router that negotiates.
+const WHOLE: &[&str] =
+    &["--freq", "100", "--placer-heap-beta", "0.75", "--placer-heap-timingweight", "3", "--router", "router2"];
+
+/// What the router has no argument for, as settings of a placed core: how many tiles a wire may leave the rectangle of its pins. With nextpnr's own
+/// three, the last hundred wires of a full device find no way around.
+pub(super) const ROUTING_SETTINGS: &[(&str, u32)] = &[("router2/bbMargin/x", 10), ("router2/bbMargin/y", 10)];
 
 /// A technology.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum, Serialize, Deserialize)]
