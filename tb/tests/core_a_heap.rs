@@ -24,29 +24,32 @@ fn sorted(mut entries: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
     entries
 }
 
-/// Levels, bits of the arrival number and image width: epochs as short as two arrivals, longer ones than the heap is large, one
+/// Levels, cycles of an operation, bits of the arrival number and image width: epochs as short as two arrivals, longer ones than the heap is large, one
 /// column of tiles and many.
 #[test]
 fn it_agrees_with_the_model_at_every_size() {
-    for (heap_levels, sequence_bits, width) in [
-        (2, 2, 8),
-        (3, 3, 61),
-        (4, 2, 61),
-        (4, 7, 61),
-        (5, 4, 130),
-        (3, 6, 61),
-        (5, 7, 61),
-        (6, 8, 61),
-        (7, 9, 61),
-        (10, 12, 61),
+    for (heap_levels, heap_interval, sequence_bits, width) in [
+        (2, 2, 2, 8),
+        (2, 4, 2, 61),
+        (3, 2, 3, 61),
+        (4, 2, 2, 61),
+        (4, 4, 7, 61),
+        (5, 2, 4, 130),
+        (5, 4, 4, 130),
+        (3, 2, 6, 61),
+        (5, 2, 7, 61),
+        (6, 4, 8, 61),
+        (7, 2, 9, 61),
+        (10, 2, 12, 61),
+        (10, 4, 12, 61),
     ] {
-        let config = Config { heap_levels, sequence_bits, width, height: 37, ..Config::default() };
+        let config = Config { heap_levels, heap_interval, sequence_bits, width, height: 37, ..Config::default() };
         let device = Device::new(&heap::module(&config), ports::heap(&config));
         let entries = entries(&config);
         let runs = device.runs(&Heap::new(&config), &entries, &[]);
         let reordered = runs.iter().filter(|run| **run != entries).count() as u64;
-        // Without stalls every entry leaves at once.
-        assert!(reordered >= runs.len() as u64 - 1, "{reordered} runs of {RUNS} were reordered");
+        // Without stalls every entry leaves at once, and a slow heap lets them with few stalls as well.
+        assert!(reordered >= RUNS - u64::from(heap_interval) / 2, "{reordered} runs of {RUNS} were reordered");
         for run in runs {
             assert!(sorted(run) == sorted(entries.clone()), "what leaves is what entered");
         }

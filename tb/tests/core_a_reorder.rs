@@ -44,8 +44,8 @@ fn it_agrees_with_the_model() {
         let in_order = |run: &&Vec<Vec<u64>>| {
             run.iter().zip(&copies).all(|(left, right)| left[0] == 1 || left.last() == right.last())
         };
-        // Where the consumer is faster than the heap, never or seldom pausing, every copy leaves at once.
+        // Where the consumer is faster than the heap, never or seldom pausing, or the heap is slow, every copy leaves at once.
         let ordered = runs.iter().filter(in_order).count();
-        assert!(ordered <= 2, "{ordered} of {} runs were not reordered", runs.len());
+        assert!(ordered <= 1 + config.heap_interval as usize / 2, "{ordered} of {} runs were not reordered", runs.len());
     }
 }

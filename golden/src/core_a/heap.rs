@@ -57,8 +57,10 @@ pub struct Heap {
     current: u32,
     /// Entries of the even and of the odd epoch.
     alive: [u32; 2],
-    /// Operations begin in every second cycle, and this is the other one.
-    resting: bool,
+    /// Cycles an operation takes.
+    interval: u32,
+    /// Cycles until the next one may begin.
+    resting: u32,
     out: Skid<HeapEntry>,
 }
 
@@ -74,7 +76,8 @@ impl Heap {
             arrivals: 0,
             current: 0,
             alive: [0; 2],
-            resting: false,
+            interval: config.heap_interval,
+            resting: 0,
             out: Skid::default(),
         }
     }
@@ -90,11 +93,11 @@ impl Heap {
     }
 
     fn pops(&self) -> bool {
-        !self.resting && !self.entries.is_empty() && self.out.in_ready()
+        self.resting == 0 && !self.entries.is_empty() && self.out.in_ready()
     }
 
     fn in_ready(&self) -> bool {
-        !self.resting && !self.is_epoch_taken() && (self.entries.len() < self.capacity || self.pops())
+        self.resting == 0 && !self.is_epoch_taken() && (self.entries.len() < self.capacity || self.pops())
     }
 
     fn pop(&mut self) -> Option<HeapEntry> {
@@ -134,7 +137,7 @@ impl Model for Heap {
         if let Some(entry) = pushed {
             self.push(entry);
         }
-        self.resting = !self.resting;
+        self.resting = self.resting.checked_sub(1).unwrap_or(self.interval - 1);
         self.out.step(popped, inputs.out_ready);
     }
 }
@@ -163,7 +166,8 @@ mod tests {
     #[test]
     fn pops_the_least_entry_in_cyclic_order() {
         for_each_seed("heap", |random| {
-            let config = Config { heap_levels: 3, sequence_bits: 4, ..Config::default() };
+            let heap_interval = random.u32(1..=2) * 2;
+            let config = Config { heap_levels: 3, heap_interval, sequence_bits: 4, ..Config::default() };
             let mut heap = Heap::new(&config);
             let (mut present, mut shown) = (Vec::new(), Vec::new());
             let (mut current, mut pops, mut full) = (0, 0, 0);

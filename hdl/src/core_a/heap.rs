@@ -1,4 +1,4 @@
-//! Pipelined heap that orders splat copies by tile (thesis 5.5.2, eq. 5.14), an operation every second cycle; golden twin:
+//! Pipelined heap that orders splat copies by tile (thesis 5.5.2, eq. 5.14), an operation every second or fourth cycle; golden twin:
 //! `pointcore_golden::core_a::heap`.
 //!
 //! This module decides what enters the heap and what leaves it; `heap_stage` is two levels. An insertion walks
@@ -7,7 +7,7 @@
 
 use pointcore_spec::core_a::{Config, Field};
 
-use super::heap_links::Place;
+use super::heap_links::{Pace, Place};
 use super::heap_order::EntryFormat;
 use super::heap_stage::{self, RISE};
 use crate::rtl::{Expr, Instance, Module, bit, cat, lit};
@@ -20,14 +20,16 @@ pub fn module(config: &Config) -> Module {
     let levels = config.heap_levels as usize;
     let mut m = Module::new("core_a_heap", "Pipelined heap that orders splat copies by tile, then by arrival.");
     m.parameter("levels", levels);
+    m.parameter("interval", config.heap_interval as usize);
     m.parameter("sequence_bits", format.sequence);
     let fields: [Field; 2] = [("tile".into(), config.tile_bits()), ("pointer".into(), config.heap_levels)];
     let input = stream_in(&mut m, "in", &fields);
     let out = queue_out(&mut m, "out", &fields);
 
-    // Operations begin every second cycle, when the upper levels of the stages look.
-    let lower = m.reg_reset("lower", 1, 0);
-    m.next(&lower, &!&lower);
+    // Operations begin every second tick, when the upper levels of the stages look; after reset at once.
+    let pace = Pace::new(&mut m, config);
+    let lower = pace.lower(&mut m);
+    let begins = m.wire("begins", &pace.at_end(&!&lower));
     let stages = stages(&mut m, config);
     let root = m.out(&stages[0], "root");
 
@@ -39,8 +41,8 @@ pub fn module(config: &Config) -> Module {
         let own_epoch_alive = arrival.msb().mux(&alive[1].any(), &alive[0].any());
         m.wire("fresh_epoch_blocked", &(arrival.trunc(format.sequence - 1).is_zero() & own_epoch_alive))
     };
-    let pop = m.wire("pop", &(!&lower & (&occupied & &out.room)));
-    let ready = m.wire("ready", &(&(!&lower & !&blocked) & &(!count.all() | &pop)));
+    let pop = m.wire("pop", &(&begins & (&occupied & &out.room)));
+    let ready = m.wire("ready", &(&(&begins & !&blocked) & &(!count.all() | &pop)));
     m.ready(&input, &ready);
     let push = m.wire("push", &(&ready & &input.valid));
     m.next_if(&count, &(&push ^ &pop), &push.mux(&count.add_lit(1), &count.sub_lit(1)));
@@ -51,7 +53,7 @@ pub fn module(config: &Config) -> Module {
         m.next_if(alive, &(&comes ^ &goes), &comes.mux(&alive.add_lit(1), &alive.sub_lit(1)));
     }
 
-    // The sweep of a newcomer is settled a cycle later, when the current tile is known.
+    // The sweep of a newcomer is settled a tick later, when the current tile is known.
     let current = m.reg_reset("current", format.tile, 0);
     m.next_if(&current, &pop, &format.tile(&root));
     let sweep = m.reg_reset("sweep", 1, 0);
@@ -59,7 +61,7 @@ pub fn module(config: &Config) -> Module {
     let last_epoch = m.reg("last_epoch", 1);
     m.next_if(&last_epoch, &push, &arrival.msb());
     let newcomer_tile = m.reg("newcomer_tile", format.tile);
-    m.next(&newcomer_tile, &input.field("tile"));
+    pace.next(&mut m, &newcomer_tile, &input.field("tile"));
     let newcomer_sweep = m.wire("newcomer_sweep", &(&sweep ^ newcomer_tile.lt(&current)));
     m.connect(&stages[0], "newcomer_sweep", &newcomer_sweep);
 
@@ -78,7 +80,6 @@ pub fn module(config: &Config) -> Module {
     });
     step.connect(&mut m, &stages[0], "step_");
     for stage in &stages {
-        m.connect(stage, "lower", &lower);
         m.connect(stage, "sweep", &sweep);
         m.connect(stage, "last_epoch", &last_epoch);
     }

@@ -130,7 +130,63 @@ fn fields(widths: &[(&str, usize)]) -> Vec<Field> {
     widths.iter().map(|(name, width)| ((*name).to_owned(), *width as u32)).collect()
 }
 
-/// Registers that take new values in every cycle.
+/// A tick of the heap, in which an operation passes a level and of which it takes two: one cycle, or two for a higher clock.
+#[derive(Clone)]
+pub(super) enum Pace {
+    Cycle,
+    /// Set in the second cycle.
+    TwoCycles(Expr),
+}
+
+impl Pace {
+    /// Every module of the heap counts for itself, so that no wire has to reach all of it.
+    pub fn new(m: &mut Module, config: &Config) -> Self {
+        if config.heap_interval == 2 {
+            return Self::Cycle;
+        }
+        // A tick ends in the first cycle after reset.
+        let ends = m.reg_reset("ends", 1, 1);
+        m.next(&ends, &!&ends);
+        Self::TwoCycles(ends.expr())
+    }
+
+    /// Set in every other tick, not in the first.
+    pub fn lower(&self, m: &mut Module) -> Expr {
+        let lower = m.reg_reset("lower", 1, 0);
+        self.next(m, &lower, &!&lower);
+        lower.expr()
+    }
+
+    /// `value` in the last cycle of a tick.
+    pub fn at_end(&self, value: &Expr) -> Expr {
+        match self {
+            Self::Cycle => value.clone(),
+            Self::TwoCycles(ends) => ends & value,
+        }
+    }
+
+    /// The register takes `value` when the tick ends.
+    pub fn next(&self, m: &mut Module, register: &Reg, value: &Expr) {
+        match self {
+            Self::Cycle => m.next(register, value),
+            Self::TwoCycles(ends) => m.next_if(register, ends, value),
+        }
+    }
+
+    /// What the first cycle of a tick finds, for use when it ends.
+    pub fn found(&self, m: &mut Module, name: &str, value: &Expr) -> Expr {
+        match self {
+            Self::Cycle => value.clone(),
+            Self::TwoCycles(_) => {
+                let register = m.reg(&format!("{name}_found"), value.width());
+                m.next(&register, value);
+                register.expr()
+            }
+        }
+    }
+}
+
+/// Registers that take new values once a tick.
 pub(super) struct Registers(Vec<(String, Reg)>);
 
 impl Registers {
@@ -148,9 +204,9 @@ impl Registers {
         field.map(|(_, register)| register.expr()).expect("stages ask for registers of their own")
     }
 
-    pub fn next(&self, m: &mut Module, mut value: impl FnMut(&str) -> Expr) {
+    pub fn next(&self, m: &mut Module, pace: &Pace, mut value: impl FnMut(&str) -> Expr) {
         for (name, register) in &self.0 {
-            m.next(register, &value(name));
+            pace.next(m, register, &value(name));
         }
     }
 }

@@ -1,17 +1,20 @@
 //! A stage of the pipelined heap: two neighboring levels, which take turns at one set of memories, comparators and registers.
 //!
-//! Two memories hold the left and the right child of every parent. A step meets the children of one parent in three cycles:
+//! Two memories hold the left and the right child of every parent. A step meets the children of one parent in three ticks:
 //! *look* (the memories show the children; the one it goes on with is *chosen*, the other its *rival*), *compare* (from
 //! registers, while the level below looks), and *settle* (the chosen child's place is rewritten, with what rises from below
-//! where there is a hole). Steps begin every second cycle, so one looks while its predecessor settles at the same level:
+//! where there is a hole). Steps begin every second tick, so one looks while its predecessor settles at the same level:
 //! what the memories do not hold yet is in the register `stored` when it compares.
 //!
+//! A tick is such a cycle, or two of them where the clock matters more than the rate (`heap_interval`): the first shows and compares, the
+//! second decides.
+//!
 //! Which child is first is stored with the children: the parity of their marks. So a removal knows its way as soon as the
-//! memories show them, and the comparison that decides it anew has a cycle of its own.
+//! memories show them, and the comparison that decides it anew has a tick of its own.
 
 use pointcore_spec::core_a::Config;
 
-use super::heap_links::{Place, Registers};
+use super::heap_links::{Pace, Place, Registers};
 use super::heap_order::Order;
 use crate::rtl::{Expr, Module, Reg, Wire, bit, cat, lit};
 use crate::units::records::{Record, width};
@@ -19,15 +22,19 @@ use crate::units::records::{Record, width};
 /// What a level says of the step it compares, to the level that settles it; `node` is the number of the parent.
 pub(super) const RISE: [&str; 6] = ["entry", "exists", "ahead", "right", "childless", "node"];
 
+/// Memories of so many rows are made of lookup tables, where the time before their output's register is short.
+const SMALL_MEMORY_BITS: usize = 6;
+
 /// What every part of a stage refers to.
 struct Stage {
     place: Place,
     order: Order,
-    /// Set in cycles where the lower level looks, the upper one compares and the lower one settles.
+    pace: Pace,
+    /// Set in ticks where the lower level looks, the upper one compares and the lower one settles.
     lower: Expr,
     compared: Registers,
     settled: Registers,
-    /// The node that was stored in the cycle before.
+    /// The node that was stored in the tick before.
     stored: Reg,
     /// The row that is looked at, and the one before.
     row: Reg,
@@ -54,7 +61,7 @@ struct Comparison {
 
 impl Comparison {
     fn new(m: &mut Module, stage: &Stage) -> Self {
-        let Stage { place, order, lower, compared, .. } = stage;
+        let Stage { place, order, pace, lower, compared, .. } = stage;
         let format = place.format;
         let exists = compared.get("exists");
         let stored = Record::unpack(&place.node(), &stage.stored);
@@ -62,7 +69,9 @@ impl Comparison {
         let newest = |m: &mut Module, name: &str| {
             m.wire(&format!("chosen_{name}"), &chosen_stored.mux(&stored.get(name), &compared.get(name)))
         };
-        let chosen = newest(m, "entry");
+        let chosen_entry = newest(m, "entry");
+        let chosen = pace.found(m, "chosen_entry", &chosen_entry);
+        let chosen_key = format.key(&chosen_entry);
         let rival = m.wire("rival", &rival_stored.mux(&format.key(&stored.get("entry")), &compared.get("rival")));
         let rival_mark = rival_stored.mux(&stored.get("mark"), &compared.get("rival_mark"));
 
@@ -72,13 +81,17 @@ impl Comparison {
             let sweep = lower.mux(&m.input("newcomer_sweep", 1), &carried.msb());
             carried = cat(&[&sweep, &carried.trunc(format.width() - 1)]);
         }
-        let before_chosen = m.wire("before_chosen", &order.before(&format.key(&carried), &format.key(&chosen)));
-        let before_rival = m.wire("before_rival", &order.before(&format.key(&carried), &rival));
+        let before = |m: &mut Module, name: &str, a: &Expr, b: &Expr| {
+            let before = m.wire(name, &order.before(a, b));
+            pace.found(m, name, &before)
+        };
+        let before_chosen = before(m, "before_chosen", &format.key(&carried), &chosen_key);
+        let before_rival = before(m, "before_rival", &format.key(&carried), &rival);
         let carried_first = m.wire("carried_first", &(compared.get("carry") & (!&exists | before_chosen)));
         let first = m.wire("first", &carried_first.mux(&carried, &chosen));
         let last = carried_first.mux(&chosen, &carried);
 
-        let below = place.has_lower().then(|| [newest(m, "right_below"), newest(m, "left_count")]);
+        let below = place.has_lower().then(|| ["right_below", "left_count"].map(|name| newest(m, name)));
         let (left_exists, right_exists, left_full) = match &below {
             // A node of the lower level counts one bit less.
             Some([right, count]) if count.width() > 1 => {
@@ -88,6 +101,9 @@ impl Comparison {
             Some([right, count]) => (count.clone(), right.clone(), count | !lower),
             None => (bit(false), bit(false), bit(false)),
         };
+        let left_exists = pace.found(m, "left_exists", &left_exists);
+        let right_exists = pace.found(m, "right_exists", &right_exists);
+        let left_full = pace.found(m, "left_full", &left_full);
         let childless = !(&left_exists | &right_exists);
         let step = Record::new(&place.step(), |name| match name {
             "valid" => compared.get("valid") & &exists,
@@ -98,7 +114,7 @@ impl Comparison {
             "rival" => rival.clone(),
             passed => compared.get(passed),
         });
-        let rival_stays = m.wire("rival_stays", &order.before(&compared.get("parent_rival"), &format.key(&chosen)));
+        let rival_stays = before(m, "rival_stays", &compared.get("parent_rival"), &chosen_key);
         let rise = Record::new(&place.rise(), |name| match name {
             "entry" => first.clone(),
             "exists" => exists.clone(),
@@ -109,14 +125,14 @@ impl Comparison {
         Self { exists, chosen, rival_mark, carried, carried_first, before_rival, below, step, rise }
     }
 
-    /// The step settles in the next cycle.
+    /// The step settles in the next tick.
     fn settle_next(&self, m: &mut Module, stage: &Stage) {
-        let Stage { place, lower, compared, .. } = stage;
+        let Stage { place, pace, lower, compared, .. } = stage;
         let hole = compared.get("hole");
         // Where nothing lies below, a hole is filled with the carried entry.
         let is_leaf = if place.continues() || !place.has_lower() { bit(false) } else { !lower };
         let kept = (&self.carried_first ^ (&hole & is_leaf)).mux(&self.carried, &self.chosen);
-        stage.settled.next(m, |name| match name {
+        stage.settled.next(m, pace, |name| match name {
             "valid" => compared.get("valid") & (&self.exists | !&hole),
             "existed" => self.exists.clone(),
             "rival_mark" => self.rival_mark.clone(),
@@ -150,7 +166,7 @@ struct Settlement {
 
 impl Settlement {
     fn new(m: &mut Module, stage: &Stage, comparison: &Comparison) -> Self {
-        let Stage { place, lower, settled, .. } = stage;
+        let Stage { place, pace, lower, settled, .. } = stage;
         let (hole, carry, own) = (settled.get("hole"), settled.get("carry"), settled.get("entry"));
         let bits = place.row_bits() + 1;
         let own_number = stage.row_before.zext(bits);
@@ -164,8 +180,8 @@ impl Settlement {
             let risen = Record::zeros(&place.rise()).mux(lower, &comparison.rise);
             let entry = (&hole & !lower).mux(&comparison.rise.get("entry"), &own);
             let [last, last_before] = ["last_row", "last_row_before"].map(|name| m.reg(name, bits));
-            m.next(&last, &stage.next_row);
-            m.next(&last_before, &last);
+            pace.next(m, &last, &stage.next_row);
+            pace.next(m, &last_before, &last);
             (risen, entry, lower.mux(&last_before, &own_number))
         };
         let side = m.wire("side", &number.bit(0));
@@ -193,7 +209,7 @@ impl Settlement {
             }
         });
         let node = m.wire("node_to_store", &node.pack());
-        m.next(&stage.stored, &node);
+        pace.next(m, &stage.stored, &node);
         Self { valid: settled.get("valid"), number, side, first_side, entry, node }
     }
 }
@@ -201,19 +217,22 @@ impl Settlement {
 /// Shows the children of the step's parent, chooses one, and hands both to the comparison. Returns the chosen entry with all
 /// that has settled, for the root.
 fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settlement: &Settlement) -> Expr {
-    let Stage { place, lower, compared, row, .. } = stage;
+    let Stage { place, pace, lower, compared, row, .. } = stage;
     let Settlement { valid, number, side, first_side, entry, node } = settlement;
     let presented = lower.mux(above_row, &stage.next_row.trunc(place.row_bits()));
-    m.next(row, &presented);
-    m.next(&stage.row_before, row);
+    pace.next(m, row, &presented);
+    pace.next(m, &stage.row_before, row);
     // The rows of a last stage of one level end before those of its lower level.
     let address_bits = place.row_bits().min(place.levels - 1);
+    // The memories show the rows either at the start of a tick, in which case they are registered, or not before its end.
+    let is_late = address_bits <= SMALL_MEMORY_BITS && matches!(pace, Pace::TwoCycles(_));
+    let shown_row = if is_late { row.expr() } else { presented };
     let mut child = |name: &str, enable: Expr| {
         let memory = m.memory(&format!("{name}_nodes"), 1 << address_bits, node.width());
         let address = number.bits(place.row_bits(), 1).trunc(address_bits);
-        m.write(&memory, &(valid & enable), &address, node);
-        let shown = m.read(&memory, &format!("{name}_shown"), &presented.trunc(address_bits));
-        Record::unpack(&place.node(), &shown)
+        m.write(&memory, &pace.at_end(&(valid & enable)), &address, node);
+        let shown = m.read(&memory, &format!("{name}_shown"), &shown_row.trunc(address_bits));
+        Record::unpack(&place.node(), &if is_late { shown } else { pace.found(m, name, &shown) })
     };
     let (left, right) = (child("left", !side), child("right", side.clone()));
 
@@ -226,7 +245,7 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settleme
     let same_side = m.wire("same_side", &(&goes_right ^ !side));
     let goes_left = !&goes_right;
     let pick = |name: &str, right_one: &Expr| right_one.mux(&right.get(name), &left.get(name));
-    compared.next(m, |name| match name {
+    compared.next(m, pace, |name| match name {
         "follows" => step.get("follows") & &same_side,
         "carried" => step.get("entry"),
         "exists" => goes_right.mux(&right_exists, &left_exists),
@@ -250,14 +269,17 @@ pub(super) fn module(config: &Config, upper: usize) -> Module {
     let mut m = Module::new("core_a_heap_stage", "Two neighboring levels of the pipelined heap.");
     m.parameter("level", upper);
     m.parameter("levels", place.levels);
+    m.parameter("interval", config.heap_interval as usize);
     let order = Order { format: place.format, sweep: m.input("sweep", 1), last_epoch: m.input("last_epoch", 1) };
-    let lower = m.input("lower", 1);
+    let pace = Pace::new(&mut m, config);
+    let lower = pace.lower(&mut m);
     let above = Record::input(&mut m, "step_", &place.step());
     let bits = place.row_bits();
     let above_row = if upper > 0 { m.input("step_row", upper).zext(bits) } else { lit(bits, 0) };
     let stage = Stage {
         place,
         order,
+        pace,
         compared: Registers::new(&mut m, "compared_", &place.compared()),
         settled: Registers::new(&mut m, "settled_", &place.settled()),
         stored: m.reg("stored", width(&place.node())),

@@ -73,6 +73,8 @@ pub struct Config {
     pub cardinal: u32,
     /// Levels of the pipelined heap: it holds `2^levels − 1` splat copies (thesis 5.5.2).
     pub heap_levels: u32,
+    /// Cycles an operation of the heap takes: 2, or 4 for a higher clock.
+    pub heap_interval: u32,
     /// Bits of the arrival number that keeps the copies of a tile in order.
     pub sequence_bits: u32,
     /// Tiles the cache holds.
@@ -115,6 +117,7 @@ impl Default for Config {
             continuous: 6,
             cardinal: 0,
             heap_levels: 10,
+            heap_interval: 2,
             sequence_bits: 16,
             tile_slots: 4,
             culling: Feature::On,
@@ -147,6 +150,9 @@ pub enum ConfigError {
         /// Largest value allowed.
         high: f64,
     },
+    /// A pace the heap does not have.
+    #[error("`heap_interval` = {0}: expected 2 cycles an operation, or 4 for a higher clock")]
+    HeapInterval(u32),
     /// A row of samples that ends within a pixel.
     #[error(
         "`width` = {0} with `sampling` = \"flipquad\": expected an even number, two samples for each pixel of a row and one more"
@@ -193,6 +199,9 @@ impl Config {
                 let [value, low, high] = [value, low, high].map(f64::from);
                 return Err(ConfigError::Range { key, value, low, high });
             }
+        }
+        if ![2, 4].contains(&self.heap_interval) {
+            return Err(ConfigError::HeapInterval(self.heap_interval));
         }
         if !self.width.is_multiple_of(self.sampling.columns()) {
             return Err(ConfigError::OddWidth(self.width));

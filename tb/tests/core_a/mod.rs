@@ -60,6 +60,7 @@ pub fn configs() -> [Config; 3] {
         continuous: 13,
         cardinal: 1,
         heap_levels: 4,
+        heap_interval: 4,
         sequence_bits: 4,
         tile_slots: 5,
         transform_interval: 2,
