@@ -8,7 +8,7 @@ use super::deliver::Answer;
 use super::lru::{Chosen, Entries, VERSION_BITS};
 use super::tickets::Tickets;
 use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
-use crate::rtl::{Expr, Module, Reg, Stream, lit};
+use crate::rtl::{Expr, Module, Stream, lit};
 use crate::units::datapath::{Inputs, dot, uniform};
 use crate::units::records::{Record, event_out, queue_in, queue_out, width};
 
@@ -55,7 +55,6 @@ struct Asked {
     room: Expr,
     head: Record,
     held: Expr,
-    count: Reg,
 }
 
 impl Asked {
@@ -71,7 +70,7 @@ impl Asked {
         m.next_if(&write_address, push, &write_address.add_lit(1));
         m.next_if(&read_address, pop, &read_address.add_lit(1));
         m.next(&count, &(&count + push.zext(count.width()) - pop.zext(count.width())));
-        Self { room: !count.eq_lit(CHECKS as u128), head: Record::unpack(&fields, &head), held: count.any(), count }
+        Self { room: !count.eq_lit(CHECKS as u128), head: Record::unpack(&fields, &head), held: count.any() }
     }
 }
 
@@ -89,6 +88,10 @@ pub(super) struct Resources<'a> {
 
 /// What becomes of queries in a cycle.
 pub(super) struct Check {
+    /// A query enters.
+    pub enters: Expr,
+    /// A query that was answered leaves.
+    pub answered: Expr,
     /// A query is answered.
     pub hit: Answer,
     /// A query is to be searched for.
@@ -101,6 +104,7 @@ pub(super) struct Check {
 /// The comparisons that enter the datapath: all of one query's, then the next one's. Returns the datapath's output.
 struct Comparisons {
     out: Stream,
+    enters: Expr,
     asked: Asked,
     manifest: Manifest,
 }
@@ -122,11 +126,12 @@ impl Comparisons {
         let first = m.wire("first_entry", &entry.is_zero());
         let last = m.wire("last_entry", &entry.eq_lit(u128::from(config.neighbor_cache) - 1));
         let issues = m.forward("issues", 1);
-        let asked = Asked::new(m, config, &(&issues & &first), &Record::from(&query), pop);
+        let enters = m.wire("enters", &(&issues & &first));
+        let asked = Asked::new(m, config, &enters, &Record::from(&query), pop);
 
         let i1_valid = m.reg_reset("i1_valid", 1, 0);
         let advance = m.wire("i_advance", &(!&i1_valid | accepts));
-        let admits = m.wire("admits", &(&asked.room & from.tickets.admit(&asked.count)));
+        let admits = m.wire("admits", &(&asked.room & from.tickets.admit()));
         m.drive(&issues, &((&query.valid & &advance) & (!&first | admits)));
         m.ready(&query, &(&issues & &last));
         m.next_if(&entry, &issues, &last.mux(&lit(entry.width(), 0), &entry.add_lit(1)));
@@ -146,7 +151,7 @@ impl Comparisons {
         ball.connect(m, &datapath, "in_");
         cover.connect(m, &datapath, "in_entry_");
         m.connect(&datapath, "margin_scale", &from.settings.get("margin_scale"));
-        Ok(Self { out: m.stream_from(&datapath, "out"), asked, manifest })
+        Ok(Self { out: m.stream_from(&datapath, "out"), enters, asked, manifest })
     }
 }
 
@@ -154,7 +159,7 @@ impl Check {
     /// Judges one comparison a cycle.
     pub fn new(m: &mut Module, config: &Config, options: &Options, from: &Resources<'_>) -> Result<Self, CompileError> {
         let pops = m.forward("asked_pops", 1);
-        let Comparisons { out, asked, manifest } = Comparisons::new(m, config, options, from, &pops.expr())?;
+        let Comparisons { out, enters, asked, manifest } = Comparisons::new(m, config, options, from, &pops.expr())?;
         let compared = out.field("entry");
         let unchanged = out.field("version").eq(&from.entries.version(&compared));
         let reusable = (out.field("present") & from.entries.is_present(&compared)) & unchanged;
@@ -195,6 +200,7 @@ impl Check {
         event_out(m, "event_cache_hit", &hits);
         event_out(m, "event_cache_miss", &misses);
         let hit = Answer { by: Chosen { valid: hits, entry }, number: asked.head.get("number") };
-        Ok(Self { hit, misses, query: asked.head, manifest })
+        let answered = &pops & !&misses;
+        Ok(Self { enters, answered, hit, misses, query: asked.head, manifest })
     }
 }

@@ -70,7 +70,7 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     let (judged, cover) = covers.judge(&mut m, config, options, &settings, (&copy.end.by.valid, &copy.reach))?;
     let release = deliveries.send(&mut m, config, [hit, &copy.end], &neighborhoods);
 
-    tickets.update(&mut m, &check.misses, &check.query, &copy.end.by.valid, &copy.ticket);
+    tickets.update(&mut m, &check, &copy.end.by.valid, &copy.ticket);
     let uses = Uses {
         setup: &setup.valid,
         hit: &hit.by,

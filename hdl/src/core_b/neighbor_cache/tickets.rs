@@ -3,6 +3,7 @@
 use pointcore_spec::core_a::config::index_bits;
 use pointcore_spec::core_b::{Config, records};
 
+use super::check::Check;
 use crate::core_b::sets::{decode, index_of, lowest};
 use crate::rtl::{Expr, Memory, Module, Reg, address_width};
 use crate::units::records::{Record, width};
@@ -12,7 +13,8 @@ pub(super) struct Tickets {
     taken: Reg,
     queries: Memory,
     bits: usize,
-    taken_count: Reg,
+    /// Queries that hold a ticket or may still ask for one.
+    under_way: Reg,
     /// Some ticket is free.
     pub any_free: Expr,
     /// The lowest free one.
@@ -27,14 +29,13 @@ impl Tickets {
         let taken = m.reg_reset("taken", count, 0);
         let queries = m.memory("tickets", 1 << bits, width(&records::query(config)));
         let free = m.wire("free_ticket", &index_of(&lowest(&!&taken), bits));
-        let taken_count = m.reg_reset("taken_count", index_bits(config.tickets() + 1) as usize, 0);
-        Self { any_free: !taken.all(), taken, queries, bits, taken_count, free }
+        let under_way = m.reg_reset("under_way", index_bits(config.tickets() + 1) as usize, 0);
+        Self { any_free: !taken.all(), taken, queries, bits, under_way, free }
     }
 
-    /// One more query may be compared while `compared` are, so that none waits for a ticket afterwards.
-    pub fn admit(&self, compared: &Expr) -> Expr {
-        let bits = self.taken_count.width().max(compared.width()) + 1;
-        (compared.zext(bits) + self.taken_count.zext(bits)).lt_lit(self.taken.width() as u128)
+    /// One more query may be compared: none waits for a ticket afterwards.
+    pub fn admit(&self) -> Expr {
+        self.under_way.lt_lit(self.taken.width() as u128)
     }
 
     /// The query of the ticket that a result bears; read where `enable` is set.
@@ -43,14 +44,15 @@ impl Tickets {
         Record::unpack(&records::query(config), &query)
     }
 
-    /// The free ticket is taken for `query` where `takes` is set; the one that a result bears comes back where `returns` is.
-    pub fn update(self, m: &mut Module, takes: &Expr, query: &Record, returns: &Expr, number: &Expr) {
-        m.write(&self.queries, takes, &self.free, &query.pack());
+    /// The free ticket is taken for a query that misses; the one that a result bears comes back where `returns` is set.
+    pub fn update(self, m: &mut Module, check: &Check, returns: &Expr, number: &Expr) {
+        m.write(&self.queries, &check.misses, &self.free, &check.query.pack());
         let count = self.taken.width();
-        let taken = decode(takes, &self.free, count);
+        let taken = decode(&check.misses, &self.free, count);
         let returned = decode(returns, &number.trunc(self.bits), count);
-        let [more, less] = [takes, returns].map(|change| change.zext(self.taken_count.width()));
-        m.next(&self.taken_count, &(&self.taken_count + more - less));
+        let [enters, answered, returns] =
+            [&check.enters, &check.answered, returns].map(|change| change.zext(self.under_way.width()));
+        m.next(&self.under_way, &(&self.under_way + enters - answered - returns));
         m.next(&self.taken, &((&self.taken | taken) & !returned));
     }
 }
