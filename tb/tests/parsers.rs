@@ -6,14 +6,12 @@ use pointcore_spec::{core_a, core_b};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 
-const PLY: &str = "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
-                   property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_indices\n\
-                   end_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0 9 9 9\n4 0 1 2 3\n";
-const OBJ: &str = "# a triangle and a quadrilateral\nv 0 0 0\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0\nv 0 1 1e-3\nvn 0 0 1\nf 1//1 2//1 3//1\nf -4 -3 -2 -1\n";
-const SCENE: &str = "[camera]\neye = [0.0, 1.0, 4.0]\ntarget = [0.0, 0.0, 0.0]\nfov_degrees = 40.0\nnear = 1.0\nfar = 10.0\n[image]\nwidth = 16\nheight = 9\n[[material]]\nspecular = 0.1\n\
-                     [[object]]\nkind = \"sphere\"\npoints = 50\nouter_radius = 1.0\ncolor = [0.5, 0.5, 0.5]\n[overrides]\nheap_levels = 5\n";
-const CORE_A: &str = "width = 64\nheight = 64\ngeometry = \"f24-ftz\"\nattribute = \"f16\"\ncontinuous = 3\nculling = \"on\"\nkernel_gamma = 2.0\n";
-const CORE_B: &str = "lanes = 4\nthreads = 8\nbucket = 16\nneighbors = 10\n";
+const PLY: &str = include_str!("../../fuzz/seeds/ply/square.ply");
+const PLY_BINARY: &[u8] = include_bytes!("../../fuzz/seeds/ply/square_binary.ply");
+const OBJ: &str = include_str!("../../fuzz/seeds/obj/square.obj");
+const SCENE: &str = include_str!("../../fuzz/seeds/scene/sphere.toml");
+const CORE_A: &str = include_str!("../../fuzz/seeds/configuration/core_a.toml");
+const CORE_B: &str = include_str!("../../fuzz/seeds/configuration/core_b.toml");
 
 /// One change at a place given as a share of the file.
 #[derive(Clone, Debug)]
@@ -35,8 +33,8 @@ fn change() -> impl Strategy<Value = Change> {
     ]
 }
 
-fn changed(text: &str, changes: &[Change]) -> Vec<u8> {
-    let mut bytes = text.as_bytes().to_vec();
+fn changed(text: impl AsRef<[u8]>, changes: &[Change]) -> Vec<u8> {
+    let mut bytes = text.as_ref().to_vec();
     for change in changes {
         let place = |share: f64| (share * bytes.len() as f64) as usize;
         match change {
@@ -79,7 +77,7 @@ proptest! {
 
     #[test]
     fn models_are_read_or_refused(changes in prop::collection::vec(change(), 0..6)) {
-        for (suffix, text) in [(".ply", PLY), (".obj", OBJ)] {
+        for (suffix, text) in [(".ply", PLY.as_bytes()), (".ply", PLY_BINARY), (".obj", OBJ.as_bytes())] {
             let file = file(suffix, &changed(text, &changes));
             match Model::load(file.path()) {
                 Ok(model) => {
