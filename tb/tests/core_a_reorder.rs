@@ -46,6 +46,10 @@ fn it_agrees_with_the_model() {
         };
         // Where the consumer is faster than the heap, never or seldom pausing, or the heap is slow, every copy leaves at once.
         let ordered = runs.iter().filter(in_order).count();
-        assert!(ordered <= 1 + config.heap_interval as usize / 2, "{ordered} of {} runs were not reordered", runs.len());
+        assert!(
+            ordered <= 1 + config.heap_interval as usize / 2,
+            "{ordered} of {} runs were not reordered",
+            runs.len()
+        );
     }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pointcore::core_a::{Core, EncodedFrame, Outcome, Runner, area, assemble};
 use pointcore::lockstep::Stall;
-use pointcore::plan::Plan;
+use pointcore::plan::{Costs, Cycles, Plan, table_row};
 use pointcore::scene::Scene;
 use pointcore::verilated::Source;
 use pointcore_spec::core_a::{Config, Feature, records};
@@ -125,6 +125,22 @@ fn planned_hardware_renders_shipped_scenes_bit_for_bit() {
         let [little, all] = [&plan, &everything].map(|plan| render(&scene, plan, &generate(plan)));
         let count = agree(&plan, &little, &everything, &all);
         assert!(count > 200, "{name}: {count} fragments");
+    }
+}
+
+/// But for the scan, which is not shipped, and for LUT4 and cycles, of which the one is a fit and the other takes long.
+#[test]
+fn readme_says_what_shipped_scenes_call_for() {
+    let cells = |row: &str| -> Vec<String> { row.split('|').map(|cell| cell.trim().to_owned()).collect() };
+    let rows: Vec<_> = include_str!("../../README.md").lines().map(cells).collect();
+    for name in ["knot", "minified", "plane", "shapes"] {
+        let (scene, plan) = planned(name, &[]);
+        let costs = Costs::whole(&scene, &plan, Cycles::Untold, None).unwrap_or_else(|error| panic!("{error}"));
+        let expected = cells(&table_row(name, &plan, &costs));
+        let agrees = |row: &Vec<String>| {
+            row.len() == expected.len() && row.iter().zip(&expected).all(|(said, right)| right == "?" || said == right)
+        };
+        assert!(rows.iter().any(agrees), "`pointcore plan --table` says {expected:?}");
     }
 }
 

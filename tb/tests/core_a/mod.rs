@@ -100,6 +100,7 @@ pub fn fixed_configs() -> [Config; 3] {
 pub fn knobs() -> [Config; 2] {
     let [bare, full, _] = configs();
     let coarse = Config {
+        depth: FragmentDepth::Plane,
         screen_filter: Feature::On,
         kernel_index_bits: 5,
         kernel_fraction_bits: 0,
