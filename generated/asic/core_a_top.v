@@ -6217,6 +6217,7 @@ endmodule
 
 // Pipelined heap that orders splat copies by tile, then by arrival.
 // levels = 10
+// interval = 2
 // sequence_bits = 16
 module core_a_heap (
     input  wire clk,
@@ -6311,10 +6312,11 @@ module core_a_heap (
     wire stage_8_rise_childless;
     wire [7:0] stage_8_rise_node;
 
+    wire begins = ~lower;
     wire fresh_epoch_blocked = (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
     wire occupied = |count;
-    wire pop = ~lower & (occupied & out_queue_in_ready);
-    wire ready = ~lower & ~fresh_epoch_blocked & (~(&count) | pop);
+    wire pop = begins & (occupied & out_queue_in_ready);
+    wire ready = begins & ~fresh_epoch_blocked & (~(&count) | pop);
     assign in_ready = ready;
     wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
@@ -6345,7 +6347,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(push | pop),
         .step_hole(pop),
         .step_carry(push),
@@ -6380,7 +6381,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_0_below_valid),
         .step_hole(stage_0_below_hole),
         .step_carry(stage_0_below_carry),
@@ -6420,7 +6420,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_2_below_valid),
         .step_hole(stage_2_below_hole),
         .step_carry(stage_2_below_carry),
@@ -6460,7 +6459,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_4_below_valid),
         .step_hole(stage_4_below_hole),
         .step_carry(stage_4_below_carry),
@@ -6500,7 +6498,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_6_below_valid),
         .step_hole(stage_6_below_hole),
         .step_carry(stage_6_below_carry),
@@ -6529,7 +6526,7 @@ module core_a_heap (
             current <= 12'd0;
             sweep <= 1'd0;
         end else begin
-            lower <= ~lower;
+            lower <= begins;
             if (push ^ pop) begin
                 count <= push ? (count + 10'd1) : (count - 10'd1);
             end
@@ -6561,12 +6558,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 8
 // levels = 10
+// interval = 2
 module core_a_heap_stage_level8 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -6586,6 +6583,7 @@ module core_a_heap_stage_level8 (
 );
     reg [41:0] left_nodes [0:511];
     reg [41:0] right_nodes [0:511];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -6678,9 +6676,11 @@ module core_a_heap_stage_level8 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -6736,12 +6736,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 6
 // levels = 10
+// interval = 2
 module core_a_heap_stage_level6 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -6777,6 +6777,7 @@ module core_a_heap_stage_level6 (
 );
     reg [43:0] left_nodes [0:127];
     reg [43:0] right_nodes [0:127];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -6881,9 +6882,11 @@ module core_a_heap_stage_level6 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -6937,12 +6940,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 4
 // levels = 10
+// interval = 2
 module core_a_heap_stage_level4 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -6978,6 +6981,7 @@ module core_a_heap_stage_level4 (
 );
     reg [45:0] left_nodes [0:31];
     reg [45:0] right_nodes [0:31];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -7082,9 +7086,11 @@ module core_a_heap_stage_level4 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -7138,12 +7144,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 2
 // levels = 10
+// interval = 2
 module core_a_heap_stage_level2 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -7179,6 +7185,7 @@ module core_a_heap_stage_level2 (
 );
     reg [47:0] left_nodes [0:7];
     reg [47:0] right_nodes [0:7];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -7283,9 +7290,11 @@ module core_a_heap_stage_level2 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -7339,12 +7348,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 0
 // levels = 10
+// interval = 2
 module core_a_heap_stage_level0 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -7375,6 +7384,7 @@ module core_a_heap_stage_level0 (
 );
     reg [49:0] left_nodes [0:1];
     reg [49:0] right_nodes [0:1];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -7471,9 +7481,11 @@ module core_a_heap_stage_level0 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end

@@ -8586,6 +8586,7 @@ endmodule
 
 // Pipelined heap that orders splat copies by tile, then by arrival.
 // levels = 12
+// interval = 4
 // sequence_bits = 16
 module core_a_heap (
     input  wire clk,
@@ -8600,6 +8601,7 @@ module core_a_heap (
     output wire [11:0] out_pointer,
     output wire empty
 );
+    reg ends;
     reg lower;
     reg [11:0] count;
     reg [15:0] arrival;
@@ -8696,10 +8698,11 @@ module core_a_heap (
     wire stage_10_rise_childless;
     wire [9:0] stage_10_rise_node;
 
+    wire begins = ends & ~lower;
     wire fresh_epoch_blocked = (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
     wire occupied = |count;
-    wire pop = ~lower & (occupied & out_queue_in_ready);
-    wire ready = ~lower & ~fresh_epoch_blocked & (~(&count) | pop);
+    wire pop = begins & (occupied & out_queue_in_ready);
+    wire ready = begins & ~fresh_epoch_blocked & (~(&count) | pop);
     assign in_ready = ready;
     wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
@@ -8730,7 +8733,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(push | pop),
         .step_hole(pop),
         .step_carry(push),
@@ -8765,7 +8767,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_0_below_valid),
         .step_hole(stage_0_below_hole),
         .step_carry(stage_0_below_carry),
@@ -8805,7 +8806,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_2_below_valid),
         .step_hole(stage_2_below_hole),
         .step_carry(stage_2_below_carry),
@@ -8845,7 +8845,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_4_below_valid),
         .step_hole(stage_4_below_hole),
         .step_carry(stage_4_below_carry),
@@ -8885,7 +8884,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_6_below_valid),
         .step_hole(stage_6_below_hole),
         .step_carry(stage_6_below_carry),
@@ -8925,7 +8923,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_8_below_valid),
         .step_hole(stage_8_below_hole),
         .step_carry(stage_8_below_carry),
@@ -8946,6 +8943,7 @@ module core_a_heap (
 
     always @(posedge clk) begin
         if (rst) begin
+            ends <= 1'd1;
             lower <= 1'd0;
             count <= 12'd0;
             arrival <= 16'd0;
@@ -8954,7 +8952,10 @@ module core_a_heap (
             current <= 12'd0;
             sweep <= 1'd0;
         end else begin
-            lower <= ~lower;
+            ends <= ~ends;
+            if (ends) begin
+                lower <= ~lower;
+            end
             if (push ^ pop) begin
                 count <= push ? (count + 12'd1) : (count - 12'd1);
             end
@@ -8977,7 +8978,9 @@ module core_a_heap (
         if (push) begin
             last_epoch <= arrival[15];
         end
-        newcomer_tile <= in_tile;
+        if (ends) begin
+            newcomer_tile <= in_tile;
+        end
     end
 
     wire _unused = &{1'b0, stage_0_root[26:12]};
@@ -8986,12 +8989,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 10
 // levels = 12
+// interval = 4
 module core_a_heap_stage_level10 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9011,6 +9014,8 @@ module core_a_heap_stage_level10 (
 );
     reg [43:0] left_nodes [0:2047];
     reg [43:0] right_nodes [0:2047];
+    reg ends;
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9041,132 +9046,158 @@ module core_a_heap_stage_level10 (
     reg [43:0] stored;
     reg [10:0] row;
     reg [10:0] row_before;
+    reg [40:0] chosen_entry_found;
+    reg before_chosen_found;
+    reg before_rival_found;
+    reg left_exists_found;
+    reg right_exists_found;
+    reg left_full_found;
+    reg rival_stays_found;
     reg [11:0] last_row;
     reg [11:0] last_row_before;
     reg [43:0] left_shown;
+    reg [43:0] left_found;
     reg [43:0] right_shown;
+    reg [43:0] right_found;
 
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
-    wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
-    wire term_6 = ~(chosen_left_count | chosen_right_below);
-    wire choice_7 = lower ? compared_hole : step_hole;
-    wire choice_8 = lower ? compared_follows : step_follows;
-    wire choice_9 = lower ? chosen_left_count : step_left_exists;
-    wire choice_10 = lower ? chosen_right_below : step_right_exists;
-    wire newer = choice_8 & settled_valid;
-    wire [11:0] choice_11 = lower ? last_row_before : {1'd0, row_before};
-    wire side = choice_11[0];
-    wire choice_12 = lower ? 1'd0 : compared_exists;
-    wire term_13 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_12) & term_13) : settled_ahead;
+    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
+    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_2 = ~(left_exists_found | right_exists_found);
+    wire choice_3 = lower ? compared_hole : step_hole;
+    wire choice_4 = lower ? compared_follows : step_follows;
+    wire choice_5 = lower ? left_exists_found : step_left_exists;
+    wire choice_6 = lower ? right_exists_found : step_right_exists;
+    wire newer = choice_4 & settled_valid;
+    wire [11:0] choice_7 = lower ? last_row_before : {1'd0, row_before};
+    wire side = choice_7[0];
+    wire choice_8 = lower ? 1'd0 : compared_exists;
+    wire term_9 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_1);
+    wire is_first = settled_hole ? ((settled_carry | choice_8) & term_9) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_14 = (choice_9 & choice_10) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_10;
-    wire goes_right = choice_7 ? choice_14 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire choice_10 = (choice_5 & choice_6) ? (newer ? first_side : (left_found[2] ^ right_found[2])) : choice_6;
+    wire goes_right = choice_3 ? choice_10 : lower ? left_full_found : step_right;
     wire same_side = goes_right ^ ~side;
     wire [28:0] rival = compared_rival_stored ? stored[43:15] : compared_rival;
-    wire [40:0] choice_15 = ~goes_right ? right_shown[43:3] : left_shown[43:3];
-    wire term_16 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_16;
-    wire term_17 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_11 = ~goes_right ? right_found[43:3] : left_found[43:3];
+    wire term_12 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
+    wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire [40:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
-    wire term_18 = settled_hole & ~settled_carry & choice_12;
-    wire choice_19 = lower ? 1'd0 : compared_right;
-    wire term_20 = settled_right_below & ~(term_18 & choice_19 & (lower ? 1'd0 : term_6));
-    wire term_21 = ~settled_hole & settled_existed;
-    wire term_22 = ~choice_19;
-    wire sum_23 = settled_left_count + ((term_18 & term_22) | (term_21 & term_22));
+    wire term_13 = settled_hole & ~settled_carry & choice_8;
+    wire choice_14 = lower ? 1'd0 : compared_right;
+    wire term_15 = settled_right_below & ~(term_13 & choice_14 & (lower ? 1'd0 : term_2));
+    wire term_16 = ~settled_hole & settled_existed;
+    wire term_17 = ~choice_14;
+    wire sum_18 = settled_left_count + ((term_13 & term_17) | (term_16 & term_17));
     wire [43:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
-        term_20 | (term_21 & choice_19),
-        sum_23
+        term_15 | (term_16 & choice_14),
+        sum_18
     };
     wire [11:0] next_row = {row, goes_right};
-    wire [10:0] choice_24 = lower ? {1'd0, step_row} : next_row[10:0];
+    wire [10:0] choice_19 = lower ? {1'd0, step_row} : next_row[10:0];
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
+    wire term_20 = compared_carried[40] == sweep;
+    wire [27:0] joined_21 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_22 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_20 : (joined_21 < joined_22);
+    wire term_23 = joined_21 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_20 : term_23;
+    wire [27:0] joined_24 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_24 < joined_22);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
+    assign rise_ahead = term_1;
     assign rise_right = compared_right;
-    assign rise_childless = term_6;
+    assign rise_childless = term_2;
     assign rise_node = row_before[9:0];
 
     always @(posedge clk) begin
         if (rst) begin
+            ends <= 1'd1;
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
-            compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            ends <= ~ends;
+            if (ends) begin
+                lower <= ~lower;
+                compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
+                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            end
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_7;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_8 & same_side;
-        compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? choice_10 : choice_9;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_14;
-        compared_parent_rival <= lower ? rival : step_rival;
-        compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_15[40:12];
-        compared_rival_exists <= goes_right ? choice_9 : choice_10;
-        compared_rival_mark <= ~goes_right ? right_shown[2] : left_shown[2];
-        compared_entry <= goes_right ? right_shown[43:3] : left_shown[43:3];
-        compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
-        compared_left_count <= goes_right ? right_shown[0] : left_shown[0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_17;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
-        settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & compared_exists;
-        stored <= node_to_store;
-        row <= choice_24;
-        row_before <= row;
-        last_row <= next_row;
-        last_row_before <= last_row;
+        if (ends) begin
+            compared_hole <= choice_3;
+            compared_carry <= lower ? compared_carry : step_carry;
+            compared_follows <= choice_4 & same_side;
+            compared_carried <= lower ? (carried_first ? chosen_entry_found : compared_carried) : step_entry;
+            compared_exists <= goes_right ? choice_6 : choice_5;
+            compared_right <= goes_right;
+            compared_was_first <= goes_right == choice_10;
+            compared_parent_rival <= lower ? rival : step_rival;
+            compared_chosen_stored <= newer & same_side;
+            compared_rival_stored <= newer & ~same_side;
+            compared_rival <= choice_11[40:12];
+            compared_rival_exists <= goes_right ? choice_5 : choice_6;
+            compared_rival_mark <= ~goes_right ? right_found[2] : left_found[2];
+            compared_entry <= goes_right ? right_found[43:3] : left_found[43:3];
+            compared_right_below <= goes_right ? right_found[1] : left_found[1];
+            compared_left_count <= goes_right ? right_found[0] : left_found[0];
+            settled_hole <= compared_hole;
+            settled_carry <= compared_carry;
+            settled_existed <= compared_exists;
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_12);
+            settled_rival_exists <= compared_rival_exists;
+            settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
+            settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry_found;
+            settled_right_below <= chosen_right_below & compared_exists;
+            settled_left_count <= chosen_left_count & compared_exists;
+            stored <= node_to_store;
+            row <= choice_19;
+            row_before <= row;
+            last_row <= next_row;
+            last_row_before <= last_row;
+        end
+        chosen_entry_found <= chosen_entry;
+        before_chosen_found <= before_chosen;
+        before_rival_found <= before_rival;
+        left_exists_found <= chosen_left_count;
+        right_exists_found <= chosen_right_below;
+        left_full_found <= chosen_left_count | ~lower;
+        rival_stays_found <= rival_stays;
+        left_found <= left_shown;
+        right_found <= right_shown;
     end
     always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_11[11:1]] <= node_to_store;
+        if (ends & (settled_valid & ~side)) begin
+            left_nodes[choice_7[11:1]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_24];
+        left_shown <= left_nodes[choice_19];
     end
     always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_11[11:1]] <= node_to_store;
+        if (ends & (settled_valid & side)) begin
+            right_nodes[choice_7[11:1]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_24];
+        right_shown <= right_nodes[choice_19];
     end
 
-    wire _unused = &{1'b0, choice_15[11:0]};
+    wire _unused = &{1'b0, choice_11[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
 // level = 8
 // levels = 12
+// interval = 4
 module core_a_heap_stage_level8 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9202,6 +9233,8 @@ module core_a_heap_stage_level8 (
 );
     reg [45:0] left_nodes [0:511];
     reg [45:0] right_nodes [0:511];
+    reg ends;
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9232,142 +9265,167 @@ module core_a_heap_stage_level8 (
     reg [45:0] stored;
     reg [8:0] row;
     reg [8:0] row_before;
+    reg [40:0] chosen_entry_found;
+    reg before_chosen_found;
+    reg before_rival_found;
+    reg left_exists_found;
+    reg right_exists_found;
+    reg left_full_found;
+    reg rival_stays_found;
     reg [45:0] left_shown;
+    reg [45:0] left_found;
     reg [45:0] right_shown;
+    reg [45:0] right_found;
 
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
-    wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
+    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_2 = ~(left_exists_found | right_exists_found);
+    wire term_3 = compared_valid & compared_exists;
+    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] rival = compared_rival_stored ? stored[45:17] : compared_rival;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [9:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_5 = lower ? compared_hole : step_hole;
+    wire choice_6 = lower ? left_exists_found : step_left_exists;
+    wire choice_7 = lower ? right_exists_found : step_right_exists;
+    wire choice_8 = lower ? compared_follows : step_follows;
+    wire newer = choice_8 & settled_valid;
+    wire [9:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_9[0];
+    wire choice_10 = lower ? below_rise_exists : compared_exists;
+    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
+    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_found[4] ^ right_found[4])) : choice_7;
+    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [9:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_18 = ~goes_right ? right_shown[45:5] : left_shown[45:5];
-    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
-    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_13 = ~goes_right ? right_found[45:5] : left_found[45:5];
+    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
+    wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_21 = settled_hole & ~settled_carry & choice_15;
-    wire choice_22 = lower ? below_rise_right : compared_right;
-    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
-    wire term_24 = ~settled_hole & settled_existed;
-    wire term_25 = ~choice_22;
-    wire term_26 = term_21 & term_25;
-    wire [2:0] sum_27 = settled_left_count + {{2{term_26}}, term_26 | (term_24 & term_25)};
+    wire term_15 = settled_hole & ~settled_carry & choice_10;
+    wire choice_16 = lower ? below_rise_right : compared_right;
+    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
+    wire term_18 = ~settled_hole & settled_existed;
+    wire term_19 = ~choice_16;
+    wire term_20 = term_15 & term_19;
+    wire [2:0] sum_21 = settled_left_count + {{2{term_20}}, term_20 | (term_18 & term_19)};
     wire [45:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_23) | (term_24 & choice_22),
-        sum_27
+        (settled_right_below & ~term_17) | (term_18 & choice_16),
+        sum_21
     };
-    wire [8:0] choice_28 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire [8:0] choice_22 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
+    wire term_23 = compared_carried[40] == sweep;
+    wire [27:0] joined_24 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_25 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_23 : (joined_24 < joined_25);
+    wire term_26 = joined_24 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_23 : term_26;
+    wire [27:0] joined_27 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_27 < joined_25);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
+    assign rise_ahead = term_1;
     assign rise_right = compared_right;
-    assign rise_childless = term_6;
+    assign rise_childless = term_2;
     assign rise_node = row_before[7:0];
-    assign below_valid = term_7;
+    assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
+    assign below_right = left_full_found;
+    assign below_left_exists = left_exists_found;
+    assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = choice_4;
     assign below_rival = rival;
     assign below_row = next_row;
 
     always @(posedge clk) begin
         if (rst) begin
+            ends <= 1'd1;
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
-            compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            ends <= ~ends;
+            if (ends) begin
+                lower <= ~lower;
+                compared_valid <= lower ? term_3 : step_valid;
+                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            end
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
-        compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[4] : left_shown[4];
-        compared_entry <= goes_right ? right_shown[45:5] : left_shown[45:5];
-        compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
-        compared_left_count <= goes_right ? right_shown[2:0] : left_shown[2:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {3{compared_exists}};
-        stored <= node_to_store;
-        row <= choice_28;
-        row_before <= row;
+        if (ends) begin
+            compared_hole <= choice_5;
+            compared_carry <= lower ? compared_carry : step_carry;
+            compared_follows <= choice_8 & same_side;
+            compared_carried <= lower ? choice_4 : step_entry;
+            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_right <= goes_right;
+            compared_was_first <= goes_right == choice_12;
+            compared_parent_rival <= lower ? rival : step_rival;
+            compared_chosen_stored <= newer & same_side;
+            compared_rival_stored <= newer & ~same_side;
+            compared_rival <= choice_13[40:12];
+            compared_rival_exists <= goes_right ? choice_6 : choice_7;
+            compared_rival_mark <= ~goes_right ? right_found[4] : left_found[4];
+            compared_entry <= goes_right ? right_found[45:5] : left_found[45:5];
+            compared_right_below <= goes_right ? right_found[3] : left_found[3];
+            compared_left_count <= goes_right ? right_found[2:0] : left_found[2:0];
+            settled_hole <= compared_hole;
+            settled_carry <= compared_carry;
+            settled_existed <= compared_exists;
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
+            settled_rival_exists <= compared_rival_exists;
+            settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
+            settled_entry <= first;
+            settled_right_below <= chosen_right_below & compared_exists;
+            settled_left_count <= chosen_left_count & {3{compared_exists}};
+            stored <= node_to_store;
+            row <= choice_22;
+            row_before <= row;
+        end
+        chosen_entry_found <= chosen_entry;
+        before_chosen_found <= before_chosen;
+        before_rival_found <= before_rival;
+        left_exists_found <= |chosen_left_count;
+        right_exists_found <= chosen_right_below;
+        left_full_found <= &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
+        rival_stays_found <= rival_stays;
+        left_found <= left_shown;
+        right_found <= right_shown;
     end
     always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_14[9:1]] <= node_to_store;
+        if (ends & (settled_valid & ~side)) begin
+            left_nodes[choice_9[9:1]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_28];
+        left_shown <= left_nodes[choice_22];
     end
     always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_14[9:1]] <= node_to_store;
+        if (ends & (settled_valid & side)) begin
+            right_nodes[choice_9[9:1]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_28];
+        right_shown <= right_nodes[choice_22];
     end
 
-    wire _unused = &{1'b0, choice_18[11:0]};
+    wire _unused = &{1'b0, choice_13[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
 // level = 6
 // levels = 12
+// interval = 4
 module core_a_heap_stage_level6 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9403,6 +9461,8 @@ module core_a_heap_stage_level6 (
 );
     reg [47:0] left_nodes [0:127];
     reg [47:0] right_nodes [0:127];
+    reg ends;
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9433,142 +9493,167 @@ module core_a_heap_stage_level6 (
     reg [47:0] stored;
     reg [6:0] row;
     reg [6:0] row_before;
+    reg [40:0] chosen_entry_found;
+    reg before_chosen_found;
+    reg before_rival_found;
+    reg left_exists_found;
+    reg right_exists_found;
+    reg left_full_found;
+    reg rival_stays_found;
     reg [47:0] left_shown;
+    reg [47:0] left_found;
     reg [47:0] right_shown;
+    reg [47:0] right_found;
 
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
-    wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
+    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_2 = ~(left_exists_found | right_exists_found);
+    wire term_3 = compared_valid & compared_exists;
+    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] rival = compared_rival_stored ? stored[47:19] : compared_rival;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [7:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_5 = lower ? compared_hole : step_hole;
+    wire choice_6 = lower ? left_exists_found : step_left_exists;
+    wire choice_7 = lower ? right_exists_found : step_right_exists;
+    wire choice_8 = lower ? compared_follows : step_follows;
+    wire newer = choice_8 & settled_valid;
+    wire [7:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_9[0];
+    wire choice_10 = lower ? below_rise_exists : compared_exists;
+    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
+    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_found[6] ^ right_found[6])) : choice_7;
+    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_18 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
-    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
-    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_13 = ~goes_right ? right_found[47:7] : left_found[47:7];
+    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
+    wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
     wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_21 = settled_hole & ~settled_carry & choice_15;
-    wire choice_22 = lower ? below_rise_right : compared_right;
-    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
-    wire term_24 = ~settled_hole & settled_existed;
-    wire term_25 = ~choice_22;
-    wire term_26 = term_21 & term_25;
-    wire [4:0] sum_27 = settled_left_count + {{4{term_26}}, term_26 | (term_24 & term_25)};
+    wire term_15 = settled_hole & ~settled_carry & choice_10;
+    wire choice_16 = lower ? below_rise_right : compared_right;
+    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
+    wire term_18 = ~settled_hole & settled_existed;
+    wire term_19 = ~choice_16;
+    wire term_20 = term_15 & term_19;
+    wire [4:0] sum_21 = settled_left_count + {{4{term_20}}, term_20 | (term_18 & term_19)};
     wire [47:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_23) | (term_24 & choice_22),
-        sum_27
+        (settled_right_below & ~term_17) | (term_18 & choice_16),
+        sum_21
     };
-    wire [6:0] choice_28 = lower ? {1'd0, step_row} : next_row[6:0];
+    wire [6:0] choice_22 = lower ? {1'd0, step_row} : next_row[6:0];
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
+    wire term_23 = compared_carried[40] == sweep;
+    wire [27:0] joined_24 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_25 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_23 : (joined_24 < joined_25);
+    wire term_26 = joined_24 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_23 : term_26;
+    wire [27:0] joined_27 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_27 < joined_25);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
+    assign rise_ahead = term_1;
     assign rise_right = compared_right;
-    assign rise_childless = term_6;
+    assign rise_childless = term_2;
     assign rise_node = row_before[5:0];
-    assign below_valid = term_7;
+    assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
+    assign below_right = left_full_found;
+    assign below_left_exists = left_exists_found;
+    assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = choice_4;
     assign below_rival = rival;
     assign below_row = next_row;
 
     always @(posedge clk) begin
         if (rst) begin
+            ends <= 1'd1;
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
-            compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            ends <= ~ends;
+            if (ends) begin
+                lower <= ~lower;
+                compared_valid <= lower ? term_3 : step_valid;
+                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            end
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
-        compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
-        compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
-        compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
-        compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[6] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {5{compared_exists}};
-        stored <= node_to_store;
-        row <= choice_28;
-        row_before <= row;
+        if (ends) begin
+            compared_hole <= choice_5;
+            compared_carry <= lower ? compared_carry : step_carry;
+            compared_follows <= choice_8 & same_side;
+            compared_carried <= lower ? choice_4 : step_entry;
+            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_right <= goes_right;
+            compared_was_first <= goes_right == choice_12;
+            compared_parent_rival <= lower ? rival : step_rival;
+            compared_chosen_stored <= newer & same_side;
+            compared_rival_stored <= newer & ~same_side;
+            compared_rival <= choice_13[40:12];
+            compared_rival_exists <= goes_right ? choice_6 : choice_7;
+            compared_rival_mark <= ~goes_right ? right_found[6] : left_found[6];
+            compared_entry <= goes_right ? right_found[47:7] : left_found[47:7];
+            compared_right_below <= goes_right ? right_found[5] : left_found[5];
+            compared_left_count <= goes_right ? right_found[4:0] : left_found[4:0];
+            settled_hole <= compared_hole;
+            settled_carry <= compared_carry;
+            settled_existed <= compared_exists;
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
+            settled_rival_exists <= compared_rival_exists;
+            settled_rival_mark <= compared_rival_stored ? stored[6] : compared_rival_mark;
+            settled_entry <= first;
+            settled_right_below <= chosen_right_below & compared_exists;
+            settled_left_count <= chosen_left_count & {5{compared_exists}};
+            stored <= node_to_store;
+            row <= choice_22;
+            row_before <= row;
+        end
+        chosen_entry_found <= chosen_entry;
+        before_chosen_found <= before_chosen;
+        before_rival_found <= before_rival;
+        left_exists_found <= |chosen_left_count;
+        right_exists_found <= chosen_right_below;
+        left_full_found <= &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
+        rival_stays_found <= rival_stays;
+        left_found <= left_shown;
+        right_found <= right_shown;
     end
     always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_14[7:1]] <= node_to_store;
+        if (ends & (settled_valid & ~side)) begin
+            left_nodes[choice_9[7:1]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_28];
+        left_shown <= left_nodes[choice_22];
     end
     always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_14[7:1]] <= node_to_store;
+        if (ends & (settled_valid & side)) begin
+            right_nodes[choice_9[7:1]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_28];
+        right_shown <= right_nodes[choice_22];
     end
 
-    wire _unused = &{1'b0, choice_18[11:0]};
+    wire _unused = &{1'b0, choice_13[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
 // level = 4
 // levels = 12
+// interval = 4
 module core_a_heap_stage_level4 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9604,6 +9689,8 @@ module core_a_heap_stage_level4 (
 );
     reg [49:0] left_nodes [0:31];
     reg [49:0] right_nodes [0:31];
+    reg ends;
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9634,142 +9721,162 @@ module core_a_heap_stage_level4 (
     reg [49:0] stored;
     reg [4:0] row;
     reg [4:0] row_before;
+    reg [40:0] chosen_entry_found;
+    reg before_chosen_found;
+    reg before_rival_found;
+    reg left_exists_found;
+    reg right_exists_found;
+    reg left_full_found;
+    reg rival_stays_found;
     reg [49:0] left_shown;
     reg [49:0] right_shown;
 
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
-    wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
+    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_2 = ~(left_exists_found | right_exists_found);
+    wire term_3 = compared_valid & compared_exists;
+    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] rival = compared_rival_stored ? stored[49:21] : compared_rival;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [5:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_5 = lower ? compared_hole : step_hole;
+    wire choice_6 = lower ? left_exists_found : step_left_exists;
+    wire choice_7 = lower ? right_exists_found : step_right_exists;
+    wire choice_8 = lower ? compared_follows : step_follows;
+    wire newer = choice_8 & settled_valid;
+    wire [5:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_9[0];
+    wire choice_10 = lower ? below_rise_exists : compared_exists;
+    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
+    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_7;
+    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [5:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_18 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
-    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
-    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_13 = ~goes_right ? right_shown[49:9] : left_shown[49:9];
+    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
+    wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
     wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_21 = settled_hole & ~settled_carry & choice_15;
-    wire choice_22 = lower ? below_rise_right : compared_right;
-    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
-    wire term_24 = ~settled_hole & settled_existed;
-    wire term_25 = ~choice_22;
-    wire term_26 = term_21 & term_25;
-    wire [6:0] sum_27 = settled_left_count + {{6{term_26}}, term_26 | (term_24 & term_25)};
+    wire term_15 = settled_hole & ~settled_carry & choice_10;
+    wire choice_16 = lower ? below_rise_right : compared_right;
+    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
+    wire term_18 = ~settled_hole & settled_existed;
+    wire term_19 = ~choice_16;
+    wire term_20 = term_15 & term_19;
+    wire [6:0] sum_21 = settled_left_count + {{6{term_20}}, term_20 | (term_18 & term_19)};
     wire [49:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_23) | (term_24 & choice_22),
-        sum_27
+        (settled_right_below & ~term_17) | (term_18 & choice_16),
+        sum_21
     };
-    wire [4:0] choice_28 = lower ? {1'd0, step_row} : next_row[4:0];
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
+    wire term_22 = compared_carried[40] == sweep;
+    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
+    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
+    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
+    assign rise_ahead = term_1;
     assign rise_right = compared_right;
-    assign rise_childless = term_6;
+    assign rise_childless = term_2;
     assign rise_node = row_before[3:0];
-    assign below_valid = term_7;
+    assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
+    assign below_right = left_full_found;
+    assign below_left_exists = left_exists_found;
+    assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = choice_4;
     assign below_rival = rival;
     assign below_row = next_row;
 
     always @(posedge clk) begin
         if (rst) begin
+            ends <= 1'd1;
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
-            compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            ends <= ~ends;
+            if (ends) begin
+                lower <= ~lower;
+                compared_valid <= lower ? term_3 : step_valid;
+                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            end
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
-        compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[8] : left_shown[8];
-        compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
-        compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
-        compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[8] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {7{compared_exists}};
-        stored <= node_to_store;
-        row <= choice_28;
-        row_before <= row;
+        if (ends) begin
+            compared_hole <= choice_5;
+            compared_carry <= lower ? compared_carry : step_carry;
+            compared_follows <= choice_8 & same_side;
+            compared_carried <= lower ? choice_4 : step_entry;
+            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_right <= goes_right;
+            compared_was_first <= goes_right == choice_12;
+            compared_parent_rival <= lower ? rival : step_rival;
+            compared_chosen_stored <= newer & same_side;
+            compared_rival_stored <= newer & ~same_side;
+            compared_rival <= choice_13[40:12];
+            compared_rival_exists <= goes_right ? choice_6 : choice_7;
+            compared_rival_mark <= ~goes_right ? right_shown[8] : left_shown[8];
+            compared_entry <= goes_right ? right_shown[49:9] : left_shown[49:9];
+            compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
+            compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
+            settled_hole <= compared_hole;
+            settled_carry <= compared_carry;
+            settled_existed <= compared_exists;
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
+            settled_rival_exists <= compared_rival_exists;
+            settled_rival_mark <= compared_rival_stored ? stored[8] : compared_rival_mark;
+            settled_entry <= first;
+            settled_right_below <= chosen_right_below & compared_exists;
+            settled_left_count <= chosen_left_count & {7{compared_exists}};
+            stored <= node_to_store;
+            row <= lower ? {1'd0, step_row} : next_row[4:0];
+            row_before <= row;
+        end
+        chosen_entry_found <= chosen_entry;
+        before_chosen_found <= before_chosen;
+        before_rival_found <= before_rival;
+        left_exists_found <= |chosen_left_count;
+        right_exists_found <= chosen_right_below;
+        left_full_found <= &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
+        rival_stays_found <= rival_stays;
     end
     always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_14[5:1]] <= node_to_store;
+        if (ends & (settled_valid & ~side)) begin
+            left_nodes[choice_9[5:1]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_28];
+        left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_14[5:1]] <= node_to_store;
+        if (ends & (settled_valid & side)) begin
+            right_nodes[choice_9[5:1]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_28];
+        right_shown <= right_nodes[row];
     end
 
-    wire _unused = &{1'b0, choice_18[11:0]};
+    wire _unused = &{1'b0, choice_13[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
 // level = 2
 // levels = 12
+// interval = 4
 module core_a_heap_stage_level2 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9805,6 +9912,8 @@ module core_a_heap_stage_level2 (
 );
     reg [51:0] left_nodes [0:7];
     reg [51:0] right_nodes [0:7];
+    reg ends;
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9835,142 +9944,162 @@ module core_a_heap_stage_level2 (
     reg [51:0] stored;
     reg [2:0] row;
     reg [2:0] row_before;
+    reg [40:0] chosen_entry_found;
+    reg before_chosen_found;
+    reg before_rival_found;
+    reg left_exists_found;
+    reg right_exists_found;
+    reg left_full_found;
+    reg rival_stays_found;
     reg [51:0] left_shown;
     reg [51:0] right_shown;
 
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
-    wire term_1 = compared_carried[40] == sweep;
-    wire [27:0] joined_2 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_3 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_1 : (joined_2 < joined_3);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
-    wire term_5 = compared_exists & ~rival_stays;
-    wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
-    wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
-    wire term_6 = ~(|chosen_left_count | chosen_right_below);
-    wire term_7 = compared_valid & compared_exists;
-    wire term_8 = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
-    wire [40:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
+    wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
+    wire term_1 = compared_exists & ~rival_stays_found;
+    wire term_2 = ~(left_exists_found | right_exists_found);
+    wire term_3 = compared_valid & compared_exists;
+    wire [40:0] choice_4 = carried_first ? chosen_entry_found : compared_carried;
     wire [28:0] rival = compared_rival_stored ? stored[51:23] : compared_rival;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire choice_13 = lower ? compared_follows : step_follows;
-    wire newer = choice_13 & settled_valid;
-    wire [3:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
-    wire side = choice_14[0];
-    wire choice_15 = lower ? below_rise_exists : compared_exists;
-    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire choice_5 = lower ? compared_hole : step_hole;
+    wire choice_6 = lower ? left_exists_found : step_left_exists;
+    wire choice_7 = lower ? right_exists_found : step_right_exists;
+    wire choice_8 = lower ? compared_follows : step_follows;
+    wire newer = choice_8 & settled_valid;
+    wire [3:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_9[0];
+    wire choice_10 = lower ? below_rise_exists : compared_exists;
+    wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
+    wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_12;
-    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_7;
+    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_18 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
-    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_1 : term_19;
-    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [40:0] choice_13 = ~goes_right ? right_shown[51:11] : left_shown[51:11];
+    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
+    wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
     wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_21 = settled_hole & ~settled_carry & choice_15;
-    wire choice_22 = lower ? below_rise_right : compared_right;
-    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
-    wire term_24 = ~settled_hole & settled_existed;
-    wire term_25 = ~choice_22;
-    wire term_26 = term_21 & term_25;
-    wire [8:0] sum_27 = settled_left_count + {{8{term_26}}, term_26 | (term_24 & term_25)};
+    wire term_15 = settled_hole & ~settled_carry & choice_10;
+    wire choice_16 = lower ? below_rise_right : compared_right;
+    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
+    wire term_18 = ~settled_hole & settled_existed;
+    wire term_19 = ~choice_16;
+    wire term_20 = term_15 & term_19;
+    wire [8:0] sum_21 = settled_left_count + {{8{term_20}}, term_20 | (term_18 & term_19)};
     wire [51:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_23) | (term_24 & choice_22),
-        sum_27
+        (settled_right_below & ~term_17) | (term_18 & choice_16),
+        sum_21
     };
-    wire [2:0] choice_28 = lower ? {1'd0, step_row} : next_row[2:0];
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
+    wire term_22 = compared_carried[40] == sweep;
+    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
+    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
+    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
-    assign rise_ahead = term_5;
+    assign rise_ahead = term_1;
     assign rise_right = compared_right;
-    assign rise_childless = term_6;
+    assign rise_childless = term_2;
     assign rise_node = row_before[1:0];
-    assign below_valid = term_7;
+    assign below_valid = term_3;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
+    assign below_right = left_full_found;
+    assign below_left_exists = left_exists_found;
+    assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = choice_4;
     assign below_rival = rival;
     assign below_row = next_row;
 
     always @(posedge clk) begin
         if (rst) begin
+            ends <= 1'd1;
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
-            compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            ends <= ~ends;
+            if (ends) begin
+                lower <= ~lower;
+                compared_valid <= lower ? term_3 : step_valid;
+                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            end
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_13 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_17;
-        compared_parent_rival <= lower ? rival : step_rival;
-        compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[10] : left_shown[10];
-        compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
-        compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
-        compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[10] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {9{compared_exists}};
-        stored <= node_to_store;
-        row <= choice_28;
-        row_before <= row;
+        if (ends) begin
+            compared_hole <= choice_5;
+            compared_carry <= lower ? compared_carry : step_carry;
+            compared_follows <= choice_8 & same_side;
+            compared_carried <= lower ? choice_4 : step_entry;
+            compared_exists <= goes_right ? choice_7 : choice_6;
+            compared_right <= goes_right;
+            compared_was_first <= goes_right == choice_12;
+            compared_parent_rival <= lower ? rival : step_rival;
+            compared_chosen_stored <= newer & same_side;
+            compared_rival_stored <= newer & ~same_side;
+            compared_rival <= choice_13[40:12];
+            compared_rival_exists <= goes_right ? choice_6 : choice_7;
+            compared_rival_mark <= ~goes_right ? right_shown[10] : left_shown[10];
+            compared_entry <= goes_right ? right_shown[51:11] : left_shown[51:11];
+            compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
+            compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
+            settled_hole <= compared_hole;
+            settled_carry <= compared_carry;
+            settled_existed <= compared_exists;
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
+            settled_rival_exists <= compared_rival_exists;
+            settled_rival_mark <= compared_rival_stored ? stored[10] : compared_rival_mark;
+            settled_entry <= first;
+            settled_right_below <= chosen_right_below & compared_exists;
+            settled_left_count <= chosen_left_count & {9{compared_exists}};
+            stored <= node_to_store;
+            row <= lower ? {1'd0, step_row} : next_row[2:0];
+            row_before <= row;
+        end
+        chosen_entry_found <= chosen_entry;
+        before_chosen_found <= before_chosen;
+        before_rival_found <= before_rival;
+        left_exists_found <= |chosen_left_count;
+        right_exists_found <= chosen_right_below;
+        left_full_found <= &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
+        rival_stays_found <= rival_stays;
     end
     always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_14[3:1]] <= node_to_store;
+        if (ends & (settled_valid & ~side)) begin
+            left_nodes[choice_9[3:1]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_28];
+        left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_14[3:1]] <= node_to_store;
+        if (ends & (settled_valid & side)) begin
+            right_nodes[choice_9[3:1]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_28];
+        right_shown <= right_nodes[row];
     end
 
-    wire _unused = &{1'b0, choice_18[11:0]};
+    wire _unused = &{1'b0, choice_13[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
 // level = 0
 // levels = 12
+// interval = 4
 module core_a_heap_stage_level0 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -10001,6 +10130,8 @@ module core_a_heap_stage_level0 (
 );
     reg [53:0] left_nodes [0:1];
     reg [53:0] right_nodes [0:1];
+    reg ends;
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -10031,123 +10162,143 @@ module core_a_heap_stage_level0 (
     reg [53:0] stored;
     reg row;
     reg row_before;
+    reg [40:0] chosen_entry_found;
+    reg before_chosen_found;
+    reg before_rival_found;
+    reg left_exists_found;
+    reg right_exists_found;
+    reg left_full_found;
+    reg rival_stays_found;
     reg [53:0] left_shown;
     reg [53:0] right_shown;
 
     wire choice_1 = lower ? compared_follows : step_follows;
     wire newer = choice_1 & settled_valid;
+    wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire choice_2 = lower ? newcomer_sweep : compared_carried[40];
-    wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
-    wire term_3 = choice_2 == sweep;
-    wire [27:0] joined_4 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_5 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_3 : (joined_4 < joined_5);
-    wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [40:0] joined_6 = {choice_2, compared_carried[39:0]};
-    wire [40:0] first = carried_first ? joined_6 : chosen_entry;
+    wire [40:0] joined_3 = {choice_2, compared_carried[39:0]};
+    wire [40:0] first = carried_first ? joined_3 : chosen_entry_found;
     wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_7 = compared_valid & compared_exists;
-    wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
-    wire term_8 = &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
-    wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
-    wire [40:0] choice_9 = carried_first ? chosen_entry : joined_6;
+    wire term_4 = compared_valid & compared_exists;
+    wire [40:0] choice_5 = carried_first ? chosen_entry_found : joined_3;
     wire [28:0] rival = compared_rival_stored ? stored[53:25] : compared_rival;
-    wire choice_10 = lower ? compared_hole : step_hole;
-    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
-    wire choice_12 = lower ? chosen_right_below : step_right_exists;
-    wire [1:0] choice_13 = lower ? below_rise_node : {1'd0, row_before};
-    wire side = choice_13[0];
-    wire choice_14 = lower ? below_rise_exists : compared_exists;
-    wire [27:0] joined_15 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_15 < joined_5);
-    wire choice_16 = lower ? below_rise_ahead : (compared_exists & ~rival_stays);
-    wire term_17 = (settled_carry | choice_14) & (~settled_rival_exists | settled_ahead | choice_16);
-    wire is_first = settled_hole ? term_17 : settled_ahead;
+    wire choice_6 = lower ? compared_hole : step_hole;
+    wire choice_7 = lower ? left_exists_found : step_left_exists;
+    wire choice_8 = lower ? right_exists_found : step_right_exists;
+    wire [1:0] choice_9 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_9[0];
+    wire choice_10 = lower ? below_rise_exists : compared_exists;
+    wire choice_11 = lower ? below_rise_ahead : (compared_exists & ~rival_stays_found);
+    wire term_12 = (settled_carry | choice_10) & (~settled_rival_exists | settled_ahead | choice_11);
+    wire is_first = settled_hole ? term_12 : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : choice_12;
-    wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
+    wire choice_13 = (choice_7 & choice_8) ? (newer ? first_side : (left_shown[12] ^ right_shown[12])) : choice_8;
+    wire goes_right = choice_6 ? choice_13 : lower ? left_full_found : step_right;
     wire [1:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_19 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
-    wire term_20 = joined_4 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (choice_2 ^ rival[28]) ? term_3 : term_20;
-    wire term_21 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
-    wire term_22 = settled_hole & ~settled_carry & choice_14;
-    wire choice_23 = lower ? below_rise_right : compared_right;
-    wire choice_24 = lower ? below_rise_childless : ~(|chosen_left_count | chosen_right_below);
-    wire term_25 = ~settled_hole & settled_existed;
-    wire term_26 = (settled_right_below & ~(term_22 & choice_23 & choice_24)) | (term_25 & choice_23);
-    wire term_27 = ~choice_23;
-    wire term_28 = term_22 & term_27;
-    wire [10:0] sum_29 = settled_left_count + {{10{term_28}}, term_28 | (term_25 & term_27)};
-    wire [53:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_26, sum_29};
-    wire choice_30 = lower ? 1'd0 : next_row[0];
+    wire [40:0] choice_14 = ~goes_right ? right_shown[53:13] : left_shown[53:13];
+    wire term_15 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire chosen_right_below = compared_chosen_stored ? stored[11] : compared_right_below;
+    wire [10:0] chosen_left_count = compared_chosen_stored ? stored[10:0] : compared_left_count;
+    wire term_16 = settled_hole & ~settled_carry & choice_10;
+    wire choice_17 = lower ? below_rise_right : compared_right;
+    wire choice_18 = lower ? below_rise_childless : ~(left_exists_found | right_exists_found);
+    wire term_19 = ~settled_hole & settled_existed;
+    wire term_20 = (settled_right_below & ~(term_16 & choice_17 & choice_18)) | (term_19 & choice_17);
+    wire term_21 = ~choice_17;
+    wire term_22 = term_16 & term_21;
+    wire [10:0] sum_23 = settled_left_count + {{10{term_22}}, term_22 | (term_19 & term_21)};
+    wire [53:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_20, sum_23};
+    wire [40:0] chosen_entry = compared_chosen_stored ? stored[53:13] : compared_entry;
+    wire term_24 = choice_2 == sweep;
+    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (choice_2 ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
+    wire term_27 = joined_25 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (choice_2 ^ rival[28]) ? term_24 : term_27;
+    wire [27:0] joined_28 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_28 < joined_26);
 
     assign root = newer ? entry_to_store : right_shown[53:13];
-    assign below_valid = term_7;
+    assign below_valid = term_4;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
-    assign below_right = term_8;
-    assign below_left_exists = |chosen_left_count;
-    assign below_right_exists = chosen_right_below;
+    assign below_right = left_full_found;
+    assign below_left_exists = left_exists_found;
+    assign below_right_exists = right_exists_found;
     assign below_follows = compared_follows;
-    assign below_entry = choice_9;
+    assign below_entry = choice_5;
     assign below_rival = rival;
     assign below_row = next_row;
 
     always @(posedge clk) begin
         if (rst) begin
+            ends <= 1'd1;
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
-            compared_valid <= lower ? term_7 : step_valid;
-            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            ends <= ~ends;
+            if (ends) begin
+                lower <= ~lower;
+                compared_valid <= lower ? term_4 : step_valid;
+                settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+            end
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_10;
-        compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_1 & same_side;
-        compared_carried <= lower ? choice_9 : step_entry;
-        compared_exists <= goes_right ? choice_12 : choice_11;
-        compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_18;
-        compared_parent_rival <= lower ? rival : step_rival;
-        compared_chosen_stored <= newer & same_side;
-        compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_19[40:12];
-        compared_rival_exists <= goes_right ? choice_11 : choice_12;
-        compared_rival_mark <= ~goes_right ? right_shown[12] : left_shown[12];
-        compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
-        compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
-        compared_left_count <= goes_right ? right_shown[10:0] : left_shown[10:0];
-        settled_hole <= compared_hole;
-        settled_carry <= compared_carry;
-        settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_21;
-        settled_rival_exists <= compared_rival_exists;
-        settled_rival_mark <= compared_rival_stored ? stored[12] : compared_rival_mark;
-        settled_entry <= first;
-        settled_right_below <= chosen_right_below & compared_exists;
-        settled_left_count <= chosen_left_count & {11{compared_exists}};
-        stored <= node_to_store;
-        row <= choice_30;
-        row_before <= row;
+        if (ends) begin
+            compared_hole <= choice_6;
+            compared_carry <= lower ? compared_carry : step_carry;
+            compared_follows <= choice_1 & same_side;
+            compared_carried <= lower ? choice_5 : step_entry;
+            compared_exists <= goes_right ? choice_8 : choice_7;
+            compared_right <= goes_right;
+            compared_was_first <= goes_right == choice_13;
+            compared_parent_rival <= lower ? rival : step_rival;
+            compared_chosen_stored <= newer & same_side;
+            compared_rival_stored <= newer & ~same_side;
+            compared_rival <= choice_14[40:12];
+            compared_rival_exists <= goes_right ? choice_7 : choice_8;
+            compared_rival_mark <= ~goes_right ? right_shown[12] : left_shown[12];
+            compared_entry <= goes_right ? right_shown[53:13] : left_shown[53:13];
+            compared_right_below <= goes_right ? right_shown[11] : left_shown[11];
+            compared_left_count <= goes_right ? right_shown[10:0] : left_shown[10:0];
+            settled_hole <= compared_hole;
+            settled_carry <= compared_carry;
+            settled_existed <= compared_exists;
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_15);
+            settled_rival_exists <= compared_rival_exists;
+            settled_rival_mark <= compared_rival_stored ? stored[12] : compared_rival_mark;
+            settled_entry <= first;
+            settled_right_below <= chosen_right_below & compared_exists;
+            settled_left_count <= chosen_left_count & {11{compared_exists}};
+            stored <= node_to_store;
+            row <= lower ? 1'd0 : next_row[0];
+            row_before <= row;
+        end
+        chosen_entry_found <= chosen_entry;
+        before_chosen_found <= before_chosen;
+        before_rival_found <= before_rival;
+        left_exists_found <= |chosen_left_count;
+        right_exists_found <= chosen_right_below;
+        left_full_found <= &chosen_left_count[9:0] & (chosen_left_count[10] | ~lower);
+        rival_stays_found <= rival_stays;
     end
     always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_13[1]] <= node_to_store;
+        if (ends & (settled_valid & ~side)) begin
+            left_nodes[choice_9[1]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_30];
+        left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_13[1]] <= node_to_store;
+        if (ends & (settled_valid & side)) begin
+            right_nodes[choice_9[1]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_30];
+        right_shown <= right_nodes[row];
     end
 
-    wire _unused = &{1'b0, choice_19[11:0]};
+    wire _unused = &{1'b0, choice_14[11:0]};
 endmodule
 
 // Queue of two in registers.

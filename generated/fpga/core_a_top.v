@@ -8911,6 +8911,7 @@ endmodule
 
 // Pipelined heap that orders splat copies by tile, then by arrival.
 // levels = 12
+// interval = 2
 // sequence_bits = 16
 module core_a_heap (
     input  wire clk,
@@ -9021,10 +9022,11 @@ module core_a_heap (
     wire stage_10_rise_childless;
     wire [9:0] stage_10_rise_node;
 
+    wire begins = ~lower;
     wire fresh_epoch_blocked = (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
     wire occupied = |count;
-    wire pop = ~lower & (occupied & out_queue_in_ready);
-    wire ready = ~lower & ~fresh_epoch_blocked & (~(&count) | pop);
+    wire pop = begins & (occupied & out_queue_in_ready);
+    wire ready = begins & ~fresh_epoch_blocked & (~(&count) | pop);
     assign in_ready = ready;
     wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
@@ -9055,7 +9057,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(push | pop),
         .step_hole(pop),
         .step_carry(push),
@@ -9090,7 +9091,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_0_below_valid),
         .step_hole(stage_0_below_hole),
         .step_carry(stage_0_below_carry),
@@ -9130,7 +9130,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_2_below_valid),
         .step_hole(stage_2_below_hole),
         .step_carry(stage_2_below_carry),
@@ -9170,7 +9169,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_4_below_valid),
         .step_hole(stage_4_below_hole),
         .step_carry(stage_4_below_carry),
@@ -9210,7 +9208,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_6_below_valid),
         .step_hole(stage_6_below_hole),
         .step_carry(stage_6_below_carry),
@@ -9250,7 +9247,6 @@ module core_a_heap (
         .rst(rst),
         .sweep(sweep),
         .last_epoch(last_epoch),
-        .lower(lower),
         .step_valid(stage_8_below_valid),
         .step_hole(stage_8_below_hole),
         .step_carry(stage_8_below_carry),
@@ -9279,7 +9275,7 @@ module core_a_heap (
             current <= 12'd0;
             sweep <= 1'd0;
         end else begin
-            lower <= ~lower;
+            lower <= begins;
             if (push ^ pop) begin
                 count <= push ? (count + 12'd1) : (count - 12'd1);
             end
@@ -9311,12 +9307,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 10
 // levels = 12
+// interval = 2
 module core_a_heap_stage_level10 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9336,6 +9332,7 @@ module core_a_heap_stage_level10 (
 );
     reg [43:0] left_nodes [0:2047];
     reg [43:0] right_nodes [0:2047];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9428,9 +9425,11 @@ module core_a_heap_stage_level10 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -9486,12 +9485,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 8
 // levels = 12
+// interval = 2
 module core_a_heap_stage_level8 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9527,6 +9526,7 @@ module core_a_heap_stage_level8 (
 );
     reg [45:0] left_nodes [0:511];
     reg [45:0] right_nodes [0:511];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9631,9 +9631,11 @@ module core_a_heap_stage_level8 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -9687,12 +9689,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 6
 // levels = 12
+// interval = 2
 module core_a_heap_stage_level6 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9728,6 +9730,7 @@ module core_a_heap_stage_level6 (
 );
     reg [47:0] left_nodes [0:127];
     reg [47:0] right_nodes [0:127];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -9832,9 +9835,11 @@ module core_a_heap_stage_level6 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -9888,12 +9893,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 4
 // levels = 12
+// interval = 2
 module core_a_heap_stage_level4 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -9929,6 +9934,7 @@ module core_a_heap_stage_level4 (
 );
     reg [49:0] left_nodes [0:31];
     reg [49:0] right_nodes [0:31];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -10033,9 +10039,11 @@ module core_a_heap_stage_level4 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -10089,12 +10097,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 2
 // levels = 12
+// interval = 2
 module core_a_heap_stage_level2 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -10130,6 +10138,7 @@ module core_a_heap_stage_level2 (
 );
     reg [51:0] left_nodes [0:7];
     reg [51:0] right_nodes [0:7];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -10234,9 +10243,11 @@ module core_a_heap_stage_level2 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
@@ -10290,12 +10301,12 @@ endmodule
 // Two neighboring levels of the pipelined heap.
 // level = 0
 // levels = 12
+// interval = 2
 module core_a_heap_stage_level0 (
     input  wire clk,
     input  wire rst,
     input  wire sweep,
     input  wire last_epoch,
-    input  wire lower,
     input  wire step_valid,
     input  wire step_hole,
     input  wire step_carry,
@@ -10326,6 +10337,7 @@ module core_a_heap_stage_level0 (
 );
     reg [53:0] left_nodes [0:1];
     reg [53:0] right_nodes [0:1];
+    reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
@@ -10422,9 +10434,11 @@ module core_a_heap_stage_level0 (
 
     always @(posedge clk) begin
         if (rst) begin
+            lower <= 1'd0;
             compared_valid <= 1'd0;
             settled_valid <= 1'd0;
         end else begin
+            lower <= ~lower;
             compared_valid <= lower ? term_7 : step_valid;
             settled_valid <= compared_valid & (compared_exists | ~compared_hole);
         end
