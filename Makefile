@@ -74,8 +74,10 @@ check: ## Formatting, clippy and documentation without warnings
 	cargo clippy --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
 
-bench: setup ## Measure and merge the figures into out/bench.json
+bench: setup ## Measure frames, searches, operators, stability and accuracy, and merge the figures and docs/area.json's into out/bench.json
 	cargo run --release --bin pointcore -- bench $(if $(SCAN),--scan $(abspath $(SCAN))) $(if $(MODELS),--models $(abspath $(MODELS)))
+	cargo run --release --bin pointcore -- area --recorded --record docs/area.json --merge out/bench.json
+	$(MAKE) stability accuracy
 
 stability: setup ## Check core A's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
 	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)

@@ -73,12 +73,18 @@ fn measurements_are_kept_with_what_they_were_made_of() {
         "`small` on gates was measured of other Verilog",
         "pointcore area small.toml --target gates --record area.json",
         "the tables of page.md are not those of area.json",
-        "pointcore area --record area.json --tables page.md --only-tables",
+        "pointcore area --record area.json --tables page.md --recorded",
     ];
     workplace.fails(STALE, &check, &parts);
-    workplace.succeeds(&["area", "--record", "area.json", "--tables", "page.md", "--only-tables"]);
+    workplace.succeeds(&["area", "--record", "area.json", "--tables", "page.md", "--recorded"]);
     assert_eq!(read(&document), page);
     workplace.fails(STALE, &check, &parts[..2]);
+
+    // Figures of other hardware stay out.
+    workplace.succeeds(&["area", "--recorded", "--record", "area.json", "--merge", "figures.json"]);
+    let figures = json(&read(&workplace.path().join("figures.json")));
+    assert_eq!(figures["gates.bf16_lt.gates"], 42);
+    assert!(figures.get("gates.small.gates").is_none(), "{figures}");
 }
 
 #[test]
@@ -93,11 +99,8 @@ fn what_the_record_cannot_be_is_said() {
         (&["area", "--check", "broken.json"], ["broken.json: no record of areas", "line 1"]),
         (&["area", "f32_add", "--record", "broken.json"], ["broken.json: no record of areas", "line 1"]),
         (&["area", "f32_add", "--tables", "page.md"], ["--tables", "--record"]),
-        (
-            &["area", "--record", "empty.json", "--tables", "page.md", "--only-tables"],
-            ["page.md: no table", "<!-- area"],
-        ),
-        (&["area", "--record", "empty.json", "--tables", "gone.md", "--only-tables"], ["gone.md", "cannot be read"]),
+        (&["area", "--record", "empty.json", "--tables", "page.md", "--recorded"], ["page.md: no table", "<!-- area"]),
+        (&["area", "--record", "empty.json", "--tables", "gone.md", "--recorded"], ["gone.md", "cannot be read"]),
         (&["area", "core_a_top"], ["unknown unit `core_a_top`", "core_a_units, core_b_units, bus_units, heaps, cores"]),
     ] {
         workplace.fails(WRONG_INPUT, arguments, &parts);

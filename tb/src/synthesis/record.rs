@@ -72,7 +72,9 @@ impl Entry {
         Self { unit, target, configuration, seeds, source, tools, area, timing, fmax_mhz }
     }
 
-    fn measurement(&self) -> Measurement {
+    /// What was measured.
+    #[must_use]
+    pub fn measurement(&self) -> Measurement {
         let Self { unit, area, timing, fmax_mhz, .. } = self.clone();
         Measurement { unit, area, timing, fmax_mhz }
     }

@@ -14,11 +14,16 @@ const FIXED: Fixed = Fixed { width: 24, fraction: 8, signed: Signedness::Signed 
 /// Lines of the caches that `ecp5_knn` leaves out.
 const TREE_CACHE: u32 = 4096;
 const NEIGHBOR_CACHE: u32 = 8;
-/// Levels and image of the heaps that stand beside the core's own, by name.
+/// Levels, cycles of an operation, and image of the heaps that stand beside the core's own, by name.
 ///
 /// Arrival numbers have a bit more than there are levels, so that the heap can be full; the tile index has the rest of the 16 bits
 /// of a key as others measure it. The bit for the sweep comes on top.
-const HEAPS: [(&str, u32, [u32; 2]); 2] = [("heap1023", 10, [64, 32]), ("heap4095", 12, [32, 16])];
+const HEAPS: [(&str, u32, u32, [u32; 2]); 4] = [
+    ("heap1023", 10, 2, [64, 32]),
+    ("heap1023_4_cycles", 10, 4, [64, 32]),
+    ("heap4095", 12, 2, [32, 16]),
+    ("heap4095_4_cycles", 12, 4, [32, 16]),
+];
 
 type Build = Box<dyn Fn() -> Result<Rc<Module>, GenerateError> + Send + Sync>;
 
@@ -257,9 +262,10 @@ fn cores() -> Vec<Unit> {
 
 /// Heaps of the sizes that others report.
 fn heaps() -> Vec<Unit> {
-    let unit = |(name, heap_levels, [width, height]): (_, u32, [u32; 2])| {
+    let unit = |(name, heap_levels, heap_interval, [width, height]): (_, u32, _, [u32; 2])| {
         let sequence_bits = heap_levels + 1;
-        let config = core_a_spec::Config { heap_levels, sequence_bits, width, height, ..Default::default() };
+        let config =
+            core_a_spec::Config { heap_levels, heap_interval, sequence_bits, width, height, ..Default::default() };
         Unit::new(name, move || Ok(core_a::heap::module(&config)))
     };
     HEAPS.map(unit).into()
@@ -272,7 +278,7 @@ mod tests {
 
     #[test]
     fn heaps_have_keys_of_16_bits() {
-        for (name, heap_levels, [width, height]) in HEAPS {
+        for (name, heap_levels, _, [width, height]) in HEAPS {
             let config = core_a_spec::Config { width, height, ..Default::default() };
             assert_eq!(config.tile_bits() + heap_levels + 1, 16, "{name}");
         }

@@ -4,8 +4,9 @@ mod progress;
 mod record;
 
 use super::{Failure, Figures, Output, merge, scene_name};
+use clap::ValueEnum;
 use pointcore::configuration::{parse, read_text};
-use pointcore::synthesis::{self, Measurement, Style, Synthesizer, Target, Unit};
+use pointcore::synthesis::{self, Measurement, Record, Style, Synthesizer, Target, Unit};
 use progress::Display;
 use rayon::prelude::*;
 use record::Recorder;
@@ -41,12 +42,12 @@ pub struct Arguments {
     /// Write the tables of this Markdown file anew from the record, between lines `<!-- area TARGET -->` and `<!-- end of area -->`.
     #[arg(long, value_name = "FILE")]
     tables: Option<PathBuf>,
-    /// Measure nothing: write --tables from --record.
-    #[arg(long, requires = "record", requires = "tables", conflicts_with_all = ["units", "merge"])]
-    only_tables: bool,
+    /// Measure nothing: write --tables from --record, and merge those of its figures that are of the hardware as it is now.
+    #[arg(long, requires = "record", conflicts_with = "units")]
+    recorded: bool,
     /// Measure nothing: say which figures of this record are not of the hardware as it is now, and whether --tables are those of the
     /// record.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["units", "merge", "record", "only_tables"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["units", "merge", "record", "recorded"])]
     check: Option<PathBuf>,
 }
 
@@ -115,6 +116,15 @@ fn figures(target: Target, measurements: &[Measurement]) -> Figures {
     figures
 }
 
+/// The figures of a record that are of the hardware as it is now.
+fn recorded(record: &Record) -> Figures {
+    let of_target = |&target: &Target| {
+        let measurements: Vec<_> = record.fresh(target).into_iter().map(|(entry, _)| entry.measurement()).collect();
+        figures(target, &measurements)
+    };
+    Target::value_variants().iter().flat_map(of_target).collect()
+}
+
 /// Measures units, one after the other or several at a time; one that fails does not keep the others from being measured.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if let Some(path) = &arguments.check {
@@ -124,8 +134,10 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         let problem = "--tables needs the record that they are made from: expected --record or --check FILE";
         return Err(Failure::Usage(problem.to_owned()));
     }
-    if !arguments.only_tables {
+    if !arguments.recorded {
         measure(arguments, output)?;
+    } else if let (Some(path), Some(record)) = (&arguments.merge, &arguments.record) {
+        merge(path, recorded(&Record::load(record)?))?;
     }
     match (&arguments.record, &arguments.tables) {
         (Some(path), Some(tables)) => record::write_tables(path, tables),

@@ -65,8 +65,7 @@ pub fn check(path: &Path, tables: Option<&Path>, output: Output) -> Result<(), F
     if let Some(tables) = tables {
         let (wanted, present) = tabulated(&record, tables)?;
         if wanted != present {
-            let remedy =
-                format!("pointcore area --record {} --tables {} --only-tables", path.display(), tables.display());
+            let remedy = format!("pointcore area --record {} --tables {} --recorded", path.display(), tables.display());
             let problem = format!("the tables of {} are not those of {}", tables.display(), path.display());
             stale.push(Stale { problem, remedy });
         }
