@@ -1,7 +1,6 @@
 //! The FuseSoC core (CAPI2) of a package.
 
 use super::{File, GENERATOR, Package, Role};
-use crate::synthesis::arguments_for_a_core;
 
 /// What FuseSoC calls the core of a configuration: vendor, library, name, version.
 #[must_use]
@@ -29,7 +28,7 @@ fn fileset<'a>(name: &str, files: impl Iterator<Item = &'a File>) -> String {
 
 /// The core's text.
 pub fn text(package: &Package) -> String {
-    let Package { name, title, top, .. } = package;
+    let Package { name, title, top, nextpnr, .. } = package;
     let core = top.trim_end_matches("_top");
     let tested = package.files_for(Role::Test).next().is_some();
     let parts = [("rtl", Role::Verilog), ("axi", Role::Bus), ("pins", Role::Pins)];
@@ -38,7 +37,7 @@ pub fn text(package: &Package) -> String {
         filesets += &fileset("test", package.files_for(Role::Test));
     }
     // Quoted, since YAML would read some of them as numbers.
-    let nextpnr: Vec<_> = arguments_for_a_core().map(|argument| format!("\"{argument}\"")).collect();
+    let nextpnr: Vec<_> = nextpnr.iter().map(|argument| format!("\"{argument}\"")).collect();
     let nextpnr = nextpnr.join(", ");
     let test = format!(
         r"

@@ -14,7 +14,7 @@ use crate::core_a::{self, area};
 use crate::core_b;
 use crate::generated::GenerateError;
 use crate::lockstep::LockstepError;
-use crate::synthesis::{Unit, shell};
+use crate::synthesis::{Unit, arguments_for_a_core, shell};
 use pointcore_hdl::compiler::Manifest;
 use pointcore_hdl::rtl::Design;
 use pointcore_spec::core_a::Config as CoreAConfig;
@@ -76,6 +76,8 @@ pub struct Package {
     pub top: String,
     /// The files, without the FuseSoC core.
     files: Vec<File>,
+    /// How it is placed and routed on an ECP5.
+    nextpnr: Vec<&'static str>,
 }
 
 impl Package {
@@ -121,7 +123,7 @@ impl Package {
             "area": area::document(design),
         });
         let manifest = serde_json::to_string_pretty(&manifest).expect("manifests have string keys");
-        let mut package = Self { name: name.to_owned(), title, top, files: Vec::new() };
+        let mut package = Self { name: name.to_owned(), title, top, files: Vec::new(), nextpnr: Vec::new() };
         package.add(format!("{}.v", package.top), design.verilog().to_owned(), Role::Verilog);
         package.add("manifest.json", manifest + "\n", Role::Document);
         package.add("config.toml", config, Role::Document);
@@ -146,6 +148,7 @@ impl Package {
     /// The core between registers and behind few pins: what can be placed on a device and loaded as it is.
     fn add_pins(&mut self, configuration: Configuration) -> Result<(), GenerateError> {
         let name = format!("{}_pins", self.top.trim_end_matches("_top"));
+        self.nextpnr = arguments_for_a_core(&configuration).collect();
         let shell = shell::wrap_named(&name, Unit::core(&name, configuration).module()?)?;
         self.add(format!("{name}.v"), shell.outermost(), Role::Pins);
         for (ending, text) in constraints::of(&name) {

@@ -189,7 +189,7 @@ impl Synthesizer {
                 let copy = content.join(netlist);
                 fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
                 if netlist == PLACED {
-                    write(&copy, &with_settings(&read(&copy)?))?;
+                    write(&copy, &with_settings(unit.extent, &read(&copy)?))?;
                 }
                 let files = ["--seed", &seed, "--json", netlist, "--report", TIMING, "--log", ROUTING];
                 router.run(&unit.name, content, &[&["-q", "--timing-allow-fail"], &files[..], &arguments].concat())?;
@@ -199,9 +199,9 @@ impl Synthesizer {
         };
         let (entry, _) = match unit.extent {
             Extent::Unit => run(synthesis, NETLIST, &[])?,
-            Extent::Core => {
+            Extent::Core | Extent::CrowdedCore => {
                 let placed = run(synthesis, NETLIST, &["--no-route", "--write", PLACED])?;
-                let key = key([placed.1.as_str(), &with_settings(SETTINGS)]);
+                let key = key([placed.1.as_str(), &with_settings(unit.extent, SETTINGS)]);
                 run(&(placed.0, key), PLACED, &["--no-pack", "--no-place"])?
             }
         };
@@ -211,7 +211,10 @@ impl Synthesizer {
 }
 
 /// A placed design with the router's settings among its own.
-fn with_settings(design: &str) -> String {
+fn with_settings(extent: Extent, design: &str) -> String {
+    if extent != Extent::CrowdedCore {
+        return design.to_owned();
+    }
     let settings: String =
         ROUTING_SETTINGS.iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
     design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
@@ -231,8 +234,8 @@ pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError
     let design = design(unit)?;
     let script = target.script(&design);
     let arguments: Vec<&str> = target.device().into_iter().flat_map(|device| device.arguments(unit.extent)).collect();
-    let settings = with_settings(SETTINGS);
-    let settings = (target.device().is_some() && unit.extent == Extent::Core).then_some(settings.as_str());
+    let settings = with_settings(unit.extent, SETTINGS);
+    let settings = (target.device().is_some() && settings != SETTINGS).then_some(settings.as_str());
     Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments).chain(settings)))
 }
 
@@ -275,7 +278,8 @@ mod tests {
 
     #[test]
     fn a_placed_design_gets_the_routers_settings_once() {
-        let design = with_settings(r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#);
+        let design =
+            with_settings(Extent::CrowdedCore, r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#);
         let design: serde_json::Value = serde_json::from_str(&design).expect("it stays JSON");
         let margin = design["a"]["settings"]["router2/bbMargin/x"].as_str().expect("it is a string of bits");
         assert_eq!((u32::from_str_radix(margin, 2), &design["a"]["settings"]["seed"]), (Ok(10), &"1".into()));

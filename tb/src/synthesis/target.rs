@@ -3,17 +3,20 @@
 use super::cells::Area;
 use super::shell::Shelled;
 use super::units::Extent;
+use crate::configuration::Configuration;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
 /// A clock in MHz beyond what the units reach, so that the tools do not stop early.
 const ALONE: &[&str] = &["--freq", "160"];
-/// A core fills its device, and what counts first is that all wires find a way: cells less dense than they could be, short wires rather than short
+/// A core has room, and its router knows of time.
+const WHOLE: &[&str] = &["--freq", "100"];
+/// Core A fills its device, and what counts first is that all wires find a way: cells less dense than they could be, short wires rather than short
 /// critical paths, and the router that negotiates.
-const WHOLE: &[&str] =
+const CROWDED: &[&str] =
     &["--freq", "100", "--placer-heap-beta", "0.75", "--placer-heap-timingweight", "3", "--router", "router2"];
 
-/// What the router has no argument for, as settings of a placed core: how many tiles a wire may leave the rectangle of its pins. With nextpnr's own
+/// What the router has no argument for, as settings of a crowded core when it is placed: how many tiles a wire may leave the rectangle of its pins. With nextpnr's own
 /// three, the last hundred wires of a full device find no way around.
 pub(super) const ROUTING_SETTINGS: &[(&str, u32)] = &[("router2/bbMargin/x", 10), ("router2/bbMargin/y", 10)];
 
@@ -87,14 +90,15 @@ impl Device {
         let effort = match extent {
             Extent::Unit => ALONE,
             Extent::Core => WHOLE,
+            Extent::CrowdedCore => CROWDED,
         };
         self.arguments.iter().chain(effort).copied()
     }
 }
 
-/// The arguments of `nextpnr-ecp5` for a whole core, beside files and seed.
-pub(crate) fn arguments_for_a_core() -> impl Iterator<Item = &'static str> {
-    ECP5.arguments(Extent::Core)
+/// The arguments of `nextpnr-ecp5` for the whole core of a configuration, beside files and seed.
+pub(crate) fn arguments_for_a_core(configuration: &Configuration) -> impl Iterator<Item = &'static str> {
+    ECP5.arguments(Extent::of(configuration))
 }
 
 impl Target {

@@ -34,6 +34,18 @@ pub enum Extent {
     Unit,
     /// The whole.
     Core,
+    /// The whole, and more wires than find their way by themselves.
+    CrowdedCore,
+}
+
+impl Extent {
+    /// That of a configuration's core.
+    pub(super) const fn of(configuration: &Configuration) -> Self {
+        match configuration {
+            Configuration::CoreA(_) => Self::CrowdedCore,
+            Configuration::CoreB(_) => Self::Core,
+        }
+    }
 }
 
 /// Something to synthesize.
@@ -64,13 +76,14 @@ impl Unit {
     /// The whole core of a configuration.
     #[must_use]
     pub fn core(name: impl Into<String>, configuration: Configuration) -> Self {
+        let extent = Extent::of(&configuration);
         let unit = Self::new(name, move || {
             Ok(match &configuration {
                 Configuration::CoreA(config) => core_a::top::core(config, &Options::default())?.module,
                 Configuration::CoreB(config) => core_b::top::core(config, &Options::default())?.module,
             })
         });
-        Self { extent: Extent::Core, ..unit }
+        Self { extent, ..unit }
     }
 }
 
