@@ -24,8 +24,8 @@ fn sorted(mut entries: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
     entries
 }
 
-/// Levels, cycles of an operation, bits of the arrival number and image width: epochs as short as two arrivals, longer ones than the heap is large, one
-/// column of tiles and many.
+/// Levels, cycles of an operation, bits of the arrival number and image width: epochs as short as two arrivals, longer ones than
+/// the heap is large, one column of tiles and many.
 #[test]
 fn it_agrees_with_the_model_at_every_size() {
     for (heap_levels, heap_interval, sequence_bits, width) in [

@@ -131,7 +131,6 @@ fn fields(widths: &[(&str, usize)]) -> Vec<Field> {
 }
 
 /// A tick of the heap, in which an operation passes a level and of which it takes two: one cycle, or two for a higher clock.
-#[derive(Clone)]
 pub(super) enum Pace {
     Cycle,
     /// Set in the second cycle.

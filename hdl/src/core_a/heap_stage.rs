@@ -6,7 +6,7 @@
 //! where there is a hole). Steps begin every second tick, so one looks while its predecessor settles at the same level:
 //! what the memories do not hold yet is in the register `stored` when it compares.
 //!
-//! A tick is such a cycle, or two of them where the clock matters more than the rate (`heap_interval`): the first shows and compares, the
+//! A tick is a cycle, or two where the clock matters more than the rate (`heap_interval`): the first shows and compares, the
 //! second decides.
 //!
 //! Which child is first is stored with the children: the parity of their marks. So a removal knows its way as soon as the
@@ -22,7 +22,7 @@ use crate::units::records::{Record, width};
 /// What a level says of the step it compares, to the level that settles it; `node` is the number of the parent.
 pub(super) const RISE: [&str; 6] = ["entry", "exists", "ahead", "right", "childless", "node"];
 
-/// Memories of so many rows are made of lookup tables, where the time before their output's register is short.
+/// Memories with addresses of up to so many bits are made of lookup tables: all of their time lies before their output's register.
 const SMALL_MEMORY_BITS: usize = 6;
 
 /// What every part of a stage refers to.

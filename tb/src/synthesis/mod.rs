@@ -29,7 +29,7 @@ use shell::Shelled;
 use std::fs;
 use std::path::{Path, PathBuf};
 use steps::watched;
-use target::{Device, ROUTING_SETTINGS};
+use target::{Device, routing_settings};
 use tools::Tool;
 
 /// Why a unit could not be measured.
@@ -187,9 +187,10 @@ impl Synthesizer {
             let key = key(parts.into_iter().chain(arguments.iter().copied()));
             let entry = self.cache.entry(&key, |content| {
                 let copy = content.join(netlist);
-                fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
                 if netlist == PLACED {
-                    write(&copy, &with_settings(unit.extent, &read(&copy)?))?;
+                    write(&copy, &with_settings(unit.extent, &read(&start.join(netlist))?))?;
+                } else {
+                    fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
                 }
                 let files = ["--seed", &seed, "--json", netlist, "--report", TIMING, "--log", ROUTING];
                 router.run(&unit.name, content, &[&["-q", "--timing-allow-fail"], &files[..], &arguments].concat())?;
@@ -212,11 +213,8 @@ impl Synthesizer {
 
 /// A placed design with the router's settings among its own.
 fn with_settings(extent: Extent, design: &str) -> String {
-    if extent != Extent::CrowdedCore {
-        return design.to_owned();
-    }
     let settings: String =
-        ROUTING_SETTINGS.iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
+        routing_settings(extent).iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
     design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
 }
 

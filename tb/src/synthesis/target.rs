@@ -11,14 +11,14 @@ use std::fmt::Write as _;
 const ALONE: &[&str] = &["--freq", "160"];
 /// A core has room, and its router knows of time.
 const WHOLE: &[&str] = &["--freq", "100"];
-/// Core A fills its device, and what counts first is that all wires find a way: cells less dense than they could be, short wires rather than short
-/// critical paths, and the router that negotiates.
+/// In a crowded core what counts first is that all wires find a way: cells less dense than they could be, short wires rather
+/// than short critical paths, and the router that negotiates.
 const CROWDED: &[&str] =
     &["--freq", "100", "--placer-heap-beta", "0.75", "--placer-heap-timingweight", "3", "--router", "router2"];
 
-/// What the router has no argument for, as settings of a crowded core when it is placed: how many tiles a wire may leave the rectangle of its pins. With nextpnr's own
-/// three, the last hundred wires of a full device find no way around.
-pub(super) const ROUTING_SETTINGS: &[(&str, u32)] = &[("router2/bbMargin/x", 10), ("router2/bbMargin/y", 10)];
+/// How many tiles a wire of a crowded core may leave the rectangle of its pins. With nextpnr's own three, the last hundred wires
+/// of a full device find no way around.
+const WIDE: &[(&str, u32)] = &[("router2/bbMargin/x", 10), ("router2/bbMargin/y", 10)];
 
 /// A technology.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum, Serialize, Deserialize)]
@@ -93,6 +93,14 @@ impl Device {
             Extent::CrowdedCore => CROWDED,
         };
         self.arguments.iter().chain(effort).copied()
+    }
+}
+
+/// What the router has no argument for, as settings of a placed core.
+pub(super) const fn routing_settings(extent: Extent) -> &'static [(&'static str, u32)] {
+    match extent {
+        Extent::Unit | Extent::Core => &[],
+        Extent::CrowdedCore => WIDE,
     }
 }
 
