@@ -194,12 +194,17 @@ impl Body<'_> {
         }
         let fields: Vec<(String, Expr)> =
             results.iter().map(|(name, id)| (name.clone(), self.read(*id, latency))).collect();
+        let (advance, advance_next) = (self.emitter.advance().clone(), self.emitter.advance_next().cloned());
         let module = &mut self.emitter.module;
         module.connect(queue, "in_valid", &valid);
         for (name, value) in &fields {
             module.connect(queue, &format!("in_{name}"), value);
         }
         let out = module.stream_from(queue, "out");
+        if let Some(advance_next) = advance_next {
+            // The queue of two is full when its head stays and a second item is there or comes.
+            module.drive(&advance_next, &!(&(&out.valid & !&*out.ready) & (!&advance | &valid)));
+        }
         module.stream_export("out", &out);
     }
 

@@ -1,9 +1,10 @@
 //! The module under construction and what all its parts share.
 //!
 //! Everything steps with `advance`, which is high while the output queue has room; `phase` counts the steps modulo the
-//! initiation interval.
+//! initiation interval. Thousands of registers load in one phase each, so what enables them comes from a register as well and is found
+//! in the cycle before.
 
-use crate::rtl::{Expr, Module, address_width};
+use crate::rtl::{Expr, Module, Wire, address_width};
 use std::collections::HashSet;
 
 /// A module with its pipeline control.
@@ -12,6 +13,7 @@ pub(super) struct Emitter {
     initiation_interval: u32,
     advance: Expr,
     phase: Option<Expr>,
+    advance_next: Option<Wire>,
     loads: Vec<Expr>,
     names: HashSet<String>,
     register_bits: u64,
@@ -19,34 +21,44 @@ pub(super) struct Emitter {
 
 impl Emitter {
     /// Adds phase counter and enables to a module that has the signals `names` already.
-    pub fn new(mut module: Module, initiation_interval: u32, advance: &Expr, names: HashSet<String>) -> Self {
-        let mut emitter_bits = 0;
-        let phase = (initiation_interval > 1).then(|| {
-            let phase = module.reg_reset("phase", address_width(initiation_interval as usize), 0);
-            let last = u128::from(initiation_interval - 1);
-            let next = phase.eq_lit(last).mux(&phase.sub_lit(last), &phase.add_lit(1));
-            module.next_if(&phase, advance, &next);
-            emitter_bits = phase.width() as u64;
-            phase.expr()
-        });
-        let loads = match &phase {
-            None => vec![advance.clone()],
-            Some(phase) => (0..initiation_interval)
-                .map(|index| module.wire(&format!("load_{index}"), &(advance & phase.eq_lit(index.into()))))
-                .collect(),
-        };
+    pub fn new(module: Module, initiation_interval: u32, advance: &Expr, names: HashSet<String>) -> Self {
         let mut emitter = Self {
             module,
             initiation_interval,
             advance: advance.clone(),
-            phase,
-            loads,
+            phase: None,
+            advance_next: None,
+            loads: vec![advance.clone()],
             names,
-            register_bits: emitter_bits,
+            register_bits: 0,
         };
-        emitter.names.insert("phase".to_owned());
-        emitter.names.extend((0..initiation_interval).map(|index| format!("load_{index}")));
+        if initiation_interval > 1 {
+            emitter.count_phases();
+        }
         emitter
+    }
+
+    fn count_phases(&mut self) {
+        let Self { module, initiation_interval, advance, .. } = self;
+        let phase = module.reg_reset("phase", address_width(*initiation_interval as usize), 0);
+        let last = u128::from(*initiation_interval - 1);
+        let following = phase.eq_lit(last).mux(&phase.sub_lit(last), &phase.add_lit(1));
+        let phase_next = module.wire("phase_next", &advance.mux(&following, &phase));
+        module.next(&phase, &phase_next);
+        let advance_next = module.forward("advance_next", 1);
+        let load = |index: u32| {
+            let name = format!("load_{index}");
+            let load = module.reg_reset(&name, 1, u128::from(index == 0));
+            module.next(&load, &(&advance_next & phase_next.eq_lit(index.into())));
+            module.assert(&format!("{name}_in_phase"), &load.eq(&(&*advance & phase.eq_lit(index.into()))));
+            load.expr()
+        };
+        self.loads = (0..*initiation_interval).map(load).collect();
+        self.names.extend(["phase", "phase_next", "advance_next"].map(str::to_owned));
+        self.names.extend((0..*initiation_interval).map(|index| format!("load_{index}")));
+        self.register_bits += phase.width() as u64 + u64::from(*initiation_interval);
+        self.phase = Some(phase.expr());
+        self.advance_next = Some(advance_next);
     }
 
     pub const fn initiation_interval(&self) -> u32 {
@@ -61,6 +73,11 @@ impl Emitter {
     /// The pipeline steps.
     pub const fn advance(&self) -> &Expr {
         &self.advance
+    }
+
+    /// To be driven, once, if there is a phase counter: the pipeline steps in the next cycle.
+    pub const fn advance_next(&self) -> Option<&Wire> {
+        self.advance_next.as_ref()
     }
 
     /// The phase counter; there is none when there is only one phase.
