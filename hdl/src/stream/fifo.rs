@@ -42,7 +42,8 @@ fn queue(depth: usize, layout: &[(impl AsRef<str>, usize)], storage: &Storage) -
     let read_address = m.reg_reset("read_address", address_bits, 0);
     let out_valid = m.reg_reset("out_valid", 1, 0);
 
-    let has_room = m.wire("has_room", &!held.eq_lit(depth as u128));
+    let is_full = if depth.is_power_of_two() { held.msb() } else { held.eq_lit(depth as u128) };
+    let has_room = m.wire("has_room", &!is_full);
     m.ready(&input, &has_room);
     let push = m.wire("push", &input.transfer());
     let entries = match storage {
