@@ -114,10 +114,14 @@ fn sign(value: &Value, format: Format) -> Value {
     value.bits(top, top)
 }
 
-/// The scanner's registers.
+/// The scanner's registers. A copy of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins.
 struct Scanner {
     busy: Reg,
+    /// A copy can be taken: there is none, or its current pixel is the last.
+    idle: Reg,
     end: Reg,
+    /// The current pixel is the copy's last.
+    last: Reg,
     slot: Reg,
     tile: Reg,
     column: Reg,
@@ -132,7 +136,9 @@ impl Scanner {
         let local = LOCAL_BITS as usize;
         Self {
             busy: m.reg_reset("busy", 1, 0),
+            idle: m.reg_reset("idle", 1, 1),
             end: m.reg("is_end", 1),
+            last: m.reg("is_last", 1),
             slot: m.reg("slot", config.slot_bits() as usize),
             tile: m.reg("tile", config.tile_bits() as usize),
             column: m.reg("column", local),
@@ -143,16 +149,10 @@ impl Scanner {
         }
     }
 
-    /// The current pixel is the copy's last.
-    fn last(&self) -> Expr {
-        &*self.end | &(&self.column.eq(&self.right) & &self.row.eq(&self.bottom))
-    }
-
     /// On `advance`: takes `copy` on `load`, else steps to the next pixel or falls idle.
     fn step(&self, m: &mut Module, copy: &Stream, advance: &Expr, load: &Expr) {
         let row_done = self.column.eq(&self.right);
-        let last = self.last();
-        m.next_if(&self.busy, advance, &(load | &(&*self.busy & &!&last)));
+        m.next_if(&self.busy, advance, &(load | &(&*self.busy & &!&*self.last)));
         for (register, field) in [
             (&self.end, "end"),
             (&self.slot, "slot"),
@@ -167,6 +167,13 @@ impl Scanner {
         let next_row = row_done.mux(&self.row.add_lit(1), &self.row);
         m.next_if(&self.column, advance, &load.mux(&copy.field("left"), &next_column));
         m.next_if(&self.row, advance, &load.mux(&copy.field("top"), &next_row));
+        let place = |column: &Expr, row: &Expr| cat(&[column, row]);
+        let corner = place(&copy.field("right"), &copy.field("bottom"));
+        let single = copy.field("end") | place(&copy.field("left"), &copy.field("top")).eq(&corner);
+        let reaches_last = place(&next_column, &next_row).eq(&place(&self.right, &self.bottom));
+        m.next_if(&self.last, advance, &load.mux(&single, &reaches_last));
+        let falls_idle = !&*self.busy | (&*self.last | &reaches_last);
+        m.next_if(&self.idle, advance, &load.mux(&single, &falls_idle));
     }
 
     /// Connects the evaluation's input to the current pixel.
@@ -176,7 +183,7 @@ impl Scanner {
         let tile_row = self.tile.bits(config.tile_bits() as usize - 1, column_bits);
         m.connect(evaluation, "in_valid", &self.busy);
         m.connect(evaluation, "in_end", &self.end);
-        m.connect(evaluation, "in_last", &(&self.last() & &!&*self.end));
+        m.connect(evaluation, "in_last", &(&*self.last & &!&*self.end));
         m.connect(evaluation, "in_slot", &self.slot);
         m.connect(evaluation, "in_column", &cat(&[&tile_column, &self.column]));
         m.connect(evaluation, "in_row", &cat(&[&tile_row, &self.row]));
@@ -199,8 +206,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let queue_ready = m.out(&queue, "in_ready");
 
     let scanner = Scanner::new(&mut m, config);
-    let idle = &!&*scanner.busy | &scanner.last();
-    let ready = m.wire("take", &(&(&advance & &idle) & &queue_ready));
+    let ready = m.wire("take", &(&(&advance & &*scanner.idle) & &queue_ready));
     m.ready(&copy, &ready);
     let load = m.wire("load", &(&ready & &copy.valid));
     scanner.step(&mut m, &copy, &advance, &load);
