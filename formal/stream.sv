@@ -1,4 +1,4 @@
-// stream_fifo, stream_skid: every item comes out once, unchanged, in order, and none is lost.
+// stream_fifo, stream_half_buffer, stream_skid: every item comes out once, unchanged, in order, and none is lost.
 //
 // A symbolic item is tracked: it is pushed behind `ahead` others, each of which leaves before it. Nothing is assumed: the
 // source may withdraw what it offers, and the sink may stall as it likes.

@@ -48,6 +48,7 @@ mod parsers;
 mod plan;
 mod stability;
 mod stream_fifo;
+mod stream_half_buffer;
 mod stream_skid;
 mod support;
 mod synthesis;

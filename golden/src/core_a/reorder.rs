@@ -5,8 +5,7 @@
 
 use super::heap::{self, Heap, HeapEntry};
 use super::records::{Shape, SplatCopy};
-use crate::stream::Fifo;
-use crate::stream::Skid;
+use crate::stream::{Fifo, HalfBuffer};
 use crate::unit::{Model, ThroughIn, ThroughOut};
 use pointcore_spec::core_a::Config;
 
@@ -20,7 +19,7 @@ pub type Out = ThroughOut<SplatCopy>;
 #[derive(Clone, Debug)]
 pub struct Reorder {
     shape: Shape,
-    input: Skid<SplatCopy>,
+    input: HalfBuffer<SplatCopy>,
     heap: Heap,
     payloads: Vec<SplatCopy>,
     /// Pointers never used yet count up to the number of payloads.
@@ -29,7 +28,7 @@ pub struct Reorder {
     /// An end record waits for the copies before it.
     draining: bool,
     read: Option<SplatCopy>,
-    out: Skid<SplatCopy>,
+    out: HalfBuffer<SplatCopy>,
 }
 
 impl Reorder {
@@ -39,14 +38,14 @@ impl Reorder {
         let pointers = 1 << config.heap_levels;
         Self {
             shape: Shape::new(config),
-            input: Skid::default(),
+            input: HalfBuffer::default(),
             heap: Heap::new(config),
             payloads: vec![SplatCopy::default(); pointers],
             fresh: 0,
             returned: Fifo::new(pointers),
             draining: false,
             read: None,
-            out: Skid::default(),
+            out: HalfBuffer::default(),
         }
     }
 

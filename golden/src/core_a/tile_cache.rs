@@ -11,7 +11,7 @@ mod tests;
 pub use ports::{Fill, In, Out, Slot, SlotPixel, Tile};
 
 use super::records::{FinishedPixel, Pixel, PlacedCopy, PlacedPixel, Shape, SplatCopy};
-use crate::stream::Skid;
+use crate::stream::{HalfBuffer, Skid};
 use crate::unit::Model;
 use pointcore_spec::core_a::Config;
 use pointcore_spec::core_a::config::{IN_FLIGHT_BITS, TILE_PIXELS};
@@ -141,10 +141,10 @@ pub struct TileCache {
     frame_ended: bool,
     read: Option<Tile>,
     fill: Option<Fill>,
-    input: Skid<SplatCopy>,
+    input: HalfBuffer<SplatCopy>,
     /// The copy that is placed next.
     head: Option<SplatCopy>,
-    out: Skid<PlacedCopy>,
+    out: HalfBuffer<PlacedCopy>,
     write: Skid<PlacedPixel>,
     pixel: Skid<FinishedPixel>,
 }
@@ -163,9 +163,9 @@ impl TileCache {
             frame_ended: false,
             read: None,
             fill: None,
-            input: Skid::default(),
+            input: HalfBuffer::default(),
             head: None,
-            out: Skid::default(),
+            out: HalfBuffer::default(),
             write: Skid::default(),
             pixel: Skid::default(),
         }

@@ -43,6 +43,11 @@ fn proofs() -> Vec<Proof> {
         )
     };
     let skid = Proof::new("stream_skid", stream::skid(&[("data", WIDTH as usize)]), &[("DEPTH", 2), ("WIDTH", WIDTH)]);
+    let half_buffer = Proof::new(
+        "stream_half_buffer",
+        stream::half_buffer(&[("data", WIDTH as usize)]),
+        &[("DEPTH", 1), ("WIDTH", WIDTH)],
+    );
     let core = small_core();
     let sizes = [
         ("THREADS", core.threads),
@@ -70,7 +75,7 @@ fn proofs() -> Vec<Proof> {
         queue("core_b_queue_threads", &core),
         queue("core_b_queue_lanes", &Config { threads: 1, neighbors: 3, lanes: 2, ..core.clone() }),
     ];
-    [fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, stack]
+    [fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, half_buffer, stack]
         .into_iter()
         .chain(queues)
         .chain(bus::proofs())

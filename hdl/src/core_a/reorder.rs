@@ -6,7 +6,7 @@ use pointcore_spec::core_a::{Config, records};
 use super::heap;
 use crate::rtl::Module;
 use crate::stream::fifo;
-use crate::units::records::{Record, queue_in, queue_out, width};
+use crate::units::records::{Record, half_in, half_out, width};
 
 /// The unit; ports as in `spec::core_a::ports::reorder`.
 #[must_use]
@@ -16,8 +16,8 @@ pub fn module(config: &Config) -> Module {
     let payload = records::payload(config);
     let mut m = Module::new("core_a_reorder", "Orders splat copies by tile; their payloads wait in a memory.");
     m.parameter("levels", pointer_bits);
-    let head = queue_in(&mut m, "in", &records::copy(config));
-    let out = queue_out(&mut m, "out", &records::copy(config));
+    let head = half_in(&mut m, "in", &records::copy(config));
+    let out = half_out(&mut m, "out", &records::copy(config));
     let heap = m.instance("heap", heap::module(config));
     let returned = m.instance("returned", fifo(pointers, &[("pointer", pointer_bits)]));
 
@@ -44,7 +44,7 @@ pub fn module(config: &Config) -> Module {
     let payloads = m.memory("payloads", pointers, width(&payload));
     m.write(&payloads, &insert, &pointer, &Record::from(&head).only(&payload).pack());
 
-    // The read stage.
+    // The read stage. A deep memory is many block RAMs; what the choice among them leaves of a cycle just reaches the buffer behind it.
     let stage_valid = m.reg_reset("stage_valid", 1, 0);
     let advance = m.wire("advance", &(!&stage_valid | &out.room));
     m.ready(&first, &advance);

@@ -5,7 +5,7 @@ use pointcore_spec::core_a::config::TILE_SIZE;
 use pointcore_spec::core_a::{Config, records};
 
 use crate::rtl::{Expr, Module, cat, lit};
-use crate::units::records::{Record, queue_out, stream_in};
+use crate::units::records::{Record, half_out, stream_in};
 
 /// Bits of a pixel's column or row within its tile.
 const LOCAL: usize = TILE_SIZE.ilog2() as usize;
@@ -15,33 +15,41 @@ const LOCAL: usize = TILE_SIZE.ilog2() as usize;
 pub fn module(config: &Config) -> Module {
     let mut m = Module::new("core_a_splitter", "Splits a splat's rectangle into one copy per tile.");
     let input = stream_in(&mut m, "in", &records::setup(config));
-    let out = queue_out(&mut m, "out", &records::copy(config));
+    let out = half_out(&mut m, "out", &records::copy(config));
 
+    // A splat of hundreds of bits hangs on whether one can be taken, so that is known before the cycle begins: there is none, or its
+    // current tile is the last.
     let busy = m.reg_reset("busy", 1, 0);
-    let last = m.forward("last", 1);
-    let ready = m.wire("ready", &(&out.room & (!&busy | &last)));
+    let idle = m.reg_reset("idle", 1, 1);
+    let last = m.reg("last", 1);
+    let ready = m.wire("ready", &(&out.room & &idle));
     m.ready(&input, &ready);
     let take = m.wire("take", &(&ready & &input.valid));
     let arriving = Record::from(&input);
-    let splat = arriving.register(&mut m, "splat_", &take);
+    let splat = arriving.register(&mut m, "splat_", &ready);
 
     let tile_of = |record: &Record, edge: &str| {
         let pixel = record.get(edge);
         pixel.bits(pixel.width() - 1, LOCAL)
     };
+    let tile_at = |record: &Record, row: &str, column: &str| cat(&[&tile_of(record, row), &tile_of(record, column)]);
     let column = m.reg("column", config.tile_column_bits() as usize);
     let row = m.reg("row", config.tile_row_bits() as usize);
     let left_most = column.eq(&tile_of(&splat, "left"));
     let right_most = m.wire("right_most", &column.eq(&tile_of(&splat, "right")));
     let top_most = row.eq(&tile_of(&splat, "top"));
     let bottom_most = row.eq(&tile_of(&splat, "bottom"));
-    m.drive(&last, &(splat.get("end") | (&right_most & &bottom_most)));
 
     m.next_if(&busy, &out.room, &(&take | (&busy & !&last)));
     let next_column = right_most.mux(&tile_of(&splat, "left"), &column.add_lit(1));
     m.next_if(&column, &out.room, &take.mux(&tile_of(&arriving, "left"), &next_column));
     let next_row = right_most.mux(&row.add_lit(1), &row);
     m.next_if(&row, &out.room, &take.mux(&tile_of(&arriving, "top"), &next_row));
+    let single = arriving.get("end") | tile_at(&arriving, "top", "left").eq(&tile_at(&arriving, "bottom", "right"));
+    let reaches_last = cat(&[&next_row, &next_column]).eq(&tile_at(&splat, "bottom", "right"));
+    m.next_if(&last, &out.room, &take.mux(&single, &reaches_last));
+    let falls_idle = !&busy | (&last | &reaches_last);
+    m.next_if(&idle, &out.room, &take.mux(&single, &falls_idle));
 
     // The rectangle's edge where it lies in this tile, else the tile's own.
     let clip =

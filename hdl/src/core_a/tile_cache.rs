@@ -7,7 +7,7 @@ use pointcore_spec::core_a::{Config, Field, records};
 use super::tile_directory::{Changes, Directory, Hit, Lookup};
 use super::tile_moves::{exchange, fill_ports, push_pixels};
 use crate::rtl::{Expr, Module, Reg, address_width, lit};
-use crate::units::records::{Head, QueueOut, Record, queue_in, queue_out, stream_in};
+use crate::units::records::{Head, QueueOut, Record, half_in, half_out, queue_out, stream_in};
 
 /// Bits of a number of pixels of a tile, all of them included; the top bit says that all are done.
 pub(super) const COUNT_BITS: usize = PIXEL_BITS as usize + 1;
@@ -198,10 +198,10 @@ pub fn module(config: &Config) -> Module {
     let mut m =
         Module::new("core_a_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
     m.parameter("slots", config.tile_slots);
-    let queued = queue_in(&mut m, "in", &records::copy(config));
+    let queued = half_in(&mut m, "in", &records::copy(config));
     let head = Head::new(&mut m, &queued);
     let tile = head.record.get("tile");
-    let out = queue_out(&mut m, "out", &records::placed_copy(config));
+    let out = half_out(&mut m, "out", &records::placed_copy(config));
     let state = State::new(&mut m, config);
     let read_ready = m.stream_out("read", &state.read_valid, &[("tile", &*state.tile)]);
     let data = stream_in(&mut m, "data", &pixel_fields);

@@ -1,9 +1,11 @@
 //! Library units that hold items of a stream: input stream `in`, output stream `out`, fields as given.
 
 mod fifo;
+mod half_buffer;
 mod skid;
 
 pub use fifo::{fifo, fifo_distributed};
+pub use half_buffer::half_buffer;
 pub use skid::skid;
 
 use crate::rtl::{Expr, Stream, cat};

@@ -3,7 +3,7 @@
 use pointcore_spec::core_a::Field;
 
 use crate::rtl::{Expr, Instance, Module, Reg, Stream, StreamIn, Wire, bit, cat, lit};
-use crate::stream::skid;
+use crate::stream::{half_buffer, skid};
 
 /// A value for every field of a record, in order.
 #[derive(Clone)]
@@ -109,8 +109,17 @@ pub(crate) fn stream_in(m: &mut Module, name: &str, record: &[Field]) -> StreamI
 
 /// Declares the ports of a stream that comes in and puts a queue of two behind them; returns the queue's head.
 pub(crate) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
+    buffered_in(m, name, fields, skid(&layout(fields)))
+}
+
+/// As [`queue_in`] at half rate, for records so wide that a register for one is enough to pay.
+pub(crate) fn half_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
+    buffered_in(m, name, fields, half_buffer(&layout(fields)))
+}
+
+fn buffered_in(m: &mut Module, name: &str, fields: &[Field], buffer: Module) -> Stream {
     let ports = stream_in(m, name, fields);
-    let queue = m.instance(&format!("{name}_queue"), skid(&layout(fields)));
+    let queue = m.instance(&format!("{name}_queue"), buffer);
     m.stream_into(&queue, "in", &ports);
     m.stream_from(&queue, "out")
 }
@@ -145,7 +154,7 @@ impl Head {
     }
 }
 
-/// A queue of two whose head is a stream that goes out.
+/// A queue whose head is a stream that goes out.
 pub(crate) struct QueueOut {
     instance: Instance,
     fields: Vec<Field>,
@@ -157,7 +166,16 @@ pub(crate) struct QueueOut {
 
 /// Declares the ports of a stream that goes out, with a queue of two before them.
 pub(crate) fn queue_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut {
-    let instance = m.instance(&format!("{name}_queue"), skid(&layout(fields)));
+    buffered_out(m, name, fields, skid(&layout(fields)))
+}
+
+/// As [`queue_out`] at half rate, for records so wide that a register for one is enough to pay.
+pub(crate) fn half_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut {
+    buffered_out(m, name, fields, half_buffer(&layout(fields)))
+}
+
+fn buffered_out(m: &mut Module, name: &str, fields: &[Field], buffer: Module) -> QueueOut {
+    let instance = m.instance(&format!("{name}_queue"), buffer);
     let head = m.stream_from(&instance, "out");
     m.stream_export(name, &head);
     let room = m.out(&instance, "in_ready");

@@ -1,0 +1,28 @@
+//! `stream_half_buffer`: one register that cuts every path between the two sides at half rate; golden twin:
+//! `pointcore_golden::stream::HalfBuffer`.
+//!
+//! An item pushed in cycle `t` is seen at `t + 1`; there is room again in the cycle after the one in which it leaves. A [`skid`](super::skid)
+//! moves an item in every cycle, for twice the flip-flops and a choice before each. Here the register loads whenever it is empty: its
+//! enable, which reaches every bit of a wide item, waits for nothing.
+
+use super::{item_width, packed, unpacked};
+use crate::rtl::{Expr, Module};
+
+/// A buffer of one item.
+#[must_use]
+pub fn half_buffer(layout: &[(impl AsRef<str>, usize)]) -> Module {
+    let mut m = Module::new("stream_half_buffer", "One item in a register, at half rate.");
+    let width = item_width(layout);
+    m.parameter("width", width);
+    let input = m.stream_in("in", layout);
+    let full = m.reg_reset("full", 1, 0);
+    let item = m.reg("item", width);
+    m.ready(&input, &!&full);
+    m.next_if(&item, &!&full, &packed(&input));
+
+    let fields = unpacked(&item, layout);
+    let fields: Vec<(&str, &Expr)> = fields.iter().map(|(name, value)| (name.as_str(), value)).collect();
+    let out_ready = m.stream_out("out", &full, &fields);
+    m.next(&full, &full.mux(&!out_ready, &input.valid));
+    m
+}

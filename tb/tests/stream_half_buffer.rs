@@ -1,0 +1,49 @@
+//! `stream_half_buffer` against its model, in every cycle.
+
+use pointcore::lockstep::{Lockstep, Stall, StreamTestbench, seeds};
+use pointcore_golden::stream::HalfBuffer;
+
+use crate::support;
+
+const LAYOUT: [(&str, usize); 2] = [("value", 16), ("last", 1)];
+const ITEMS: u64 = 600;
+
+/// Ports `rst, in_valid, in_value, in_last, out_ready` to `in_ready, out_valid, out_value, out_last`.
+fn golden() -> impl FnMut(&[u64], &mut [u64]) {
+    let mut buffer = HalfBuffer::default();
+    move |inputs, outputs| {
+        let &[rst, in_valid, in_value, in_last, out_ready] = inputs else { panic!("five inputs, not {inputs:?}") };
+        let (value, last) = buffer.out().copied().unwrap_or_default();
+        outputs.copy_from_slice(&[u64::from(buffer.in_ready()), u64::from(buffer.out().is_some()), value, last]);
+        buffer.step((in_valid != 0).then_some((in_value, in_last)), out_ready != 0);
+        if rst != 0 {
+            buffer = HalfBuffer::default();
+        }
+    }
+}
+
+#[test]
+fn it_agrees_with_the_model_under_every_stall_pattern() {
+    let items: Vec<Vec<u64>> = (0..ITEMS).map(|n| vec![n * 7919 % 0x1_0000, n % 2]).collect();
+    let library = support::verilate(&pointcore_hdl::stream::half_buffer(&LAYOUT));
+    for seed in seeds(5).unwrap() {
+        for stall in [Stall::Never, Stall::Random(0.2), Stall::Random(0.7), Stall::Bursts(20)] {
+            let testbench = StreamTestbench::new(&library, seed).source("in", items.clone(), stall).unwrap();
+            let testbench = testbench.sink("out", stall).unwrap();
+            let run = Lockstep::new(&library, golden(), seed).run(testbench).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(run.stimulus.collected("out"), items, "seed {seed}, {stall:?}");
+        }
+    }
+}
+
+#[test]
+fn it_moves_an_item_in_every_second_cycle() {
+    let items: Vec<Vec<u64>> = (0..ITEMS).map(|n| vec![n, 0]).collect();
+    let library = support::verilate(&pointcore_hdl::stream::half_buffer(&LAYOUT));
+    let testbench = StreamTestbench::new(&library, 1).source("in", items, Stall::Never).unwrap();
+    let testbench = testbench.sink("out", Stall::Never).unwrap().quiet_cycles(1);
+    let run = Lockstep::new(&library, golden(), 1).run(testbench).unwrap_or_else(|error| panic!("{error}"));
+    // One to notice the end of it, and the silence that ends the run.
+    let cycles = run.report.cycles;
+    assert!((2 * ITEMS..=2 * ITEMS + 3).contains(&cycles), "{cycles} cycles for {ITEMS} items");
+}
