@@ -149,8 +149,9 @@ impl Scanner {
         }
     }
 
-    /// On `advance`: takes `copy` on `load`, else steps to the next pixel or falls idle.
-    fn step(&self, m: &mut Module, copy: &Stream, advance: &Expr, load: &Expr) {
+    /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle.
+    fn step(&self, m: &mut Module, copy: &Stream, advance: &Expr, ready: &Expr) {
+        let load = &(ready & &copy.valid);
         let row_done = self.column.eq(&self.right);
         m.next_if(&self.busy, advance, &(load | &(&*self.busy & &!&*self.last)));
         for (register, field) in [
@@ -161,7 +162,7 @@ impl Scanner {
             (&self.right, "right"),
             (&self.bottom, "bottom"),
         ] {
-            m.next_if(register, load, &copy.field(field));
+            m.next_if(register, ready, &copy.field(field));
         }
         let next_column = row_done.mux(&self.left, &self.column.add_lit(1));
         let next_row = row_done.mux(&self.row.add_lit(1), &self.row);
@@ -209,11 +210,11 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let ready = m.wire("take", &(&(&advance & &*scanner.idle) & &queue_ready));
     m.ready(&copy, &ready);
     let load = m.wire("load", &(&ready & &copy.valid));
-    scanner.step(&mut m, &copy, &advance, &load);
+    scanner.step(&mut m, &copy, &advance, &ready);
     scanner.emit(&mut m, &evaluation, config);
     for (name, width) in position(config).iter().skip(5) {
         let register = m.reg(name, *width as usize);
-        m.next_if(&register, &load, &copy.field(name));
+        m.next_if(&register, &ready, &copy.field(name));
         m.connect(&evaluation, &format!("in_{name}"), &register);
     }
     m.connect(&queue, "in_valid", &(&load & &!&copy.field("end")));
