@@ -355,11 +355,13 @@ impl Model for TileCache {
         }
         self.frame_ended |= inputs.frame_end;
 
-        let taken = passed.is_some() || self.head.is_none();
-        if taken {
+        let takes = self.head.is_none();
+        if takes {
             self.head = self.input.out().copied();
+        } else if passed.is_some() {
+            self.head = None;
         }
-        self.input.step(inputs.input, taken);
+        self.input.step(inputs.input, takes);
         self.out.step(passed, inputs.out_ready);
         self.write.step(written, inputs.write_ready);
         self.pixel.step(pixel, inputs.pixel_ready);

@@ -124,7 +124,7 @@ fn place(m: &mut Module, state: &State, directory: &Directory, head: &Head, out:
     let send = m.wire("send", &(&copy & (&directory.copy.found & (&out.room & &directory.has_room))));
     let start = m.wire("start", &(&copy & (!&directory.copy.found & (state.no_job() & &directory.next_idle))));
     let sent = &send | &send_end;
-    head.leaves(m, &sent);
+    head.leaves_at_half_rate(m, &sent);
     out.push(m, &sent, |name| if name == "slot" { directory.copy.slot.clone() } else { head.record.get(name) });
     Placement { send, send_end, start }
 }

@@ -134,6 +134,8 @@ pub(crate) struct Head {
     pub takes: Wire,
     /// That record.
     pub arriving: Record,
+    /// The queue shows one.
+    arrives: Expr,
 }
 
 impl Head {
@@ -141,16 +143,23 @@ impl Head {
     pub fn new(m: &mut Module, queue: &Stream) -> Self {
         let takes = m.forward("head_takes", 1);
         let valid = m.reg_reset("head_valid", 1, 0);
-        m.next_if(&valid, &takes, &queue.valid);
         m.ready(queue, &takes);
         let arriving = Record::from(queue);
         let record = arriving.register(m, "head_", &takes);
-        Self { valid, record, takes, arriving }
+        Self { valid, record, takes, arriving, arrives: queue.valid.clone() }
     }
 
     /// States when the record leaves; to be called once.
     pub fn leaves(&self, m: &mut Module, leaves: &Expr) {
         m.drive(&self.takes, &(!&*self.valid | leaves));
+        m.next_if(&self.valid, &self.takes, &self.arrives);
+    }
+
+    /// As [`Head::leaves`], but the next record is taken a cycle later, as behind a half buffer it can only come: what takes it then
+    /// waits for nothing.
+    pub fn leaves_at_half_rate(&self, m: &mut Module, leaves: &Expr) {
+        m.drive(&self.takes, &!&*self.valid);
+        m.next(&self.valid, &self.valid.mux(&!leaves, &self.arrives));
     }
 }
 
