@@ -25,6 +25,8 @@ pub struct Reorder {
     /// Pointers never used yet count up to the number of payloads.
     fresh: usize,
     returned: Fifo<u16>,
+    /// The pointer that the next copy gets.
+    free: Option<u16>,
     /// An end record waits for the copies before it.
     draining: bool,
     read: Option<SplatCopy>,
@@ -43,14 +45,11 @@ impl Reorder {
             payloads: vec![SplatCopy::default(); pointers],
             fresh: 0,
             returned: Fifo::new(pointers),
+            free: None,
             draining: false,
             read: None,
             out: HalfBuffer::default(),
         }
-    }
-
-    fn free_pointer(&self) -> Option<u16> {
-        if self.fresh < self.payloads.len() { Some(self.fresh as u16) } else { self.returned.out().copied() }
     }
 }
 
@@ -72,7 +71,7 @@ impl Model for Reorder {
         let head = self.input.out().filter(|_| !self.draining);
         let ends = head.is_some_and(|copy| copy.end);
         let offer = head.filter(|copy| !copy.end).and_then(|copy| {
-            let pointer = self.free_pointer()?;
+            let pointer = self.free?;
             Some((HeapEntry { tile: copy.tile, pointer }, *copy))
         });
 
@@ -87,11 +86,21 @@ impl Model for Reorder {
         }
 
         let inserted = offer.filter(|_| heap.in_ready);
-        let takes_fresh = self.fresh < self.payloads.len();
-        self.returned.step(leaving.map(|entry| entry.pointer), inserted.is_some() && !takes_fresh);
+        let mut takes_returned = false;
+        match self.free {
+            Some(_) => self.free = self.free.filter(|_| inserted.is_none()),
+            None if self.fresh < self.payloads.len() => {
+                self.free = Some(self.fresh as u16);
+                self.fresh += 1;
+            }
+            None => {
+                self.free = self.returned.out().copied();
+                takes_returned = true;
+            }
+        }
+        self.returned.step(leaving.map(|entry| entry.pointer), takes_returned);
         if let Some((entry, copy)) = inserted {
             self.payloads[usize::from(entry.pointer)] = copy;
-            self.fresh += usize::from(takes_fresh);
         }
         self.draining = ends || (self.draining && !drained);
         self.heap.clock(&heap::In { input: offer.map(|(entry, _)| entry), out_ready: advances });

@@ -34,15 +34,21 @@ pub fn module(config: &Config) -> Module {
     let root = m.out(&stages[0], "root");
 
     let count = m.reg_reset("count", levels, 0);
-    let occupied = m.wire("occupied", &count.any());
     let arrival = m.reg_reset("arrival", format.sequence, 0);
     let alive = ["alive_even", "alive_odd"].map(|name| m.reg_reset(name, levels, 0));
-    let blocked = {
-        let own_epoch_alive = arrival.msb().mux(&alive[1].any(), &alive[0].any());
-        m.wire("fresh_epoch_blocked", &(arrival.trunc(format.sequence - 1).is_zero() & own_epoch_alive))
+    // Counters change when an operation begins: what they say is known a cycle later, in time for the next.
+    let mut known = |name: &str, now: &Expr| {
+        let register = m.reg_reset(name, 1, 0);
+        m.next(&register, now);
+        register
     };
+    let occupied = known("occupied", &count.any());
+    let full = known("full", &count.all());
+    let own_epoch_alive = arrival.msb().mux(&alive[1].any(), &alive[0].any());
+    let starts_epoch = arrival.trunc(format.sequence - 1).is_zero();
+    let blocked = known("fresh_epoch_blocked", &(starts_epoch & own_epoch_alive));
     let pop = m.wire("pop", &(&begins & (&occupied & &out.room)));
-    let ready = m.wire("ready", &(&(&begins & !&blocked) & &(!count.all() | &pop)));
+    let ready = m.wire("ready", &(&(&begins & !&blocked) & &(!&full | &pop)));
     m.ready(&input, &ready);
     let push = m.wire("push", &(&ready & &input.valid));
     m.next_if(&count, &(&push ^ &pop), &push.mux(&count.add_lit(1), &count.sub_lit(1)));
@@ -71,7 +77,7 @@ pub fn module(config: &Config) -> Module {
         "hole" => pop.clone(),
         "carry" => push.clone(),
         "left_exists" => bit(false),
-        "right_exists" => occupied.clone(),
+        "right_exists" => occupied.expr(),
         "entry" => newcomer.clone(),
         // It has none.
         "rival" => lit(format.key_width(), 0),
@@ -84,7 +90,7 @@ pub fn module(config: &Config) -> Module {
         m.connect(stage, "last_epoch", &last_epoch);
     }
 
-    m.output("empty", &!(&occupied | &out.holds));
+    m.output("empty", &!(count.any() | &out.holds));
     out.push(&mut m, &pop, |name| if name == "tile" { format.tile(&root) } else { format.pointer(&root) });
     m
 }

@@ -25,24 +25,30 @@ pub fn module(config: &Config) -> Module {
     let first = m.stream_from(&heap, "out");
     let reused = m.stream_from(&returned, "out");
 
-    // Insertion: a pointer that was never used, then those that came back.
-    let draining = m.reg_reset("draining", 1, 0);
+    // A free pointer waits for the next copy: one that was never used, or else one that came back.
+    let free_valid = m.reg_reset("free_valid", 1, 0);
+    let free = m.reg("free", pointer_bits);
     let fresh = m.reg_reset("fresh", pointer_bits + 1, 0);
     let all_used = m.wire("all_used", &fresh.msb());
-    let pointer = m.wire("pointer", &all_used.mux(&reused.field("pointer"), &fresh.trunc(pointer_bits)));
-    let head_end = head.field("end");
+    m.next_if(&free, &!&free_valid, &all_used.mux(&reused.field("pointer"), &fresh.trunc(pointer_bits)));
+    m.next_if(&fresh, &!(&free_valid | &all_used), &fresh.add_lit(1));
+    m.ready(&reused, &(!&free_valid & &all_used));
+
+    // Insertion. The payload is written as long as the copy is offered: nobody reads at a free pointer.
+    let draining = m.reg_reset("draining", 1, 0);
     let open = m.wire("open", &(&head.valid & !&draining));
-    let offer = m.wire("offer", &((&open & !&head_end) & (!&all_used | &reused.valid)));
+    let head_end = head.field("end");
+    let offer = m.wire("offer", &((&open & !&head_end) & &free_valid));
     let insert = m.wire("insert", &(&offer & accepts));
     m.connect(&heap, "in_valid", &offer);
     m.connect(&heap, "in_tile", &head.field("tile"));
-    m.connect(&heap, "in_pointer", &pointer);
-    m.next_if(&fresh, &(&insert & !&all_used), &fresh.add_lit(1));
-    m.ready(&reused, &(&insert & &all_used));
+    m.connect(&heap, "in_pointer", &free);
+    let has_free = &!&all_used | &reused.valid;
+    m.next(&free_valid, &free_valid.mux(&!&insert, &has_free));
     let take_end = m.wire("take_end", &(&open & &head_end));
     m.ready(&head, &(&insert | &take_end));
     let payloads = m.memory("payloads", pointers, width(&payload));
-    m.write(&payloads, &insert, &pointer, &Record::from(&head).only(&payload).pack());
+    m.write(&payloads, &offer, &free, &Record::from(&head).only(&payload).pack());
 
     // The read stage. A deep memory is many block RAMs; what the choice among them leaves of a cycle just reaches the buffer behind it.
     let stage_valid = m.reg_reset("stage_valid", 1, 0);
@@ -51,8 +57,8 @@ pub fn module(config: &Config) -> Module {
     let leaving = m.wire("leaving", &first.transfer());
     m.next_if(&stage_valid, &advance, &leaving);
     let stage_tile = m.reg("stage_tile", config.tile_bits() as usize);
-    m.next_if(&stage_tile, &leaving, &first.field("tile"));
-    let stage_payload = m.read_if(&payloads, "stage_payload", &leaving, &first.field("pointer"));
+    m.next_if(&stage_tile, &advance, &first.field("tile"));
+    let stage_payload = m.read_if(&payloads, "stage_payload", &advance, &first.field("pointer"));
     m.connect(&returned, "in_valid", &leaving);
     m.connect(&returned, "in_pointer", &first.field("pointer"));
     let returns = m.out(&returned, "in_ready");
