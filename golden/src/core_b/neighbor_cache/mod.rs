@@ -75,28 +75,31 @@ impl NeighborCache {
     fn leaving(&self) -> Option<Verdict> {
         self.check.verdict(self.copy.target()).filter(|verdict| match verdict {
             Verdict::Hit { .. } => self.deliver.in_ready(),
-            Verdict::Miss { .. } => self.search.in_ready() && self.tickets.free().is_some(),
+            Verdict::Miss { .. } => self.search.in_ready(),
             Verdict::Pass => true,
         })
     }
 
-    /// The query that goes to the search, under its ticket.
-    fn search_for(&mut self, verdict: Option<Verdict>) -> Option<Query> {
-        let Some(Verdict::Miss { query: CachedQuery { query, .. } }) = verdict else { return None };
-        let ticket = self.tickets.free()?;
-        self.tickets.take(ticket, query);
-        Some(Query { number: ticket, ..query })
+    /// The query that goes to the search, under its ticket; a complete neighborhood gives back its own.
+    fn search_for(&mut self, verdict: Option<Verdict>, step: &Step) -> Option<Query> {
+        let searched = match verdict {
+            Some(Verdict::Miss { query: CachedQuery { query, .. } }) => Some(query),
+            _ => None,
+        };
+        let returns = match step {
+            Step::Take { result, .. } if result.last => Some(result.number),
+            _ => None,
+        };
+        let ticket = self.tickets.clock(searched, returns);
+        searched.zip(ticket).map(|(query, number)| Query { number, ..query })
     }
 
-    /// Writes a neighbor to its place and gives back the ticket of a complete neighborhood.
+    /// Writes a neighbor to its place.
     fn store(&mut self, step: &Step) {
         let Step::Take { copying, result } = step else { return };
         if result.found {
             let place = &mut self.neighborhoods[copying.entry][usize::from(copying.copied)];
             *place = Neighbor { index: result.index, distance2: result.distance2 };
-        }
-        if result.last {
-            self.tickets.give_back(result.number);
         }
     }
 }
@@ -146,7 +149,7 @@ impl Model for NeighborCache {
             Step::Start { ticket, .. } => Some(self.tickets.query(ticket)),
             Step::Wait | Step::Take { .. } => None,
         };
-        let searched = self.search_for(verdict);
+        let searched = self.search_for(verdict, &step);
         self.search.step(searched, inputs.search_ready);
         self.store(&step);
         self.copy.clock(inputs.found, &step, started, &mut self.entries, &self.setup);

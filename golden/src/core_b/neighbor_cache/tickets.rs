@@ -10,32 +10,43 @@ struct Ticket {
 
 /// All tickets.
 #[derive(Clone, Debug)]
-pub(super) struct Tickets(Vec<Ticket>);
+pub(super) struct Tickets {
+    tickets: Vec<Ticket>,
+    /// The one that the next search is given; it is taken already.
+    next: Option<u32>,
+}
 
 impl Tickets {
     pub(super) fn new(tickets: u32) -> Self {
-        Self(vec![Ticket::default(); tickets as usize])
-    }
-
-    /// The lowest free ticket.
-    pub(super) fn free(&self) -> Option<u32> {
-        self.0.iter().position(|ticket| !ticket.taken).map(|ticket| ticket as u32)
+        Self { tickets: vec![Ticket::default(); tickets as usize], next: None }
     }
 
     /// Whether one more query may be compared while so many are.
     pub(super) fn admit(&self, compared: usize) -> bool {
-        compared + self.0.iter().filter(|ticket| ticket.taken).count() < self.0.len()
+        let taken = self.tickets.iter().filter(|ticket| ticket.taken).count();
+        compared + taken - usize::from(self.next.is_some()) < self.tickets.len()
     }
 
     pub(super) fn query(&self, ticket: u32) -> Query {
-        self.0[ticket as usize].query
+        self.tickets[ticket as usize].query
     }
 
-    pub(super) fn take(&mut self, ticket: u32, query: Query) {
-        self.0[ticket as usize] = Ticket { taken: true, query };
-    }
-
-    pub(super) fn give_back(&mut self, ticket: u32) {
-        self.0[ticket as usize].taken = false;
+    /// One clock edge: gives the query that is `searched` for, if there is one, its ticket, and takes back one that `returns`.
+    pub(super) fn clock(&mut self, searched: Option<Query>, returns: Option<u32>) -> Option<u32> {
+        let given = searched.map(|query| {
+            let ticket = self.next.take().expect("a ticket is there for every query that was admitted");
+            self.tickets[ticket as usize].query = query;
+            ticket
+        });
+        if self.next.is_none()
+            && let Some(lowest) = self.tickets.iter().position(|ticket| !ticket.taken)
+        {
+            self.tickets[lowest].taken = true;
+            self.next = Some(lowest as u32);
+        }
+        if let Some(ticket) = returns {
+            self.tickets[ticket as usize].taken = false;
+        }
+        given
     }
 }

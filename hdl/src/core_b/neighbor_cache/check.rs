@@ -184,7 +184,7 @@ impl Check {
 
         let search = queue_out(m, "search", &records::query(config));
         let hits = m.wire("hits", &(&hit & from.room));
-        let misses = m.wire("misses", &((&miss & &search.room) & &from.tickets.any_free));
+        let misses = m.wire("misses", &(&miss & &search.room));
         let stays = (&hit & !&hits) | (&miss & !&misses);
         let leaves = m.wire("leaves", &(&valid & !stays));
         m.drive(&advance, &(!&valid | &leaves));
@@ -194,7 +194,7 @@ impl Check {
         m.assert("a_hit_is_present", &(!&hits | from.entries.is_present(&entry)));
 
         search.push(m, &misses, |name| match name {
-            "number" => from.tickets.free.zext(config.index_bits as usize),
+            "number" => from.tickets.next.zext(config.index_bits as usize),
             field => asked.head.get(field),
         });
         event_out(m, "event_cache_hit", &hits);
