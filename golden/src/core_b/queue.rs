@@ -53,7 +53,7 @@ impl Search {
     }
 }
 
-/// The next beat: stage a.
+/// A beat on its way to stage b; the next one is stage a.
 #[derive(Clone, Copy, Debug)]
 struct Arrival {
     candidates: Candidates,
@@ -133,13 +133,12 @@ pub struct Queue {
     working: Vec<Entry>,
     /// The squared radii of the threads' last leaves.
     limits: Vec<u32>,
-    arrival: Option<Arrival>,
+    candidates: Skid<Arrival>,
     work: Option<Work>,
     item: Option<Item>,
     insertion: Option<Insertion>,
     /// The farthest neighbor of the working row as it was a cycle ago, unless that was another row: stage e.
     farthest: Option<Radius>,
-    candidates: Skid<Candidates>,
     finish: Skid<Thread>,
     readout: Readout,
     sent: Vec<Entry>,
@@ -164,12 +163,11 @@ impl Queue {
             owner: None,
             working: row.clone(),
             limits: vec![0; threads],
-            arrival: None,
+            candidates: Skid::default(),
             work: None,
             item: None,
             insertion: None,
             farthest: None,
-            candidates: Skid::default(),
             finish: Skid::default(),
             readout: Readout::Idle,
             sent: row,
@@ -351,7 +349,8 @@ impl Model for Queue {
         // The row that the beat before drives out is not in memory yet.
         let is_driven_out = |thread| before.is_some_and(|before| before != thread) && next_owner == Some(thread);
         let is_free = self.work.is_none();
-        let taken = self.arrival.filter(|next| is_free && !is_driven_out(next.candidates.place.thread));
+        let taken =
+            self.candidates.out().copied().filter(|next| is_free && !is_driven_out(next.candidates.place.thread));
         if let Some(Arrival { candidates, limit }) = taken {
             let thread = candidates.place.thread;
             let begins = before.is_none() && self.searches[thread.index()].fresh;
@@ -363,16 +362,13 @@ impl Model for Queue {
             }
             self.work = Some(work);
         }
-        let arrives = self.arrival.is_none() || taken.is_some();
-        if arrives {
-            let limit = |candidates: &Candidates| self.limits[candidates.place.thread.index()];
-            self.arrival = self.candidates.out().map(|next| Arrival { candidates: *next, limit: limit(next) });
-        }
         if let Some(thread) = finished {
             self.read_row(thread);
             self.readout = Readout::Fetch(thread);
         }
-        self.candidates.step(inputs.candidates, arrives);
+        let limit = |candidates: &Candidates| self.limits[candidates.place.thread.index()];
+        let arrival = inputs.candidates.map(|candidates| Arrival { candidates, limit: limit(&candidates) });
+        self.candidates.step(arrival, taken.is_some());
         self.finish.step(inputs.finish, finished.is_some());
 
         if let Some(Radius { thread, radius2 }) = shown_radius {

@@ -14,6 +14,7 @@ pub mod traversal;
 pub mod tree_cache;
 
 mod coordinates;
+mod head_queue;
 mod nodes;
 mod queue_readout;
 mod queue_row;

@@ -1,19 +1,24 @@
 //! Priority queues (thesis 6.5.2, 6.6.2): a sorted row of neighbors for each thread, an insertion a cycle; golden twin:
 //! `pointcore_golden::core_b::queue`.
 //!
-//! The row of the thread whose points came last, its owner, is in a register; the others are in a memory. Four stages: of a beat
-//! in `a` the lanes that may be near are found, of which `b` chooses a candidate, whose place in its row is found in `c`, and
-//! which is moved there in `d`. What stages decide about each other follows from flip-flops, for it moves hundreds of them.
+//! The row of the thread whose points came last, its owner, is in a register; the others are in a memory. Four stages: of the
+//! beat that comes next, `a`, the lanes that may be near are found, of which `b` chooses a candidate, whose place in its row is
+//! found in `c`, and which is moved there in `d`. What moves a stage's hundreds of flip-flops is known early in the cycle:
+//! beats wait in a memory, for whether one is taken is known late.
 
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::{Config, records};
 
+use super::head_queue::HeadQueue;
 use super::queue_readout::{Readout, Rows, Whose};
 use super::queue_row::{entries, entry_fields, initial, insert, is_sentinel, row, row_bits};
-use super::radii::radii;
+use super::radii::radii_now;
 use super::sets::{contains, decode, index_of, lowest, set, several};
 use crate::rtl::{Expr, Module, Reg, bit, cat};
-use crate::units::records::{Head, Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, width};
+use crate::units::records::{Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, stream_in, width};
+
+/// Beats that wait.
+const BEATS: usize = 2;
 
 /// The beat that chooses its candidates.
 struct Beat {
@@ -144,6 +149,13 @@ fn queries(m: &mut Module, config: &Config, start: &Pulse, thread: &Expr) -> Rec
     Record::unpack(&fields, &word)
 }
 
+/// A beat on its way, with the squared radius of its thread's last leaf as it came in.
+fn arrival_fields(config: &Config) -> Vec<Field> {
+    let mut fields = records::candidates(config);
+    fields.push(("limit".to_owned(), config.geometry.width()));
+    fields
+}
+
 /// The unit; ports as in `spec::core_b::ports::queue`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
@@ -154,21 +166,22 @@ pub fn module(config: &Config) -> Module {
     m.parameter("neighbors", config.neighbors);
     m.parameter("lanes", lanes);
     let start = pulse_in(&mut m, "start", &records::start(config));
-    let candidates = queue_in(&mut m, "candidates", &records::candidates(config));
+    let candidates = stream_in(&mut m, "candidates", &records::candidates(config));
     let finish = queue_in(&mut m, "finish", &records::thread_only(config));
-    let head = Head::new(&mut m, &candidates);
-    let head_thread = head.record.get("thread");
+    let arrivals = HeadQueue::new(&mut m, "arrivals", BEATS, &arrival_fields(config));
+    m.ready(&candidates, &arrivals.room);
+    let head_thread = arrivals.head.get("thread");
 
     let owned = m.reg_reset("owned", 1, 0);
     let owner = m.reg("owner", thread_bits);
     let working = m.reg("working", row_bits(config));
     let fresh = m.reg_reset("fresh", threads, 0);
-    let take = m.forward("take", 1);
+    let free = m.forward("beat_free", 1);
     let beat = Beat {
         valid: m.reg_reset("beat_valid", 1, 0),
         reads: m.reg_reset("beat_reads", 1, 0),
         pending: m.reg("beat_pending", lanes),
-        record: head.record.register(&mut m, "beat_", &take),
+        record: arrivals.head.only(&records::candidates(config)).register(&mut m, "beat_", &free),
     };
     let thread = beat.record.get("thread");
     let item = Item::new(&mut m, config);
@@ -229,18 +242,22 @@ pub fn module(config: &Config) -> Module {
     let follows_tail = m.wire("follows_tail", &((&item.valid | &owned) & tail.eq(&head_thread)));
     let follows_beat = m.wire("follows_beat", &thread.eq(&head_thread));
     let driven_out = &beat.valid & (&follows_tail & !&follows_beat);
-    let free = !&beat.valid | (&moves & !&choice.stays);
-    m.drive(&take, &(&head.valid & (free & !driven_out)));
-    head.leaves(&mut m, &take);
+    m.drive(&free, &(!&beat.valid | (&moves & !&choice.stays)));
+    let take = m.wire("take", &(&arrivals.holds & (&free & !driven_out)));
     m.next(&beat.valid, &(&take | (&choice.stays | &waits)));
     let is_fresh = m.wire("is_fresh", &contains(&fresh, &head_thread));
     let take_reads = beat.valid.mux(&!&follows_beat, &(!&follows_tail | is_fresh));
     m.next(&beat.reads, &take.mux(&take_reads, &(&beat.reads & &waits)));
     // Pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
-    let limit = radii(&mut m, config, [&start, &radius], &head.takes, &head.arriving.get("thread"));
+    let limit = radii_now(&mut m, config, [&start, &radius], &candidates.field("thread"));
+    let arriving = Record::from(&candidates);
+    let arriving =
+        Record::new(&arrival_fields(config), |name| if name == "limit" { limit.clone() } else { arriving.get(name) });
+    arrivals.update(&mut m, &candidates.transfer(), &arriving, &take);
+    let limit = arrivals.head.get("limit");
     let will_be_known = &is_current & (farthest_thread.eq(&head_thread) & !&take_reads);
     let will_be_known = m.wire("farthest_will_be_known", &will_be_known);
-    let near = near_lanes(config, &head.record, &[(&bit(true), &limit), (&will_be_known, &farthest)]);
+    let near = near_lanes(config, &arrivals.head, &[(&bit(true), &limit), (&will_be_known, &farthest)]);
     m.next(&beat.pending, &take.mux(&near, &left));
 
     // c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders.

@@ -7,9 +7,9 @@ use crate::rtl::{Expr, Module};
 use crate::units::records::Pulse;
 
 /// A squared radius for each thread, set by its query and by its leaves, which come in the same cycle for different
-/// threads: a memory for each, and a bit that says which of the two was written last. Reads that of `thread` where `enable`
-/// is set.
-pub(super) fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enable: &Expr, thread: &Expr) -> Expr {
+/// threads: a memory for each, and a bit that says which of the two was written last. Reads that of `thread`, as it was before
+/// the cycle, without a register.
+pub(super) fn radii_now(m: &mut Module, config: &Config, writers: [&Pulse; 2], thread: &Expr) -> Expr {
     let threads = config.threads as usize;
     let [(by_query, query_set), (by_leaf, leaf_set)] =
         [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
@@ -25,8 +25,13 @@ pub(super) fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enabl
         });
     let from_leaf = m.reg_reset("from_leaf", threads, 0);
     m.next(&from_leaf, &((&from_leaf & !query_set) | leaf_set));
-    // Chosen in front of the register: behind it the radius is compared at once.
+    contains(&from_leaf, thread).mux(&by_leaf, &by_query)
+}
+
+/// As [`radii_now`], into a register where `enable` is set: chosen in front of it, for behind it the radius is compared at once.
+pub(super) fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enable: &Expr, thread: &Expr) -> Expr {
+    let now = radii_now(m, config, writers, thread);
     let radius2 = m.reg("radius2", config.geometry.width() as usize);
-    m.next_if(&radius2, enable, &contains(&from_leaf, thread).mux(&by_leaf, &by_query));
+    m.next_if(&radius2, enable, &now);
     radius2.expr()
 }

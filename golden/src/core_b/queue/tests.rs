@@ -88,7 +88,7 @@ fn a_beat_stays_a_cycle_for_every_further_candidate() {
     // Five lanes are nearer than the radius of the leaf before. The first nine is inserted two cycles after it is chosen and known
     // of in the next, in which 7 is chosen: the last one goes then, as the beat is seen to have done a cycle later. Then comes 5.
     let (nothing, stays) = ((false, false, false), (false, false, true));
-    let expected = [nothing, nothing, stays, stays, (false, true, true), stays, (true, true, false), nothing];
+    let expected = [nothing, stays, stays, (false, true, true), stays, (true, true, false), nothing, nothing];
     assert_eq!(events, expected);
 }
 

@@ -8,9 +8,10 @@ use super::deliver::Answer;
 use super::lru::{Chosen, Entries, VERSION_BITS};
 use super::tickets::Tickets;
 use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
+use crate::core_b::head_queue::HeadQueue;
 use crate::rtl::{Expr, Module, Stream, lit};
 use crate::units::datapath::{Inputs, dot, uniform};
-use crate::units::records::{Record, event_out, queue_in, queue_out, width};
+use crate::units::records::{Record, event_out, queue_in, queue_out};
 
 /// Queries whose comparisons may be under way.
 const CHECKS: usize = 8;
@@ -50,30 +51,6 @@ fn comparison(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     compile(&program, options)
 }
 
-/// The queries whose comparisons are under way, in order: a memory read without a register.
-struct Asked {
-    room: Expr,
-    head: Record,
-    held: Expr,
-}
-
-impl Asked {
-    fn new(m: &mut Module, config: &Config, push: &Expr, query: &Record, pop: &Expr) -> Self {
-        let fields = records::query(config);
-        let address_bits = CHECKS.ilog2() as usize;
-        let count = m.reg_reset("asked_count", address_bits + 1, 0);
-        let [write_address, read_address] =
-            ["asked_write_address", "asked_read_address"].map(|name| m.reg_reset(name, address_bits, 0));
-        let queries = m.memory_distributed("asked", CHECKS, width(&fields));
-        m.write(&queries, push, &write_address, &query.only(&fields).pack());
-        let head = m.read_now(&queries, "asked_head", &read_address);
-        m.next_if(&write_address, push, &write_address.add_lit(1));
-        m.next_if(&read_address, pop, &read_address.add_lit(1));
-        m.next(&count, &(&count + push.zext(count.width()) - pop.zext(count.width())));
-        Self { room: !count.eq_lit(CHECKS as u128), head: Record::unpack(&fields, &head), held: count.any() }
-    }
-}
-
 /// What a query may be answered from or searched with.
 pub(super) struct Resources<'a> {
     pub entries: &'a Entries,
@@ -105,7 +82,8 @@ pub(super) struct Check {
 struct Comparisons {
     out: Stream,
     enters: Expr,
-    asked: Asked,
+    /// The queries whose comparisons are under way.
+    asked: HeadQueue,
     manifest: Manifest,
 }
 
@@ -127,7 +105,8 @@ impl Comparisons {
         let last = m.wire("last_entry", &entry.eq_lit(u128::from(config.neighbor_cache) - 1));
         let issues = m.forward("issues", 1);
         let enters = m.wire("enters", &(&issues & &first));
-        let asked = Asked::new(m, config, &enters, &Record::from(&query), pop);
+        let asked = HeadQueue::new(m, "asked", CHECKS, &records::query(config));
+        asked.update(m, &enters, &Record::from(&query), pop);
 
         let i1_valid = m.reg_reset("i1_valid", 1, 0);
         let advance = m.wire("i_advance", &(!&i1_valid | accepts));
@@ -190,7 +169,7 @@ impl Check {
         m.drive(&advance, &(!&valid | &leaves));
         m.drive(&pops, &(&leaves & &last));
         m.next(&answered, &((&answered | &hits) & !&pops));
-        m.assert("a_comparison_has_its_query", &(!&valid | &asked.held));
+        m.assert("a_comparison_has_its_query", &(!&valid | &asked.holds));
         m.assert("a_hit_is_present", &(!&hits | from.entries.is_present(&entry)));
 
         search.push(m, &misses, |name| match name {
