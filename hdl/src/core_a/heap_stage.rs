@@ -226,13 +226,29 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settleme
     let address_bits = place.row_bits().min(place.levels - 1);
     // The memories show the rows either at the start of a tick, in which case they are registered, or not before its end.
     let is_late = address_bits <= SMALL_MEMORY_BITS && matches!(pace, Pace::TwoCycles(_));
-    let shown_row = if is_late { row.expr() } else { presented };
     let mut child = |name: &str, enable: Expr| {
-        let memory = m.memory(&format!("{name}_nodes"), 1 << address_bits, node.width());
         let address = number.bits(place.row_bits(), 1).trunc(address_bits);
-        m.write(&memory, &pace.at_end(&(valid & enable)), &address, node);
-        let shown = m.read(&memory, &format!("{name}_shown"), &shown_row.trunc(address_bits));
-        Record::unpack(&place.node(), &if is_late { shown } else { pace.found(m, name, &shown) })
+        let write = pace.at_end(&(valid & enable));
+        let mut show = |name: &str, write: &Expr, address: &Expr, row: &Expr| {
+            let memory = m.memory(&format!("{name}_nodes"), 1 << address.width(), node.width());
+            m.write(&memory, write, address, node);
+            m.read(&memory, &format!("{name}_shown"), row)
+        };
+        let shown = match pace {
+            Pace::TwoCycles(_) if is_late => show(name, &write, &address, &row.trunc(address_bits)),
+            // Which of two neighboring rows it is comes last of all: both are read, and one is chosen in the next cycle.
+            Pace::TwoCycles(_) => {
+                let mut bank = |of: &str, odd: &Expr| {
+                    let rows = [&address, &presented].map(|row| row.bits(address_bits - 1, 1));
+                    show(&format!("{name}_{of}"), &(&write & odd), &rows[0], &rows[1])
+                };
+                let (even, odd) = (bank("even", &!address.bit(0)), bank("odd", &address.bit(0)));
+                let shown = row.bit(0).mux(&odd, &even);
+                pace.found(m, name, &shown)
+            }
+            Pace::Cycle => show(name, &write, &address, &presented.trunc(address_bits)),
+        };
+        Record::unpack(&place.node(), &shown)
     };
     let (left, right) = (child("left", !side), child("right", side.clone()));
 
