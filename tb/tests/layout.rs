@@ -10,6 +10,7 @@ const CORES: &[&str] = &["stream", "core_a", "core_b", "bus"];
 /// Files of `hdl/src` in those folders and in `float` that are no units but serve several.
 const HELPERS: &[&str] = &[
     "bus/beats",
+    "bus/buffer",
     "bus/core_a",
     "bus/core_b",
     "bus/counters",

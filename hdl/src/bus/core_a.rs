@@ -2,17 +2,17 @@
 
 use std::rc::Rc;
 
-use pointcore_spec::bus::{Layout, ports, registers as maps};
+use pointcore_spec::bus::{ports, registers as maps};
 use pointcore_spec::core_a::config::TILE_PIXELS;
 use pointcore_spec::core_a::ports::EVENTS;
 use pointcore_spec::core_a::{Config, records};
 
-use super::wiring::{export, feed, join, place, report, request};
-use super::{ADDRESS_BITS, Top, packet_in, packet_out, reader, registers, writer};
+use super::buffer::Buffer;
+use super::wiring::{export, join, report};
+use super::{Top, packet_in, packet_out, reader, registers, writer};
 use crate::compiler::{CompileError, Options};
 use crate::core_a::top;
-use crate::rtl::{Module, bit, cat, lit};
-use crate::units::records::Record;
+use crate::rtl::{Module, bit, cat};
 
 /// Errors from elsewhere: none of being busy, misplaced `rlast`, packets, answers to reads and writes.
 const ERROR_SOURCES: ports::ErrorSources = [0, 1, 1, 2];
@@ -47,24 +47,12 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     m.pipe((&splats, "out"), (&core, "splat"));
     join(&mut m, &core, &["uniform_valid", "uniform_address", "uniform_data"].map(|name| (&control, name, name)));
 
-    // A read sees every write before it: it waits until all are answered, and no other is taken meanwhile.
     let base = m.out(&control, "buffer_base");
-    let stride_bits = Layout::of(&pixel).stride(bus.memory_bits).ilog2() as usize;
-    let writer_idle = m.out(&writes, "idle");
-    let read = m.stream_from(&core, "read");
-    let tile_bits = stride_bits + TILE_PIXELS.ilog2() as usize;
-    let address = m.wire("tile_address", &place(&base, &read.field("tile"), tile_bits));
-    let count = lit(TILE_PIXELS.ilog2() as usize + 1, TILE_PIXELS.into());
-    feed(&mut m, &read, (&reads, "request"), &writer_idle, &request(address, count));
+    let (tile_pixels, memory_bits) = (TILE_PIXELS, bus.memory_bits);
+    let buffer = Buffer { pixel: &pixel, tile_pixels, memory_bits, base, reads: &reads, writes: &writes };
+    let [read, write] = ["read", "write"].map(|name| m.stream_from(&core, name));
+    buffer.order(&mut m, &read, &write);
     m.pipe((&reads, "record"), (&core, "data"));
-    let write = m.stream_from(&core, "write");
-    let index = cat(&[&write.field("tile"), &write.field("pixel")]);
-    let address = m.wire("pixel_address", &place(&base, &index, stride_bits));
-    let mut fields = vec![("address".to_owned(), ADDRESS_BITS as u32)];
-    fields.extend(pixel);
-    let written = Record::new(&fields, |name| if name == "address" { address.clone() } else { write.field(name) });
-    let no_read = m.wire("no_read", &!&read.valid);
-    feed(&mut m, &write, (&writes, "in"), &no_read, &written);
 
     // The run ends when its last packet has left and memory has answered.
     let fragment = m.stream_from(&core, "fragment");
@@ -72,7 +60,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let is_last = m.wire("is_last", &(fragment.transfer() & fragment.field("end")));
     let has_ended = m.reg_reset("has_ended", 1, 0);
     m.next(&has_ended, &(&is_last | (&has_ended & !&start)));
-    let sender_idle = m.out(&fragments, "idle");
+    let [sender_idle, writer_idle] = [&fragments, &writes].map(|unit| m.out(unit, "idle"));
     let finished = (&has_ended & !&start) & (sender_idle & &writer_idle);
     m.connect(&control, "finished", &finished);
     m.connect(&control, "occupied", &bit(false));

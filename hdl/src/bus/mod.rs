@@ -1,5 +1,6 @@
 //! The cores on AXI: units between a core's streams and the bus, and the tops. `docs/interfaces.md` states what each does.
 
+pub mod buffer;
 pub mod core_a;
 pub mod core_b;
 pub mod packet_in;
