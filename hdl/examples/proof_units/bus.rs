@@ -1,11 +1,13 @@
 //! The units on the bus, for the record that `formal/record.vh` lays out.
 
 use super::Proof;
-use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
+use pointcore_hdl::bus::{buffer, packet_in, packet_out, reader, registers, window, writer};
+use pointcore_spec::bus::config::WRITES_MAX;
 use pointcore_spec::bus::packets::FieldRange;
 use pointcore_spec::bus::ports;
 use pointcore_spec::bus::registers::{self as map, Kind, Register};
 use pointcore_spec::core_a::Field;
+use pointcore_spec::core_a::config::TILE_PIXELS;
 use pointcore_spec::{core_a, core_b};
 
 /// Bytes of the record in C, and from one to the next in memory.
@@ -56,6 +58,30 @@ fn memory() -> Vec<Proof> {
     ]
 }
 
+/// Core A's buffer: with as many pixels in a tile, bursts and writes under way as in the top, a tile read in one burst and in two;
+/// and small, for what depends on addresses and for what waits.
+fn buffers() -> [Proof; 4] {
+    const TILE_BITS: u32 = 2;
+    let buffer = |name, bits: u32, tile_pixels: u32, limit: u32| {
+        let sizes = [
+            ("BITS", bits),
+            ("BEATS", 8 * STRIDE / bits),
+            ("LIMIT", limit),
+            ("TILE_BITS", TILE_BITS),
+            ("TILE_PIXELS", tile_pixels),
+            ("PIXEL_BITS", tile_pixels.ilog2()),
+        ];
+        Proof::new(name, buffer::alone(&record("c"), bits, TILE_BITS, tile_pixels, limit), &sizes)
+    };
+    let small = |name, flag| Proof { flags: vec![flag], ..buffer(name, 128, 2, 2) };
+    [
+        buffer("core_a_buffer", 64, TILE_PIXELS, WRITES_MAX),
+        buffer("core_a_buffer_split", 32, 2 * TILE_PIXELS, WRITES_MAX),
+        small("core_a_buffer_addresses", "ADDRESSES"),
+        small("core_a_buffer_waits", "WAITS"),
+    ]
+}
+
 /// Bits of uniforms and of a setting in the map below.
 const VALUE_BITS: u32 = 5;
 const UNIFORMS: u32 = 3;
@@ -86,5 +112,5 @@ fn registers() -> Proof {
 pub(super) fn proofs() -> impl Iterator<Item = Proof> {
     const INDEX_BITS: u32 = 2;
     let window = Proof::new("bus_window", window::module(INDEX_BITS), &[("INDEX_BITS", INDEX_BITS)]);
-    packets().into_iter().chain(memory()).chain([window, registers()])
+    packets().into_iter().chain(memory()).chain(buffers()).chain([window, registers()])
 }
