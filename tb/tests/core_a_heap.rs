@@ -42,6 +42,7 @@ fn it_agrees_with_the_model_at_every_size() {
         (7, 2, 9, 61),
         (10, 2, 12, 61),
         (10, 4, 12, 61),
+        (12, 4, 13, 61),
     ] {
         let config = Config { heap_levels, heap_interval, sequence_bits, width, height: 37, ..Config::default() };
         let device = Device::new(&heap::module(&config), ports::heap(&config));

@@ -23,7 +23,7 @@ use crate::units::records::{Record, width};
 pub(super) const RISE: [&str; 6] = ["entry", "exists", "ahead", "right", "childless", "node"];
 
 /// Memories with addresses of up to so many bits are made of lookup tables: all of their time lies before their output's register.
-const SMALL_MEMORY_BITS: usize = 6;
+const SMALL_MEMORY_BITS: usize = 7;
 
 /// What every part of a stage refers to.
 struct Stage {
@@ -229,24 +229,25 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settleme
     let mut child = |name: &str, enable: Expr| {
         let address = number.bits(place.row_bits(), 1).trunc(address_bits);
         let write = pace.at_end(&(valid & enable));
-        let mut show = |name: &str, write: &Expr, address: &Expr, row: &Expr| {
+        let show = |m: &mut Module, name: &str, write: &Expr, address: &Expr, row: &Expr| {
             let memory = m.memory(&format!("{name}_nodes"), 1 << address.width(), node.width());
             m.write(&memory, write, address, node);
             m.read(&memory, &format!("{name}_shown"), row)
         };
         let shown = match pace {
-            Pace::TwoCycles(_) if is_late => show(name, &write, &address, &row.trunc(address_bits)),
-            // Which of two neighboring rows it is comes last of all: both are read, and one is chosen in the next cycle.
+            Pace::TwoCycles(_) if is_late => show(m, name, &write, &address, &row.trunc(address_bits)),
+            // Which of two neighboring rows it is comes last of all, and the way to a block RAM is long: both are read, and one is chosen
+            // when the tick ends.
             Pace::TwoCycles(_) => {
-                let mut bank = |of: &str, odd: &Expr| {
-                    let rows = [&address, &presented].map(|row| row.bits(address_bits - 1, 1));
-                    show(&format!("{name}_{of}"), &(&write & odd), &rows[0], &rows[1])
+                let mut bank = |of: &str, is_written: &Expr| {
+                    let [written, read] = [&address, &presented].map(|row| row.bits(address_bits - 1, 1));
+                    let shown = show(m, &format!("{name}_{of}"), &(&write & is_written), &written, &read);
+                    pace.found(m, &format!("{name}_{of}"), &shown)
                 };
                 let (even, odd) = (bank("even", &!address.bit(0)), bank("odd", &address.bit(0)));
-                let shown = row.bit(0).mux(&odd, &even);
-                pace.found(m, name, &shown)
+                row.bit(0).mux(&odd, &even)
             }
-            Pace::Cycle => show(name, &write, &address, &presented.trunc(address_bits)),
+            Pace::Cycle => show(m, name, &write, &address, &presented.trunc(address_bits)),
         };
         Record::unpack(&place.node(), &shown)
     };
