@@ -25,6 +25,7 @@ const HELPERS: &[&str] = &[
     "core_a/tile_directory",
     "core_a/tile_moves",
     "core_b/coordinates",
+    "core_b/head_queue",
     "core_b/nodes",
     "core_b/queue_readout",
     "core_b/queue_row",

@@ -230,7 +230,12 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settleme
         let address = number.bits(place.row_bits(), 1).trunc(address_bits);
         let write = pace.at_end(&(valid & enable));
         let show = |m: &mut Module, name: &str, write: &Expr, address: &Expr, row: &Expr| {
-            let memory = m.memory(&format!("{name}_nodes"), 1 << address.width(), node.width());
+            let (name_of_nodes, depth) = (format!("{name}_nodes"), 1 << address.width());
+            let memory = if is_late {
+                m.memory_distributed(&name_of_nodes, depth, node.width())
+            } else {
+                m.memory(&name_of_nodes, depth, node.width())
+            };
             m.write(&memory, write, address, node);
             m.read(&memory, &format!("{name}_shown"), row)
         };
