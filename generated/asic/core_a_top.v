@@ -2238,7 +2238,7 @@ module stream_fifo_d64_w152 (
     reg [5:0] read_address;
     reg [151:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -2342,7 +2342,7 @@ module stream_fifo_d64_w10 (
     reg [5:0] read_address;
     reg [9:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -3035,7 +3035,9 @@ module core_a_rasterizer (
     output reg  event_blocked
 );
     reg busy;
+    reg idle;
     reg is_end;
+    reg is_last;
     reg slot;
     reg [11:0] tile;
     reg [2:0] column;
@@ -3070,11 +3072,14 @@ module core_a_rasterizer (
     wire [15:0] shared_out_attribute_1;
     wire [15:0] shared_out_attribute_2;
 
-    wire term_1 = column == right;
-    wire term_2 = is_end | (term_1 & (row == bottom));
-    wire take = evaluation_in_ready & (~busy | term_2) & shared_in_ready;
+    wire take = evaluation_in_ready & idle & shared_in_ready;
     assign in_ready = take;
     wire load = take & in_valid;
+    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire term_2 = column == right;
+    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
+    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
+    wire term_5 = {choice_3, choice_4} == {right, bottom};
 
     assign out_valid = evaluation_out_valid;
     assign out_end = evaluation_out_end;
@@ -3096,7 +3101,7 @@ module core_a_rasterizer (
         .in_valid(busy),
         .in_ready(evaluation_in_ready),
         .in_end(is_end),
-        .in_last(term_2 & ~is_end),
+        .in_last(is_last & ~is_end),
         .in_slot(slot),
         .in_column({tile[5:0], column}),
         .in_row({tile[11:6], row}),
@@ -3144,12 +3149,14 @@ module core_a_rasterizer (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
+            idle <= 1'd1;
             event_sample <= 1'd0;
             event_starved <= 1'd0;
             event_blocked <= 1'd0;
         end else begin
             if (evaluation_in_ready) begin
-                busy <= load | (busy & ~term_2);
+                busy <= load | (busy & ~is_last);
+                idle <= load ? term_1 : (~busy | (is_last | term_5));
             end
             event_sample <= evaluation_in_ready & busy & ~is_end;
             event_starved <= evaluation_in_ready & ~busy;
@@ -3157,7 +3164,7 @@ module core_a_rasterizer (
         end
     end
     always @(posedge clk) begin
-        if (load) begin
+        if (take) begin
             is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
@@ -3175,8 +3182,9 @@ module core_a_rasterizer (
             my <= in_my;
         end
         if (evaluation_in_ready) begin
-            column <= load ? in_left : term_1 ? left : (column + 3'd1);
-            row <= load ? in_top : term_1 ? (row + 3'd1) : row;
+            is_last <= load ? term_1 : term_5;
+            column <= load ? in_left : choice_3;
+            row <= load ? in_top : choice_4;
         end
     end
 
@@ -3213,7 +3221,7 @@ module stream_fifo_d64_w120 (
     reg [5:0] read_address;
     reg [119:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -5068,6 +5076,8 @@ module core_a_tile_cache (
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
+    wire head_takes = ~head_valid;
+    wire in_queue_out_ready = head_takes;
     wire head_waits = (mode == 3'd1) & head_valid;
     wire term_4 = head_waits & ~head_end;
     wire term_5 = resident_0 & is_of_copy_0;
@@ -5077,8 +5087,6 @@ module core_a_tile_cache (
     wire send = term_4 & (copy_hit & term_6);
     wire send_end = head_waits & (head_end & out_queue_in_ready);
     wire term_7 = send | send_end;
-    wire head_takes = ~head_valid | term_7;
-    wire in_queue_out_ready = head_takes;
     wire out_queue_out_ready = out_ready;
     wire held_leaves = holding & drain_step;
     wire write_queue_out_ready = write_ready;
@@ -5165,7 +5173,7 @@ module core_a_tile_cache (
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
-    stream_skid_w361 in_queue (
+    stream_half_buffer_w361 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -5216,7 +5224,7 @@ module core_a_tile_cache (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_skid_w362 out_queue (
+    stream_half_buffer_w362 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(term_7),
@@ -5339,9 +5347,7 @@ module core_a_tile_cache (
             in_flight_1 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            if (head_takes) begin
-                head_valid <= in_queue_out_valid;
-            end
+            head_valid <= head_valid ? ~term_7 : in_queue_out_valid;
             mode <= ((term_10 & last_code) | close) ? 3'd1 : choice_17;
             code_read <= term_12 & ~code_read;
             looking <= start;
@@ -5641,9 +5647,9 @@ module stream_skid_w146 (
 `endif
 endmodule
 
-// Queue of two in registers.
+// One item in a register, at half rate.
 // width = 362
-module stream_skid_w362 (
+module stream_half_buffer_w362 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -5670,7 +5676,7 @@ module stream_skid_w362 (
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
     input  wire in_slot,
-    output reg  out_valid,
+    output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [23:0] out_center_x,
@@ -5695,95 +5701,70 @@ module stream_skid_w362 (
     output wire [11:0] out_tile,
     output wire out_slot
 );
-    reg second_valid;
-    reg [361:0] head;
-    reg [361:0] second;
+    reg full;
+    reg [361:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [361:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom,
-        in_tile,
-        in_slot
-    };
+    assign in_ready = ~full;
 
-    assign out_end = head[361];
-    assign out_center_x = head[360:337];
-    assign out_center_y = head[336:313];
-    assign out_ax = head[312:289];
-    assign out_bx = head[288:265];
-    assign out_ay = head[264:241];
-    assign out_by = head[240:217];
-    assign out_delta = head[216:193];
-    assign out_mx = head[192:169];
-    assign out_my = head[168:145];
-    assign out_depth = head[144:121];
-    assign out_depth_low = head[120:97];
-    assign out_depth_high = head[96:73];
-    assign out_attribute_0 = head[72:57];
-    assign out_attribute_1 = head[56:41];
-    assign out_attribute_2 = head[40:25];
-    assign out_left = head[24:22];
-    assign out_right = head[21:19];
-    assign out_top = head[18:16];
-    assign out_bottom = head[15:13];
-    assign out_tile = head[12:1];
-    assign out_slot = head[0];
+    assign out_valid = full;
+    assign out_end = item[361];
+    assign out_center_x = item[360:337];
+    assign out_center_y = item[336:313];
+    assign out_ax = item[312:289];
+    assign out_bx = item[288:265];
+    assign out_ay = item[264:241];
+    assign out_by = item[240:217];
+    assign out_delta = item[216:193];
+    assign out_mx = item[192:169];
+    assign out_my = item[168:145];
+    assign out_depth = item[144:121];
+    assign out_depth_low = item[120:97];
+    assign out_depth_high = item[96:73];
+    assign out_attribute_0 = item[72:57];
+    assign out_attribute_1 = item[56:41];
+    assign out_attribute_2 = item[40:25];
+    assign out_left = item[24:22];
+    assign out_right = item[21:19];
+    assign out_top = item[18:16];
+    assign out_bottom = item[15:13];
+    assign out_tile = item[12:1];
+    assign out_slot = item[0];
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            full <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
+            full <= full ? ~out_ready : in_valid;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
         if (in_ready) begin
-            second <= in_item;
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile,
+                in_slot
+            };
         end
     end
-
-`ifdef POINTCORE_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
@@ -5839,8 +5820,10 @@ module core_a_reorder (
     output wire [11:0] out_tile
 );
     reg [347:0] payloads [0:1023];
-    reg draining;
+    reg free_valid;
+    reg [9:0] free;
     reg [10:0] fresh;
+    reg draining;
     reg stage_valid;
     reg [11:0] stage_tile;
     reg [347:0] stage_payload;
@@ -5902,18 +5885,17 @@ module core_a_reorder (
 
     assign in_ready = in_queue_in_ready;
     wire open = in_queue_out_valid & ~draining;
-    wire all_used = fresh[10];
-    wire offer = open & ~in_queue_out_end & (~all_used | returned_out_valid);
+    wire offer = open & ~in_queue_out_end & free_valid;
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
     wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
     wire out_queue_out_ready = out_ready;
-    wire [9:0] pointer = all_used ? returned_out_pointer : fresh[9:0];
     wire advance = ~stage_valid | out_queue_in_ready;
     wire heap_out_ready = advance;
     wire leaving = heap_out_valid & heap_out_ready;
-    wire returned_out_ready = insert & all_used;
+    wire all_used = fresh[10];
+    wire returned_out_ready = ~free_valid & all_used;
 
     assign out_valid = out_queue_out_valid;
     assign out_end = out_queue_out_end;
@@ -5938,7 +5920,7 @@ module core_a_reorder (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_skid_w361 in_queue (
+    stream_half_buffer_w361 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -5989,7 +5971,7 @@ module core_a_reorder (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_skid_w361 out_queue (
+    stream_half_buffer_w361 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(close | (stage_valid & out_queue_in_ready)),
@@ -6046,7 +6028,7 @@ module core_a_reorder (
         .in_valid(offer),
         .in_ready(heap_in_ready),
         .in_tile(in_queue_out_tile),
-        .in_pointer(pointer),
+        .in_pointer(free),
         .out_valid(heap_out_valid),
         .out_ready(heap_out_ready),
         .out_tile(heap_out_tile),
@@ -6067,15 +6049,17 @@ module core_a_reorder (
 
     always @(posedge clk) begin
         if (rst) begin
-            draining <= 1'd0;
+            free_valid <= 1'd0;
             fresh <= 11'd0;
+            draining <= 1'd0;
             stage_valid <= 1'd0;
         end else begin
+            free_valid <= free_valid ? ~insert : (~all_used | returned_out_valid);
+            if (~(free_valid | all_used)) begin
+                fresh <= fresh + 11'd1;
+            end
             if (take_end | close) begin
                 draining <= take_end;
-            end
-            if (insert & ~all_used) begin
-                fresh <= fresh + 11'd1;
             end
             if (advance) begin
                 stage_valid <= leaving;
@@ -6083,13 +6067,16 @@ module core_a_reorder (
         end
     end
     always @(posedge clk) begin
-        if (leaving) begin
+        if (~free_valid) begin
+            free <= all_used ? returned_out_pointer : fresh[9:0];
+        end
+        if (advance) begin
             stage_tile <= heap_out_tile;
         end
     end
     always @(posedge clk) begin
-        if (insert) begin
-            payloads[pointer] <= {
+        if (offer) begin
+            payloads[free] <= {
                 in_queue_out_center_x,
                 in_queue_out_center_y,
                 in_queue_out_ax,
@@ -6111,7 +6098,7 @@ module core_a_reorder (
                 in_queue_out_bottom
             };
         end
-        if (leaving) begin
+        if (advance) begin
             stage_payload <= payloads[heap_out_pointer];
         end
     end
@@ -6154,7 +6141,7 @@ module stream_fifo_d1024_w10 (
     reg [9:0] read_address;
     reg [9:0] item;
 
-    wire has_room = ~(held == 11'h400);
+    wire has_room = ~held[10];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -6237,6 +6224,9 @@ module core_a_heap (
     reg [15:0] arrival;
     reg [9:0] alive_even;
     reg [9:0] alive_odd;
+    reg occupied;
+    reg full;
+    reg fresh_epoch_blocked;
     reg [11:0] current;
     reg sweep;
     reg last_epoch;
@@ -6313,10 +6303,8 @@ module core_a_heap (
     wire [7:0] stage_8_rise_node;
 
     wire begins = ~lower;
-    wire fresh_epoch_blocked = (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
-    wire occupied = |count;
     wire pop = begins & (occupied & out_queue_in_ready);
-    wire ready = begins & ~fresh_epoch_blocked & (~(&count) | pop);
+    wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     assign in_ready = ready;
     wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
@@ -6327,7 +6315,7 @@ module core_a_heap (
     assign out_valid = out_queue_out_valid;
     assign out_tile = out_queue_out_tile;
     assign out_pointer = out_queue_out_pointer;
-    assign empty = ~(occupied | out_queue_out_valid);
+    assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w22 out_queue (
         .clk(clk),
@@ -6523,10 +6511,16 @@ module core_a_heap (
             arrival <= 16'd0;
             alive_even <= 10'd0;
             alive_odd <= 10'd0;
+            occupied <= 1'd0;
+            full <= 1'd0;
+            fresh_epoch_blocked <= 1'd0;
             current <= 12'd0;
             sweep <= 1'd0;
         end else begin
             lower <= begins;
+            occupied <= |count;
+            full <= &count;
+            fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
             if (push ^ pop) begin
                 count <= push ? (count + 10'd1) : (count - 10'd1);
             end
@@ -7649,6 +7643,8 @@ module core_a_splitter (
     output wire [11:0] out_tile
 );
     reg busy;
+    reg idle;
+    reg last;
     reg splat_end;
     reg [23:0] splat_center_x;
     reg [23:0] splat_center_y;
@@ -7696,13 +7692,16 @@ module core_a_splitter (
     wire [2:0] out_queue_out_bottom;
     wire [11:0] out_queue_out_tile;
 
-    wire right_most = column == splat_right[8:3];
-    wire term_1 = row == splat_bottom[8:3];
-    wire last = splat_end | (right_most & term_1);
-    wire ready = out_queue_in_ready & (~busy | last);
+    wire ready = out_queue_in_ready & idle;
     assign in_ready = ready;
+    wire right_most = column == splat_right[8:3];
     wire out_queue_out_ready = out_ready;
     wire take = ready & in_valid;
+    wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
+    wire term_2 = in_end | term_1;
+    wire [5:0] choice_3 = right_most ? (row + 6'd1) : row;
+    wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign out_valid = out_queue_out_valid;
     assign out_end = out_queue_out_end;
@@ -7727,7 +7726,7 @@ module core_a_splitter (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_skid_w361 out_queue (
+    stream_half_buffer_w361 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(out_queue_in_ready & busy),
@@ -7751,7 +7750,7 @@ module core_a_splitter (
         .in_left((column == splat_left[8:3]) ? splat_left[2:0] : 3'd0),
         .in_right(right_most ? splat_right[2:0] : 3'd7),
         .in_top((row == splat_top[8:3]) ? splat_top[2:0] : 3'd0),
-        .in_bottom(term_1 ? splat_bottom[2:0] : 3'd7),
+        .in_bottom((row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7),
         .in_tile({row, column}),
         .out_valid(out_queue_out_valid),
         .out_ready(out_queue_out_ready),
@@ -7781,12 +7780,19 @@ module core_a_splitter (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
+            idle <= 1'd1;
         end else if (out_queue_in_ready) begin
             busy <= take | (busy & ~last);
+            idle <= take ? term_2 : (~busy | (last | term_5));
         end
     end
     always @(posedge clk) begin
-        if (take) begin
+        if (out_queue_in_ready) begin
+            last <= take ? term_2 : term_5;
+            column <= take ? in_left[8:3] : choice_4;
+            row <= take ? in_top[8:3] : choice_3;
+        end
+        if (ready) begin
             splat_end <= in_end;
             splat_center_x <= in_center_x;
             splat_center_y <= in_center_y;
@@ -7808,16 +7814,12 @@ module core_a_splitter (
             splat_top <= in_top;
             splat_bottom <= in_bottom;
         end
-        if (out_queue_in_ready) begin
-            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : (column + 6'd1);
-            row <= take ? in_top[8:3] : right_most ? (row + 6'd1) : row;
-        end
     end
 endmodule
 
-// Queue of two in registers.
+// One item in a register, at half rate.
 // width = 361
-module stream_skid_w361 (
+module stream_half_buffer_w361 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -7843,7 +7845,7 @@ module stream_skid_w361 (
     input  wire [2:0] in_top,
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
-    output reg  out_valid,
+    output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [23:0] out_center_x,
@@ -7867,93 +7869,68 @@ module stream_skid_w361 (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    reg second_valid;
-    reg [360:0] head;
-    reg [360:0] second;
+    reg full;
+    reg [360:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [360:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom,
-        in_tile
-    };
+    assign in_ready = ~full;
 
-    assign out_end = head[360];
-    assign out_center_x = head[359:336];
-    assign out_center_y = head[335:312];
-    assign out_ax = head[311:288];
-    assign out_bx = head[287:264];
-    assign out_ay = head[263:240];
-    assign out_by = head[239:216];
-    assign out_delta = head[215:192];
-    assign out_mx = head[191:168];
-    assign out_my = head[167:144];
-    assign out_depth = head[143:120];
-    assign out_depth_low = head[119:96];
-    assign out_depth_high = head[95:72];
-    assign out_attribute_0 = head[71:56];
-    assign out_attribute_1 = head[55:40];
-    assign out_attribute_2 = head[39:24];
-    assign out_left = head[23:21];
-    assign out_right = head[20:18];
-    assign out_top = head[17:15];
-    assign out_bottom = head[14:12];
-    assign out_tile = head[11:0];
+    assign out_valid = full;
+    assign out_end = item[360];
+    assign out_center_x = item[359:336];
+    assign out_center_y = item[335:312];
+    assign out_ax = item[311:288];
+    assign out_bx = item[287:264];
+    assign out_ay = item[263:240];
+    assign out_by = item[239:216];
+    assign out_delta = item[215:192];
+    assign out_mx = item[191:168];
+    assign out_my = item[167:144];
+    assign out_depth = item[143:120];
+    assign out_depth_low = item[119:96];
+    assign out_depth_high = item[95:72];
+    assign out_attribute_0 = item[71:56];
+    assign out_attribute_1 = item[55:40];
+    assign out_attribute_2 = item[39:24];
+    assign out_left = item[23:21];
+    assign out_right = item[20:18];
+    assign out_top = item[17:15];
+    assign out_bottom = item[14:12];
+    assign out_tile = item[11:0];
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            full <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
+            full <= full ? ~out_ready : in_valid;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
         if (in_ready) begin
-            second <= in_item;
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile
+            };
         end
     end
-
-`ifdef POINTCORE_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
@@ -8022,6 +7999,14 @@ module core_a_setup (
     (* ram_style = "distributed" *)
     reg [95:0] delay_10_from_6 [0:8];
     reg [2:0] phase;
+    reg load_0;
+    reg load_1;
+    reg load_2;
+    reg load_3;
+    reg load_4;
+    reg load_5;
+    reg load_6;
+    reg load_7;
     reg [3:0] delay_17_from_0_pointer;
     reg [48:0] delay_17_from_0_out;
     reg [2:0] delay_6_from_1_pointer;
@@ -8265,31 +8250,27 @@ module core_a_setup (
     wire le_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
     wire and_197 = lt_149_d1 & and_196_d1;
     wire or_201 = delay_8_from_4_out[0] | delay_9_from_6_out[48];
     wire and_202 = and_197 & or_201;
     wire or_204 = delay_17_from_0_out[0] | and_202;
     wire term_1 = phase == 3'd4;
+    wire term_2 = valid_d17 & or_204 & term_1;
     wire [23:0] select_205 = delay_8_from_4_out[0] ? 24'h7fc000 : delay_9_from_6_out[23:0];
     wire queue_out_ready = out_ready;
-    wire term_2 = phase == 3'd7;
-    wire load_1 = queue_in_ready & (phase == 3'd1);
-    wire load_4 = queue_in_ready & term_1;
-    wire load_5 = queue_in_ready & (phase == 3'd5);
-    wire load_6 = queue_in_ready & (phase == 3'd6);
-    wire load_3 = queue_in_ready & (phase == 3'd3);
-    wire load_2 = queue_in_ready & (phase == 3'd2);
+    wire term_3 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire advance_next = ~term_4;
     wire [21:0] add_81 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_73 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] select_85 = whole_d10 ? (add_73 >> 8) : 22'd0;
-    wire load_7 = queue_in_ready & term_2;
     wire [21:0] min_86 = (22'd512 < shr_82_d1) ? 22'd512 : shr_82_d1;
     wire [21:0] select_87 = whole_d10 ? min_86_d1 : 22'd512;
     wire [21:0] sub_89 = select_87 - 22'd1;
     wire lt_92 = select_85_d1 < select_87;
-    wire [23:0] joined_3 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [23:0] joined_5 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
     wire [21:0] add_141 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] add_135 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] select_143 = whole_d10 ? (add_135 >> 8) : 22'd0;
@@ -8297,80 +8278,80 @@ module core_a_setup (
     wire [21:0] select_145 = whole_d11 ? min_144_d1 : 22'd512;
     wire [21:0] sub_146 = select_145 - 22'd1;
     wire lt_149 = select_143_d1 < select_145;
-    wire [8:0] joined_4 = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire equal_160 = joined_4 == 9'd0;
-    wire [8:0] add_158 = joined_4 + 9'd12;
+    wire [8:0] joined_6 = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire equal_160 = joined_6 == 9'd0;
+    wire [8:0] add_158 = joined_6 + 9'd12;
     wire lt_163 = add_158 < {1'd0, mul_151_d1[22:15]};
-    wire [23:0] joined_5 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] joined_7 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
     wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
     wire [23:0] select_188 = beyond_near ? add_179_d2 : add_176_d3;
     wire [23:0] select_190 = beyond_near ? mul_183_d3 : min_189_d1;
     wire and_196 = lt_92_d1 & le_195_d4;
-    wire [23:0] choice_6 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] choice_7 = phase[1] ? (phase[0] ? scale_x : mul_17_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_8 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_17_d3 : scale_x;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? mul_31_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_16_d3 : add_49_d2;
-    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_43_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_37_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_12 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_18_d3 : add_54_d1;
-    wire [23:0] choice_14 = phase[1] ? choice_12 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_43_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_16 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_174_d6) : phase[0] ? mul_43_d1 : scale_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_43_d1 : reinterpret_97_d3) : phase[0] ? reinterpret_30_d3 : add_114_d2;
-    wire [23:0] choice_18 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_19 = phase[1] ? choice_18 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_102_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_180_d1) : scale_y;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_102_d1 : reinterpret_103_d3) : phase[0] ? reinterpret_32_d3 : add_119_d1;
-    wire [23:0] choice_23 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_108_d1 : mul_17_d3) : phase[0] ? recip_f24_ftz_unit_y : add_22_d4;
-    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_190_d1) : phase[0] ? mul_17_d3 : scale_y;
-    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_108_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_38_d3 : recip_f24_ftz_unit_y;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_108_d1 : mul_96_d1;
-    wire [23:0] choice_28 = phase[1] ? (phase[0] ? recip_15_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_19_d3) : phase[0] ? mul_19_d3 : mul_37_d1;
-    wire [23:0] choice_30 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_95_d3 : sqrt_181_d1;
-    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_37_d1) : phase[0] ? mul_37_d1 : mul_108_d1;
-    wire [23:0] choice_32 = phase[1] ? (phase[0] ? mul_151_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
-    wire [23:0] choice_33 = phase[1] ? (phase[0] ? add_46_d7 : add_46_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] joined_34 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] choice_35 = phase[1] ? (phase[0] ? joined_34 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] joined_36 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_37 = phase[0] ? joined_36 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_38 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_39 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_40 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_124_d4) : choice_39;
-    wire [23:0] choice_41 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_59_d4) : phase[0] ? mul_33_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] joined_42 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_43 = phase[1] ? (phase[0] ? joined_42 : neg_125_d1) : choice_23;
-    wire [23:0] choice_44 = phase[1] ? (phase[0] ? depth_a : joined_3) : phase[0] ? joined_34 : mul_55_d1;
-    wire [23:0] choice_45 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] choice_46 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_36) : choice_45;
-    wire [23:0] choice_47 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_39_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_48 = phase[0] ? {~mul_183_d1[23], mul_183_d1[22:0]} : add_111_d9;
-    wire [23:0] choice_49 = phase[1] ? choice_48 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_124_d4;
-    wire [23:0] joined_50 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_51 = phase[1] ? (phase[0] ? select_188_d2 : mul_169_d1) : phase[0] ? mul_169_d1 : filter_radius;
-    wire [23:0] choice_52 = phase[1] ? filter_radius : phase[0] ? mul_98_d1 : add_176_d1;
-    wire [23:0] joined_53 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_54 = phase[1] ? (phase[0] ? joined_53 : neg_171_d1) : phase[0] ? neg_171_d1 : add_111_d8;
-    wire [23:0] choice_55 = phase[1] ? add_46_d8 : phase[0] ? joined_42 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_56 = phase[1] ? (phase[0] ? select_188_d2 : add_111_d4) : add_111_d4;
-    wire [23:0] choice_57 = phase[1] ? add_111_d4 : phase[0] ? mul_104_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_58 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_34) : joined_34;
-    wire [23:0] choice_59 = phase[1] ? joined_34 : phase[0] ? joined_5 : epsilon_bias;
-    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_22_d1) : add_22_d1;
-    wire [23:0] choice_61 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_62 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] choice_63 = phase[1] ? (phase[0] ? max_131_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
-    wire [23:0] choice_64 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_65 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_67 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_68 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_70 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_213_d1;
+    wire [23:0] choice_8 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] choice_9 = phase[1] ? (phase[0] ? scale_x : mul_17_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_17_d3 : scale_x;
+    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_31_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_16_d3 : add_49_d2;
+    wire [23:0] choice_12 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_43_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_37_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_18_d3 : add_54_d1;
+    wire [23:0] choice_16 = phase[1] ? choice_14 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_43_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_174_d6) : phase[0] ? mul_43_d1 : scale_y;
+    wire [23:0] choice_19 = phase[1] ? (phase[0] ? mul_43_d1 : reinterpret_97_d3) : phase[0] ? reinterpret_30_d3 : add_114_d2;
+    wire [23:0] choice_20 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_21 = phase[1] ? choice_20 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_102_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_23 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_180_d1) : scale_y;
+    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_102_d1 : reinterpret_103_d3) : phase[0] ? reinterpret_32_d3 : add_119_d1;
+    wire [23:0] choice_25 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_108_d1 : mul_17_d3) : phase[0] ? recip_f24_ftz_unit_y : add_22_d4;
+    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_190_d1) : phase[0] ? mul_17_d3 : scale_y;
+    wire [23:0] choice_28 = phase[1] ? (phase[0] ? mul_108_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_38_d3 : recip_f24_ftz_unit_y;
+    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_108_d1 : mul_96_d1;
+    wire [23:0] choice_30 = phase[1] ? (phase[0] ? recip_15_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_19_d3) : phase[0] ? mul_19_d3 : mul_37_d1;
+    wire [23:0] choice_32 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_95_d3 : sqrt_181_d1;
+    wire [23:0] choice_33 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_37_d1) : phase[0] ? mul_37_d1 : mul_108_d1;
+    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_151_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
+    wire [23:0] choice_35 = phase[1] ? (phase[0] ? add_46_d7 : add_46_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] joined_36 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] choice_37 = phase[1] ? (phase[0] ? joined_36 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] joined_38 = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] choice_39 = phase[0] ? joined_38 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_40 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_41 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_42 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_124_d4) : choice_41;
+    wire [23:0] choice_43 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_59_d4) : phase[0] ? mul_33_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] joined_44 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_45 = phase[1] ? (phase[0] ? joined_44 : neg_125_d1) : choice_25;
+    wire [23:0] choice_46 = phase[1] ? (phase[0] ? depth_a : joined_5) : phase[0] ? joined_36 : mul_55_d1;
+    wire [23:0] choice_47 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] choice_48 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_38) : choice_47;
+    wire [23:0] choice_49 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_39_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_50 = phase[0] ? {~mul_183_d1[23], mul_183_d1[22:0]} : add_111_d9;
+    wire [23:0] choice_51 = phase[1] ? choice_50 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_124_d4;
+    wire [23:0] joined_52 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] choice_53 = phase[1] ? (phase[0] ? select_188_d2 : mul_169_d1) : phase[0] ? mul_169_d1 : filter_radius;
+    wire [23:0] choice_54 = phase[1] ? filter_radius : phase[0] ? mul_98_d1 : add_176_d1;
+    wire [23:0] joined_55 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_56 = phase[1] ? (phase[0] ? joined_55 : neg_171_d1) : phase[0] ? neg_171_d1 : add_111_d8;
+    wire [23:0] choice_57 = phase[1] ? add_46_d8 : phase[0] ? joined_44 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_58 = phase[1] ? (phase[0] ? select_188_d2 : add_111_d4) : add_111_d4;
+    wire [23:0] choice_59 = phase[1] ? add_111_d4 : phase[0] ? mul_104_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_36) : joined_36;
+    wire [23:0] choice_61 = phase[1] ? joined_36 : phase[0] ? joined_7 : epsilon_bias;
+    wire [23:0] choice_62 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_22_d1) : add_22_d1;
+    wire [23:0] choice_63 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_64 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] choice_65 = phase[1] ? (phase[0] ? max_131_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_67 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
+    wire [23:0] choice_68 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_70 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_71 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_72 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_213_d1;
     wire edge_on = equal_160_d1 | lt_163_d1;
     wire xor_199 = scale_x[23] ^ scale_y[23];
     wire xor_200 = add_f24_ftz_unit_y[23] ^ xor_199;
@@ -8400,7 +8381,7 @@ module core_a_setup (
     stream_skid_w373 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d17 & or_204 & term_1),
+        .in_valid(term_2),
         .in_ready(queue_in_ready),
         .in_end(delay_17_from_0_out[0]),
         .in_center_x(add_46_d11),
@@ -8625,6 +8606,14 @@ module core_a_setup (
     always @(posedge clk) begin
         if (rst) begin
             phase <= 3'd0;
+            load_0 <= 1'd1;
+            load_1 <= 1'd0;
+            load_2 <= 1'd0;
+            load_3 <= 1'd0;
+            load_4 <= 1'd0;
+            load_5 <= 1'd0;
+            load_6 <= 1'd0;
+            load_7 <= 1'd0;
             delay_17_from_0_pointer <= 4'd0;
             delay_6_from_1_pointer <= 3'd0;
             delay_8_from_4_pointer <= 3'd0;
@@ -8649,9 +8638,15 @@ module core_a_setup (
             valid_d16 <= 1'd0;
             valid_d17 <= 1'd0;
         end else begin
-            if (queue_in_ready) begin
-                phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
-            end
+            phase <= phase_next;
+            load_0 <= advance_next & (phase_next == 3'd0);
+            load_1 <= advance_next & (phase_next == 3'd1);
+            load_2 <= advance_next & (phase_next == 3'd2);
+            load_3 <= advance_next & (phase_next == 3'd3);
+            load_4 <= advance_next & (phase_next == 3'd4);
+            load_5 <= advance_next & (phase_next == 3'd5);
+            load_6 <= advance_next & (phase_next == 3'd6);
+            load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
                 valid_d1 <= in_valid;
@@ -8817,7 +8812,7 @@ module core_a_setup (
             mul_98_d1 <= mul_f24_ftz_unit_copy3_y;
             mul_104_d1 <= mul_f24_ftz_unit_copy4_y;
             add_119_d1 <= add_f24_ftz_unit_copy3_y;
-            neg_125_d1 <= joined_3;
+            neg_125_d1 <= joined_5;
         end
         if (load_2) begin
             mul_55_d1 <= mul_f24_ftz_unit_copy2_y;
@@ -8836,45 +8831,45 @@ module core_a_setup (
             min_86_d1 <= min_86;
             add_121_d1 <= add_f24_ftz_unit_copy3_y;
             mul_169_d1 <= mul_f24_ftz_unit_y;
-            neg_171_d1 <= joined_5;
+            neg_171_d1 <= joined_7;
             add_179_d1 <= add_f24_ftz_unit_copy4_y;
             add_179_d2 <= add_179_d1;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[2] ? choice_6 : in_center_z;
-            mul_f24_ftz_unit_a <= phase[2] ? choice_7 : choice_8;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_9 : choice_10;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_11 : phase[1] ? choice_12 : phase[0] ? mul_19_d3 : scale_x;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_13 : choice_14;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_15 : choice_16;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_17 : choice_19;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_20 : choice_21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_22 : phase[1] ? choice_23 : add_f24_ftz_unit_copy5_y;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_24 : choice_25;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_26 : choice_27;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_28 : choice_29;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_30 : choice_31;
-            add_f24_ftz_unit_a <= phase[2] ? choice_32 : choice_33;
-            add_f24_ftz_unit_b <= phase[2] ? choice_35 : phase[1] ? choice_37 : choice_38;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_40 : choice_41;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_43 : choice_44;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_46 : choice_47;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_49 : phase[1] ? add_59_d4 : phase[0] ? joined_50 : mul_120_d1;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_51 : choice_52;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_54 : choice_55;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_56 : choice_57;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_58 : choice_59;
-            sqrt_f24_ftz_unit_a <= phase[2] ? choice_60 : phase[1] ? add_22_d1 : add_121_d1;
-            min_f24_ftz_unit_a <= phase[2] ? choice_61 : choice_62;
-            min_f24_ftz_unit_b <= phase[2] ? choice_63 : phase[1] ? add_64_d1 : phase[0] ? add_64_d1 : abs_180_d2;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_64;
-            max_f24_ftz_unit_b <= phase[2] ? choice_65 : choice_66;
+            recip_f24_ftz_unit_a <= phase[2] ? choice_8 : in_center_z;
+            mul_f24_ftz_unit_a <= phase[2] ? choice_9 : choice_10;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_11 : choice_12;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_13 : phase[1] ? choice_14 : phase[0] ? mul_19_d3 : scale_x;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_15 : choice_16;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_17 : choice_18;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_19 : choice_21;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_22 : choice_23;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_24 : phase[1] ? choice_25 : add_f24_ftz_unit_copy5_y;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_26 : choice_27;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_28 : choice_29;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_30 : choice_31;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_32 : choice_33;
+            add_f24_ftz_unit_a <= phase[2] ? choice_34 : choice_35;
+            add_f24_ftz_unit_b <= phase[2] ? choice_37 : phase[1] ? choice_39 : choice_40;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_42 : choice_43;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_45 : choice_46;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_48 : choice_49;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_51 : phase[1] ? add_59_d4 : phase[0] ? joined_52 : mul_120_d1;
+            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_53 : choice_54;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_56 : choice_57;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_58 : choice_59;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_60 : choice_61;
+            sqrt_f24_ftz_unit_a <= phase[2] ? choice_62 : phase[1] ? add_22_d1 : add_121_d1;
+            min_f24_ftz_unit_a <= phase[2] ? choice_63 : choice_64;
+            min_f24_ftz_unit_b <= phase[2] ? choice_65 : phase[1] ? add_64_d1 : phase[0] ? add_64_d1 : abs_180_d2;
+            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_66;
+            max_f24_ftz_unit_b <= phase[2] ? choice_67 : choice_68;
             max_f24_ftz_unit_copy2_a <= 24'd0;
             max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : select_188_d1) : phase[1] ? select_188_d1 : min_129_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_67 : max_f24_ftz_unit_y;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_69 : max_f24_ftz_unit_y;
             le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_176_d3 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? choice_68 : add_f24_ftz_unit_copy3_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_69 : choice_70;
+            le_f24_ftz_unit_b <= phase[2] ? choice_70 : add_f24_ftz_unit_copy3_y;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_71 : choice_72;
         end
     end
     always @(posedge clk) begin
@@ -8927,6 +8922,77 @@ module core_a_setup (
     end
 
     wire _unused = &{1'b0, sub_146[21:9], sub_89[21:9]};
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+`ifdef FORMAL
+                load_0_in_phase: assert (0);
+`else
+                $display("assertion failed: load_0_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+`ifdef FORMAL
+                load_1_in_phase: assert (0);
+`else
+                $display("assertion failed: load_1_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+`ifdef FORMAL
+                load_2_in_phase: assert (0);
+`else
+                $display("assertion failed: load_2_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+`ifdef FORMAL
+                load_3_in_phase: assert (0);
+`else
+                $display("assertion failed: load_3_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_4 == (queue_in_ready & term_1))) begin
+`ifdef FORMAL
+                load_4_in_phase: assert (0);
+`else
+                $display("assertion failed: load_4_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+`ifdef FORMAL
+                load_5_in_phase: assert (0);
+`else
+                $display("assertion failed: load_5_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+`ifdef FORMAL
+                load_6_in_phase: assert (0);
+`else
+                $display("assertion failed: load_6_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_7 == (queue_in_ready & term_3))) begin
+`ifdef FORMAL
+                load_7_in_phase: assert (0);
+`else
+                $display("assertion failed: load_7_in_phase in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Floating to fixed point.
@@ -10107,6 +10173,14 @@ module core_a_transform (
     output wire [15:0] out_attribute_2
 );
     reg [2:0] phase;
+    reg load_0;
+    reg load_1;
+    reg load_2;
+    reg load_3;
+    reg load_4;
+    reg load_5;
+    reg load_6;
+    reg load_7;
     reg end_d1;
     reg end_d2;
     reg end_d3;
@@ -10202,22 +10276,18 @@ module core_a_transform (
     wire [23:0] add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
 
-    wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
     wire or_84 = end_d4 | lt_f24_ftz_unit_y;
     wire term_1 = phase == 3'd4;
+    wire term_2 = valid_d4 & or_84 & term_1;
     wire queue_out_ready = out_ready;
-    wire term_2 = phase == 3'd7;
-    wire load_7 = queue_in_ready & term_2;
-    wire load_2 = queue_in_ready & (phase == 3'd2);
-    wire load_3 = queue_in_ready & (phase == 3'd3);
-    wire load_5 = queue_in_ready & (phase == 3'd5);
-    wire load_6 = queue_in_ready & (phase == 3'd6);
-    wire load_1 = queue_in_ready & (phase == 3'd1);
+    wire term_3 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire advance_next = ~term_4;
     wire equal_89 = in_attribute_0[14:10] == 5'd31;
     wire equal_91 = in_attribute_0[9:0] == 10'd0;
     wire [15:0] select_95 = equal_91 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
-    wire load_4 = queue_in_ready & term_1;
     wire [15:0] select_96 = equal_89_d1 ? select_95_d1 : attribute_0_d1;
     wire equal_100 = 5'd31 == in_attribute_1[14:10];
     wire equal_101 = 10'd0 == in_attribute_1[9:0];
@@ -10227,29 +10297,29 @@ module core_a_transform (
     wire equal_109 = 10'd0 == in_attribute_2[9:0];
     wire [15:0] select_111 = equal_109 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
     wire [15:0] select_112 = equal_108_d1 ? select_111_d1 : attribute_2_d1;
-    wire [23:0] choice_3 = phase[0] ? reinterpret_28_d1 : reinterpret_67_d1;
-    wire [23:0] choice_4 = phase[1] ? choice_3 : phase[0] ? reinterpret_49_d1 : reinterpret_65_d1;
-    wire [23:0] choice_5 = phase[1] ? (phase[0] ? reinterpret_65_d1 : reinterpret_28_d1) : phase[0] ? reinterpret_26_d1 : in_center_x;
-    wire [23:0] choice_6 = phase[0] ? reinterpret_49_d1 : reinterpret_66_d1;
-    wire [23:0] choice_7 = phase[0] ? reinterpret_48_d1 : reinterpret_47_d1;
-    wire [23:0] choice_8 = phase[1] ? choice_7 : phase[0] ? reinterpret_27_d1 : in_center_y;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? reinterpret_47_d1 : reinterpret_48_d1) : in_center_x;
-    wire [23:0] choice_10 = phase[1] ? reinterpret_66_d1 : phase[0] ? reinterpret_66_d1 : reinterpret_65_d1;
-    wire [23:0] choice_11 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] choice_12 = phase[1] ? choice_11 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] choice_13 = phase[1] ? (phase[0] ? m03 : mul_78_d1) : phase[0] ? mul_68_d1 : mul_55_d1;
-    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_16 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? m23 : add_80_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_58_d1 : mul_53_d1) : phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_19 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_81_d1) : choice_19;
-    wire [23:0] choice_21 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_22 = phase[1] ? choice_21 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
-    wire [23:0] choice_23 = phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : add_f24_ftz_unit_y;
-    wire [23:0] choice_24 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_63_d1 : mul_f24_ftz_unit_copy4_y) : choice_24;
+    wire [23:0] choice_5 = phase[0] ? reinterpret_28_d1 : reinterpret_67_d1;
+    wire [23:0] choice_6 = phase[1] ? choice_5 : phase[0] ? reinterpret_49_d1 : reinterpret_65_d1;
+    wire [23:0] choice_7 = phase[1] ? (phase[0] ? reinterpret_65_d1 : reinterpret_28_d1) : phase[0] ? reinterpret_26_d1 : in_center_x;
+    wire [23:0] choice_8 = phase[0] ? reinterpret_49_d1 : reinterpret_66_d1;
+    wire [23:0] choice_9 = phase[0] ? reinterpret_48_d1 : reinterpret_47_d1;
+    wire [23:0] choice_10 = phase[1] ? choice_9 : phase[0] ? reinterpret_27_d1 : in_center_y;
+    wire [23:0] choice_11 = phase[1] ? (phase[0] ? reinterpret_47_d1 : reinterpret_48_d1) : in_center_x;
+    wire [23:0] choice_12 = phase[1] ? reinterpret_66_d1 : phase[0] ? reinterpret_66_d1 : reinterpret_65_d1;
+    wire [23:0] choice_13 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] choice_14 = phase[1] ? choice_13 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? m03 : mul_78_d1) : phase[0] ? mul_68_d1 : mul_55_d1;
+    wire [23:0] choice_16 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_18 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_19 = phase[1] ? (phase[0] ? m23 : add_80_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_58_d1 : mul_53_d1) : phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_21 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_22 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_81_d1) : choice_21;
+    wire [23:0] choice_23 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_24 = phase[1] ? choice_23 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
+    wire [23:0] choice_25 = phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : add_f24_ftz_unit_y;
+    wire [23:0] choice_26 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_63_d1 : mul_f24_ftz_unit_copy4_y) : choice_26;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -10269,7 +10339,7 @@ module core_a_transform (
     stream_skid_w265 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d4 & or_84 & term_1),
+        .in_valid(term_2),
         .in_ready(queue_in_ready),
         .in_end(end_d4),
         .in_center_x(add_44_d1),
@@ -10376,14 +10446,28 @@ module core_a_transform (
     always @(posedge clk) begin
         if (rst) begin
             phase <= 3'd0;
+            load_0 <= 1'd1;
+            load_1 <= 1'd0;
+            load_2 <= 1'd0;
+            load_3 <= 1'd0;
+            load_4 <= 1'd0;
+            load_5 <= 1'd0;
+            load_6 <= 1'd0;
+            load_7 <= 1'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
             valid_d4 <= 1'd0;
         end else begin
-            if (queue_in_ready) begin
-                phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
-            end
+            phase <= phase_next;
+            load_0 <= advance_next & (phase_next == 3'd0);
+            load_1 <= advance_next & (phase_next == 3'd1);
+            load_2 <= advance_next & (phase_next == 3'd2);
+            load_3 <= advance_next & (phase_next == 3'd3);
+            load_4 <= advance_next & (phase_next == 3'd4);
+            load_5 <= advance_next & (phase_next == 3'd5);
+            load_6 <= advance_next & (phase_next == 3'd6);
+            load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
@@ -10463,21 +10547,92 @@ module core_a_transform (
         end
         if (queue_in_ready) begin
             mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_4 : choice_5;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_6 : choice_7;
             mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_3 : choice_6) : choice_8;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_5 : choice_8) : choice_10;
             mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_67_d1 : choice_6) : choice_9;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_67_d1 : choice_8) : choice_11;
             mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_10 : phase[1] ? choice_7 : in_center_y;
-            add_f24_ftz_unit_a <= phase[2] ? choice_12 : choice_13;
-            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_14 : choice_11) : choice_15;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_16 : choice_17;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_18 : choice_20;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_22 : choice_23;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_25 : phase[1] ? mul_76_d1 : phase[0] ? mul_76_d1 : mul_71_d1;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_12 : phase[1] ? choice_9 : in_center_y;
+            add_f24_ftz_unit_a <= phase[2] ? choice_14 : choice_15;
+            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_16 : choice_13) : choice_17;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_18 : choice_19;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_20 : choice_22;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_24 : choice_25;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_27 : phase[1] ? mul_76_d1 : phase[0] ? mul_76_d1 : mul_71_d1;
         end
     end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+`ifdef FORMAL
+                load_0_in_phase: assert (0);
+`else
+                $display("assertion failed: load_0_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+`ifdef FORMAL
+                load_1_in_phase: assert (0);
+`else
+                $display("assertion failed: load_1_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+`ifdef FORMAL
+                load_2_in_phase: assert (0);
+`else
+                $display("assertion failed: load_2_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+`ifdef FORMAL
+                load_3_in_phase: assert (0);
+`else
+                $display("assertion failed: load_3_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_4 == (queue_in_ready & term_1))) begin
+`ifdef FORMAL
+                load_4_in_phase: assert (0);
+`else
+                $display("assertion failed: load_4_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+`ifdef FORMAL
+                load_5_in_phase: assert (0);
+`else
+                $display("assertion failed: load_5_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+`ifdef FORMAL
+                load_6_in_phase: assert (0);
+`else
+                $display("assertion failed: load_6_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_7 == (queue_in_ready & term_3))) begin
+`ifdef FORMAL
+                load_7_in_phase: assert (0);
+`else
+                $display("assertion failed: load_7_in_phase in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Whether one floating-point number is less than another.

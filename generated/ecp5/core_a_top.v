@@ -3622,7 +3622,7 @@ module stream_fifo_d64_w328 (
     reg [5:0] read_address;
     reg [327:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -3748,7 +3748,7 @@ module stream_fifo_d64_w10 (
     reg [5:0] read_address;
     reg [9:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -4753,7 +4753,9 @@ module core_a_rasterizer (
     output reg  event_blocked
 );
     reg busy;
+    reg idle;
     reg is_end;
+    reg is_last;
     reg slot;
     reg [11:0] tile;
     reg [2:0] column;
@@ -4799,11 +4801,14 @@ module core_a_rasterizer (
     wire [15:0] shared_out_attribute_12;
     wire [15:0] shared_out_cardinal_0;
 
-    wire term_1 = column == right;
-    wire term_2 = is_end | (term_1 & (row == bottom));
-    wire take = evaluation_in_ready & (~busy | term_2) & shared_in_ready;
+    wire take = evaluation_in_ready & idle & shared_in_ready;
     assign in_ready = take;
     wire load = take & in_valid;
+    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire term_2 = column == right;
+    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
+    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
+    wire term_5 = {choice_3, choice_4} == {right, bottom};
 
     assign out_valid = evaluation_out_valid;
     assign out_end = evaluation_out_end;
@@ -4836,7 +4841,7 @@ module core_a_rasterizer (
         .in_valid(busy),
         .in_ready(evaluation_in_ready),
         .in_end(is_end),
-        .in_last(term_2 & ~is_end),
+        .in_last(is_last & ~is_end),
         .in_slot(slot),
         .in_column({tile[5:0], column}),
         .in_row({tile[11:6], row}),
@@ -4906,12 +4911,14 @@ module core_a_rasterizer (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
+            idle <= 1'd1;
             event_sample <= 1'd0;
             event_starved <= 1'd0;
             event_blocked <= 1'd0;
         end else begin
             if (evaluation_in_ready) begin
-                busy <= load | (busy & ~term_2);
+                busy <= load | (busy & ~is_last);
+                idle <= load ? term_1 : (~busy | (is_last | term_5));
             end
             event_sample <= evaluation_in_ready & busy & ~is_end;
             event_starved <= evaluation_in_ready & ~busy;
@@ -4919,7 +4926,7 @@ module core_a_rasterizer (
         end
     end
     always @(posedge clk) begin
-        if (load) begin
+        if (take) begin
             is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
@@ -4937,8 +4944,9 @@ module core_a_rasterizer (
             my <= in_my;
         end
         if (evaluation_in_ready) begin
-            column <= load ? in_left : term_1 ? left : (column + 3'd1);
-            row <= load ? in_top : term_1 ? (row + 3'd1) : row;
+            is_last <= load ? term_1 : term_5;
+            column <= load ? in_left : choice_3;
+            row <= load ? in_top : choice_4;
         end
     end
 
@@ -4997,7 +5005,7 @@ module stream_fifo_d64_w296 (
     reg [5:0] read_address;
     reg [295:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -7020,6 +7028,8 @@ module core_a_tile_cache (
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
+    wire head_takes = ~head_valid;
+    wire in_queue_out_ready = head_takes;
     wire head_waits = (mode == 3'd1) & head_valid;
     wire term_4 = head_waits & ~head_end;
     wire term_5 = resident_0 & is_of_copy_0;
@@ -7029,8 +7039,6 @@ module core_a_tile_cache (
     wire send = term_4 & (copy_hit & term_6);
     wire send_end = head_waits & (head_end & out_queue_in_ready);
     wire term_7 = send | send_end;
-    wire head_takes = ~head_valid | term_7;
-    wire in_queue_out_ready = head_takes;
     wire out_queue_out_ready = out_ready;
     wire held_leaves = holding & drain_step;
     wire write_queue_out_ready = write_ready;
@@ -7152,7 +7160,7 @@ module core_a_tile_cache (
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
-    stream_skid_w537 in_queue (
+    stream_half_buffer_w537 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -7225,7 +7233,7 @@ module core_a_tile_cache (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_skid_w538 out_queue (
+    stream_half_buffer_w538 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(term_7),
@@ -7418,9 +7426,7 @@ module core_a_tile_cache (
             in_flight_1 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            if (head_takes) begin
-                head_valid <= in_queue_out_valid;
-            end
+            head_valid <= head_valid ? ~term_7 : in_queue_out_valid;
             mode <= ((term_10 & last_code) | close) ? 3'd1 : choice_17;
             code_read <= term_12 & ~code_read;
             looking <= start;
@@ -7856,9 +7862,9 @@ module stream_skid_w338 (
 `endif
 endmodule
 
-// Queue of two in registers.
+// One item in a register, at half rate.
 // width = 538
-module stream_skid_w538 (
+module stream_half_buffer_w538 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -7896,7 +7902,7 @@ module stream_skid_w538 (
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
     input  wire in_slot,
-    output reg  out_valid,
+    output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [23:0] out_center_x,
@@ -7932,117 +7938,92 @@ module stream_skid_w538 (
     output wire [11:0] out_tile,
     output wire out_slot
 );
-    reg second_valid;
-    reg [537:0] head;
-    reg [537:0] second;
+    reg full;
+    reg [537:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [537:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom,
-        in_tile,
-        in_slot
-    };
+    assign in_ready = ~full;
 
-    assign out_end = head[537];
-    assign out_center_x = head[536:513];
-    assign out_center_y = head[512:489];
-    assign out_ax = head[488:465];
-    assign out_bx = head[464:441];
-    assign out_ay = head[440:417];
-    assign out_by = head[416:393];
-    assign out_delta = head[392:369];
-    assign out_mx = head[368:345];
-    assign out_my = head[344:321];
-    assign out_depth = head[320:297];
-    assign out_depth_low = head[296:273];
-    assign out_depth_high = head[272:249];
-    assign out_attribute_0 = head[248:233];
-    assign out_attribute_1 = head[232:217];
-    assign out_attribute_2 = head[216:201];
-    assign out_attribute_3 = head[200:185];
-    assign out_attribute_4 = head[184:169];
-    assign out_attribute_5 = head[168:153];
-    assign out_attribute_6 = head[152:137];
-    assign out_attribute_7 = head[136:121];
-    assign out_attribute_8 = head[120:105];
-    assign out_attribute_9 = head[104:89];
-    assign out_attribute_10 = head[88:73];
-    assign out_attribute_11 = head[72:57];
-    assign out_attribute_12 = head[56:41];
-    assign out_cardinal_0 = head[40:25];
-    assign out_left = head[24:22];
-    assign out_right = head[21:19];
-    assign out_top = head[18:16];
-    assign out_bottom = head[15:13];
-    assign out_tile = head[12:1];
-    assign out_slot = head[0];
+    assign out_valid = full;
+    assign out_end = item[537];
+    assign out_center_x = item[536:513];
+    assign out_center_y = item[512:489];
+    assign out_ax = item[488:465];
+    assign out_bx = item[464:441];
+    assign out_ay = item[440:417];
+    assign out_by = item[416:393];
+    assign out_delta = item[392:369];
+    assign out_mx = item[368:345];
+    assign out_my = item[344:321];
+    assign out_depth = item[320:297];
+    assign out_depth_low = item[296:273];
+    assign out_depth_high = item[272:249];
+    assign out_attribute_0 = item[248:233];
+    assign out_attribute_1 = item[232:217];
+    assign out_attribute_2 = item[216:201];
+    assign out_attribute_3 = item[200:185];
+    assign out_attribute_4 = item[184:169];
+    assign out_attribute_5 = item[168:153];
+    assign out_attribute_6 = item[152:137];
+    assign out_attribute_7 = item[136:121];
+    assign out_attribute_8 = item[120:105];
+    assign out_attribute_9 = item[104:89];
+    assign out_attribute_10 = item[88:73];
+    assign out_attribute_11 = item[72:57];
+    assign out_attribute_12 = item[56:41];
+    assign out_cardinal_0 = item[40:25];
+    assign out_left = item[24:22];
+    assign out_right = item[21:19];
+    assign out_top = item[18:16];
+    assign out_bottom = item[15:13];
+    assign out_tile = item[12:1];
+    assign out_slot = item[0];
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            full <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
+            full <= full ? ~out_ready : in_valid;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
         if (in_ready) begin
-            second <= in_item;
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_attribute_3,
+                in_attribute_4,
+                in_attribute_5,
+                in_attribute_6,
+                in_attribute_7,
+                in_attribute_8,
+                in_attribute_9,
+                in_attribute_10,
+                in_attribute_11,
+                in_attribute_12,
+                in_cardinal_0,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile,
+                in_slot
+            };
         end
     end
-
-`ifdef POINTCORE_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
@@ -8120,8 +8101,10 @@ module core_a_reorder (
     output wire [11:0] out_tile
 );
     reg [523:0] payloads [0:4095];
-    reg draining;
+    reg free_valid;
+    reg [11:0] free;
     reg [12:0] fresh;
+    reg draining;
     reg stage_valid;
     reg [11:0] stage_tile;
     reg [523:0] stage_payload;
@@ -8205,18 +8188,17 @@ module core_a_reorder (
 
     assign in_ready = in_queue_in_ready;
     wire open = in_queue_out_valid & ~draining;
-    wire all_used = fresh[12];
-    wire offer = open & ~in_queue_out_end & (~all_used | returned_out_valid);
+    wire offer = open & ~in_queue_out_end & free_valid;
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
     wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
     wire out_queue_out_ready = out_ready;
-    wire [11:0] pointer = all_used ? returned_out_pointer : fresh[11:0];
     wire advance = ~stage_valid | out_queue_in_ready;
     wire heap_out_ready = advance;
     wire leaving = heap_out_valid & heap_out_ready;
-    wire returned_out_ready = insert & all_used;
+    wire all_used = fresh[12];
+    wire returned_out_ready = ~free_valid & all_used;
 
     assign out_valid = out_queue_out_valid;
     assign out_end = out_queue_out_end;
@@ -8252,7 +8234,7 @@ module core_a_reorder (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_skid_w537 in_queue (
+    stream_half_buffer_w537 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -8325,7 +8307,7 @@ module core_a_reorder (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_skid_w537 out_queue (
+    stream_half_buffer_w537 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(close | (stage_valid & out_queue_in_ready)),
@@ -8404,7 +8386,7 @@ module core_a_reorder (
         .in_valid(offer),
         .in_ready(heap_in_ready),
         .in_tile(in_queue_out_tile),
-        .in_pointer(pointer),
+        .in_pointer(free),
         .out_valid(heap_out_valid),
         .out_ready(heap_out_ready),
         .out_tile(heap_out_tile),
@@ -8425,15 +8407,17 @@ module core_a_reorder (
 
     always @(posedge clk) begin
         if (rst) begin
-            draining <= 1'd0;
+            free_valid <= 1'd0;
             fresh <= 13'd0;
+            draining <= 1'd0;
             stage_valid <= 1'd0;
         end else begin
+            free_valid <= free_valid ? ~insert : (~all_used | returned_out_valid);
+            if (~(free_valid | all_used)) begin
+                fresh <= fresh + 13'd1;
+            end
             if (take_end | close) begin
                 draining <= take_end;
-            end
-            if (insert & ~all_used) begin
-                fresh <= fresh + 13'd1;
             end
             if (advance) begin
                 stage_valid <= leaving;
@@ -8441,13 +8425,16 @@ module core_a_reorder (
         end
     end
     always @(posedge clk) begin
-        if (leaving) begin
+        if (~free_valid) begin
+            free <= all_used ? returned_out_pointer : fresh[11:0];
+        end
+        if (advance) begin
             stage_tile <= heap_out_tile;
         end
     end
     always @(posedge clk) begin
-        if (insert) begin
-            payloads[pointer] <= {
+        if (offer) begin
+            payloads[free] <= {
                 in_queue_out_center_x,
                 in_queue_out_center_y,
                 in_queue_out_ax,
@@ -8480,7 +8467,7 @@ module core_a_reorder (
                 in_queue_out_bottom
             };
         end
-        if (leaving) begin
+        if (advance) begin
             stage_payload <= payloads[heap_out_pointer];
         end
     end
@@ -8523,7 +8510,7 @@ module stream_fifo_d4096_w12 (
     reg [11:0] read_address;
     reg [11:0] item;
 
-    wire has_room = ~(held == 13'h1000);
+    wire has_room = ~held[12];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -8607,6 +8594,9 @@ module core_a_heap (
     reg [15:0] arrival;
     reg [11:0] alive_even;
     reg [11:0] alive_odd;
+    reg occupied;
+    reg full;
+    reg fresh_epoch_blocked;
     reg [11:0] current;
     reg sweep;
     reg last_epoch;
@@ -8699,10 +8689,8 @@ module core_a_heap (
     wire [9:0] stage_10_rise_node;
 
     wire begins = ends & ~lower;
-    wire fresh_epoch_blocked = (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
-    wire occupied = |count;
     wire pop = begins & (occupied & out_queue_in_ready);
-    wire ready = begins & ~fresh_epoch_blocked & (~(&count) | pop);
+    wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     assign in_ready = ready;
     wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
@@ -8713,7 +8701,7 @@ module core_a_heap (
     assign out_valid = out_queue_out_valid;
     assign out_tile = out_queue_out_tile;
     assign out_pointer = out_queue_out_pointer;
-    assign empty = ~(occupied | out_queue_out_valid);
+    assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w24 out_queue (
         .clk(clk),
@@ -8949,10 +8937,16 @@ module core_a_heap (
             arrival <= 16'd0;
             alive_even <= 12'd0;
             alive_odd <= 12'd0;
+            occupied <= 1'd0;
+            full <= 1'd0;
+            fresh_epoch_blocked <= 1'd0;
             current <= 12'd0;
             sweep <= 1'd0;
         end else begin
             ends <= ~ends;
+            occupied <= |count;
+            full <= &count;
+            fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
             if (ends) begin
                 lower <= ~lower;
             end
@@ -9012,8 +9006,10 @@ module core_a_heap_stage_level10 (
     output wire rise_childless,
     output wire [9:0] rise_node
 );
-    reg [43:0] left_nodes [0:2047];
-    reg [43:0] right_nodes [0:2047];
+    reg [43:0] left_even_nodes [0:1023];
+    reg [43:0] left_odd_nodes [0:1023];
+    reg [43:0] right_even_nodes [0:1023];
+    reg [43:0] right_odd_nodes [0:1023];
     reg ends;
     reg lower;
     reg compared_valid;
@@ -9055,10 +9051,14 @@ module core_a_heap_stage_level10 (
     reg rival_stays_found;
     reg [11:0] last_row;
     reg [11:0] last_row_before;
-    reg [43:0] left_shown;
-    reg [43:0] left_found;
-    reg [43:0] right_shown;
-    reg [43:0] right_found;
+    reg [43:0] left_even_shown;
+    reg [43:0] left_even_found;
+    reg [43:0] left_odd_shown;
+    reg [43:0] left_odd_found;
+    reg [43:0] right_even_shown;
+    reg [43:0] right_even_found;
+    reg [43:0] right_odd_shown;
+    reg [43:0] right_odd_found;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
@@ -9075,38 +9075,42 @@ module core_a_heap_stage_level10 (
     wire term_9 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_1);
     wire is_first = settled_hole ? ((settled_carry | choice_8) & term_9) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_10 = (choice_5 & choice_6) ? (newer ? first_side : (left_found[2] ^ right_found[2])) : choice_6;
-    wire goes_right = choice_3 ? choice_10 : lower ? left_full_found : step_right;
+    wire [43:0] choice_10 = row[0] ? left_odd_found : left_even_found;
+    wire [43:0] choice_11 = row[0] ? right_odd_found : right_even_found;
+    wire choice_12 = (choice_5 & choice_6) ? (newer ? first_side : (choice_10[2] ^ choice_11[2])) : choice_6;
+    wire goes_right = choice_3 ? choice_12 : lower ? left_full_found : step_right;
     wire same_side = goes_right ^ ~side;
     wire [28:0] rival = compared_rival_stored ? stored[43:15] : compared_rival;
-    wire [40:0] choice_11 = ~goes_right ? right_found[43:3] : left_found[43:3];
-    wire term_12 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire [40:0] choice_13 = ~goes_right ? choice_11[43:3] : choice_10[43:3];
+    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire [40:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
-    wire term_13 = settled_hole & ~settled_carry & choice_8;
-    wire choice_14 = lower ? 1'd0 : compared_right;
-    wire term_15 = settled_right_below & ~(term_13 & choice_14 & (lower ? 1'd0 : term_2));
-    wire term_16 = ~settled_hole & settled_existed;
-    wire term_17 = ~choice_14;
-    wire sum_18 = settled_left_count + ((term_13 & term_17) | (term_16 & term_17));
+    wire term_15 = settled_hole & ~settled_carry & choice_8;
+    wire choice_16 = lower ? 1'd0 : compared_right;
+    wire term_17 = settled_right_below & ~(term_15 & choice_16 & (lower ? 1'd0 : term_2));
+    wire term_18 = ~settled_hole & settled_existed;
+    wire term_19 = ~choice_16;
+    wire sum_20 = settled_left_count + ((term_15 & term_19) | (term_18 & term_19));
     wire [43:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
-        term_15 | (term_16 & choice_14),
-        sum_18
+        term_17 | (term_18 & choice_16),
+        sum_20
     };
     wire [11:0] next_row = {row, goes_right};
-    wire [10:0] choice_19 = lower ? {1'd0, step_row} : next_row[10:0];
+    wire [10:0] choice_21 = lower ? {1'd0, step_row} : next_row[10:0];
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire term_20 = compared_carried[40] == sweep;
-    wire [27:0] joined_21 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_22 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_20 : (joined_21 < joined_22);
-    wire term_23 = joined_21 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_20 : term_23;
-    wire [27:0] joined_24 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_24 < joined_22);
+    wire term_22 = compared_carried[40] == sweep;
+    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
+    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
+    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
+    wire term_27 = ends & (settled_valid & ~side);
+    wire term_28 = ends & (settled_valid & side);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -9138,27 +9142,27 @@ module core_a_heap_stage_level10 (
             compared_carried <= lower ? (carried_first ? chosen_entry_found : compared_carried) : step_entry;
             compared_exists <= goes_right ? choice_6 : choice_5;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_10;
+            compared_was_first <= goes_right == choice_12;
             compared_parent_rival <= lower ? rival : step_rival;
             compared_chosen_stored <= newer & same_side;
             compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_11[40:12];
+            compared_rival <= choice_13[40:12];
             compared_rival_exists <= goes_right ? choice_5 : choice_6;
-            compared_rival_mark <= ~goes_right ? right_found[2] : left_found[2];
-            compared_entry <= goes_right ? right_found[43:3] : left_found[43:3];
-            compared_right_below <= goes_right ? right_found[1] : left_found[1];
-            compared_left_count <= goes_right ? right_found[0] : left_found[0];
+            compared_rival_mark <= ~goes_right ? choice_11[2] : choice_10[2];
+            compared_entry <= goes_right ? choice_11[43:3] : choice_10[43:3];
+            compared_right_below <= goes_right ? choice_11[1] : choice_10[1];
+            compared_left_count <= goes_right ? choice_11[0] : choice_10[0];
             settled_hole <= compared_hole;
             settled_carry <= compared_carry;
             settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_12);
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
             settled_rival_exists <= compared_rival_exists;
             settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
             settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry_found;
             settled_right_below <= chosen_right_below & compared_exists;
             settled_left_count <= chosen_left_count & compared_exists;
             stored <= node_to_store;
-            row <= choice_19;
+            row <= choice_21;
             row_before <= row;
             last_row <= next_row;
             last_row_before <= last_row;
@@ -9170,23 +9174,37 @@ module core_a_heap_stage_level10 (
         right_exists_found <= chosen_right_below;
         left_full_found <= chosen_left_count | ~lower;
         rival_stays_found <= rival_stays;
-        left_found <= left_shown;
-        right_found <= right_shown;
+        left_even_found <= left_even_shown;
+        left_odd_found <= left_odd_shown;
+        right_even_found <= right_even_shown;
+        right_odd_found <= right_odd_shown;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) begin
-            left_nodes[choice_7[11:1]] <= node_to_store;
+        if (term_27 & ~choice_7[1]) begin
+            left_even_nodes[choice_7[11:2]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_19];
+        left_even_shown <= left_even_nodes[choice_21[10:1]];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) begin
-            right_nodes[choice_7[11:1]] <= node_to_store;
+        if (term_27 & choice_7[1]) begin
+            left_odd_nodes[choice_7[11:2]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_19];
+        left_odd_shown <= left_odd_nodes[choice_21[10:1]];
+    end
+    always @(posedge clk) begin
+        if (term_28 & ~choice_7[1]) begin
+            right_even_nodes[choice_7[11:2]] <= node_to_store;
+        end
+        right_even_shown <= right_even_nodes[choice_21[10:1]];
+    end
+    always @(posedge clk) begin
+        if (term_28 & choice_7[1]) begin
+            right_odd_nodes[choice_7[11:2]] <= node_to_store;
+        end
+        right_odd_shown <= right_odd_nodes[choice_21[10:1]];
     end
 
-    wire _unused = &{1'b0, choice_11[11:0]};
+    wire _unused = &{1'b0, choice_13[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -9231,8 +9249,10 @@ module core_a_heap_stage_level8 (
     output wire [28:0] below_rival,
     output wire [9:0] below_row
 );
-    reg [45:0] left_nodes [0:511];
-    reg [45:0] right_nodes [0:511];
+    reg [45:0] left_even_nodes [0:255];
+    reg [45:0] left_odd_nodes [0:255];
+    reg [45:0] right_even_nodes [0:255];
+    reg [45:0] right_odd_nodes [0:255];
     reg ends;
     reg lower;
     reg compared_valid;
@@ -9272,10 +9292,14 @@ module core_a_heap_stage_level8 (
     reg right_exists_found;
     reg left_full_found;
     reg rival_stays_found;
-    reg [45:0] left_shown;
-    reg [45:0] left_found;
-    reg [45:0] right_shown;
-    reg [45:0] right_found;
+    reg [45:0] left_even_shown;
+    reg [45:0] left_even_found;
+    reg [45:0] left_odd_shown;
+    reg [45:0] left_odd_found;
+    reg [45:0] right_even_shown;
+    reg [45:0] right_even_found;
+    reg [45:0] right_odd_shown;
+    reg [45:0] right_odd_found;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
@@ -9295,38 +9319,42 @@ module core_a_heap_stage_level8 (
     wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
     wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_found[4] ^ right_found[4])) : choice_7;
-    wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
+    wire [45:0] choice_12 = row[0] ? left_odd_found : left_even_found;
+    wire [45:0] choice_13 = row[0] ? right_odd_found : right_even_found;
+    wire choice_14 = (choice_6 & choice_7) ? (newer ? first_side : (choice_12[4] ^ choice_13[4])) : choice_7;
+    wire goes_right = choice_5 ? choice_14 : lower ? left_full_found : step_right;
     wire [9:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_13 = ~goes_right ? right_found[45:5] : left_found[45:5];
-    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire [40:0] choice_15 = ~goes_right ? choice_13[45:5] : choice_12[45:5];
+    wire term_16 = carried_first & (before_rival_found | ~compared_rival_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_15 = settled_hole & ~settled_carry & choice_10;
-    wire choice_16 = lower ? below_rise_right : compared_right;
-    wire term_17 = term_15 & choice_16 & (lower ? below_rise_childless : term_2);
-    wire term_18 = ~settled_hole & settled_existed;
-    wire term_19 = ~choice_16;
-    wire term_20 = term_15 & term_19;
-    wire [2:0] sum_21 = settled_left_count + {{2{term_20}}, term_20 | (term_18 & term_19)};
+    wire term_17 = settled_hole & ~settled_carry & choice_10;
+    wire choice_18 = lower ? below_rise_right : compared_right;
+    wire term_19 = term_17 & choice_18 & (lower ? below_rise_childless : term_2);
+    wire term_20 = ~settled_hole & settled_existed;
+    wire term_21 = ~choice_18;
+    wire term_22 = term_17 & term_21;
+    wire [2:0] sum_23 = settled_left_count + {{2{term_22}}, term_22 | (term_20 & term_21)};
     wire [45:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_17) | (term_18 & choice_16),
-        sum_21
+        (settled_right_below & ~term_19) | (term_20 & choice_18),
+        sum_23
     };
-    wire [8:0] choice_22 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire [8:0] choice_24 = lower ? {1'd0, step_row} : next_row[8:0];
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire term_23 = compared_carried[40] == sweep;
-    wire [27:0] joined_24 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_25 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_23 : (joined_24 < joined_25);
-    wire term_26 = joined_24 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_23 : term_26;
-    wire [27:0] joined_27 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_27 < joined_25);
+    wire term_25 = compared_carried[40] == sweep;
+    wire [27:0] joined_26 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_27 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_25 : (joined_26 < joined_27);
+    wire term_28 = joined_26 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_25 : term_28;
+    wire [27:0] joined_29 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_29 < joined_27);
+    wire term_30 = ends & (settled_valid & ~side);
+    wire term_31 = ends & (settled_valid & side);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -9368,27 +9396,27 @@ module core_a_heap_stage_level8 (
             compared_carried <= lower ? choice_4 : step_entry;
             compared_exists <= goes_right ? choice_7 : choice_6;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_12;
+            compared_was_first <= goes_right == choice_14;
             compared_parent_rival <= lower ? rival : step_rival;
             compared_chosen_stored <= newer & same_side;
             compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_13[40:12];
+            compared_rival <= choice_15[40:12];
             compared_rival_exists <= goes_right ? choice_6 : choice_7;
-            compared_rival_mark <= ~goes_right ? right_found[4] : left_found[4];
-            compared_entry <= goes_right ? right_found[45:5] : left_found[45:5];
-            compared_right_below <= goes_right ? right_found[3] : left_found[3];
-            compared_left_count <= goes_right ? right_found[2:0] : left_found[2:0];
+            compared_rival_mark <= ~goes_right ? choice_13[4] : choice_12[4];
+            compared_entry <= goes_right ? choice_13[45:5] : choice_12[45:5];
+            compared_right_below <= goes_right ? choice_13[3] : choice_12[3];
+            compared_left_count <= goes_right ? choice_13[2:0] : choice_12[2:0];
             settled_hole <= compared_hole;
             settled_carry <= compared_carry;
             settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_16);
             settled_rival_exists <= compared_rival_exists;
             settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
             settled_entry <= first;
             settled_right_below <= chosen_right_below & compared_exists;
             settled_left_count <= chosen_left_count & {3{compared_exists}};
             stored <= node_to_store;
-            row <= choice_22;
+            row <= choice_24;
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
@@ -9398,23 +9426,37 @@ module core_a_heap_stage_level8 (
         right_exists_found <= chosen_right_below;
         left_full_found <= &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
         rival_stays_found <= rival_stays;
-        left_found <= left_shown;
-        right_found <= right_shown;
+        left_even_found <= left_even_shown;
+        left_odd_found <= left_odd_shown;
+        right_even_found <= right_even_shown;
+        right_odd_found <= right_odd_shown;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) begin
-            left_nodes[choice_9[9:1]] <= node_to_store;
+        if (term_30 & ~choice_9[1]) begin
+            left_even_nodes[choice_9[9:2]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_22];
+        left_even_shown <= left_even_nodes[choice_24[8:1]];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) begin
-            right_nodes[choice_9[9:1]] <= node_to_store;
+        if (term_30 & choice_9[1]) begin
+            left_odd_nodes[choice_9[9:2]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_22];
+        left_odd_shown <= left_odd_nodes[choice_24[8:1]];
+    end
+    always @(posedge clk) begin
+        if (term_31 & ~choice_9[1]) begin
+            right_even_nodes[choice_9[9:2]] <= node_to_store;
+        end
+        right_even_shown <= right_even_nodes[choice_24[8:1]];
+    end
+    always @(posedge clk) begin
+        if (term_31 & choice_9[1]) begin
+            right_odd_nodes[choice_9[9:2]] <= node_to_store;
+        end
+        right_odd_shown <= right_odd_nodes[choice_24[8:1]];
     end
 
-    wire _unused = &{1'b0, choice_13[11:0]};
+    wire _unused = &{1'b0, choice_15[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -9459,7 +9501,9 @@ module core_a_heap_stage_level6 (
     output wire [28:0] below_rival,
     output wire [7:0] below_row
 );
+    (* ram_style = "distributed" *)
     reg [47:0] left_nodes [0:127];
+    (* ram_style = "distributed" *)
     reg [47:0] right_nodes [0:127];
     reg ends;
     reg lower;
@@ -9501,9 +9545,7 @@ module core_a_heap_stage_level6 (
     reg left_full_found;
     reg rival_stays_found;
     reg [47:0] left_shown;
-    reg [47:0] left_found;
     reg [47:0] right_shown;
-    reg [47:0] right_found;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
@@ -9523,11 +9565,11 @@ module core_a_heap_stage_level6 (
     wire term_11 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_1);
     wire is_first = settled_hole ? ((settled_carry | choice_10) & term_11) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_found[6] ^ right_found[6])) : choice_7;
+    wire choice_12 = (choice_6 & choice_7) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_7;
     wire goes_right = choice_5 ? choice_12 : lower ? left_full_found : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_13 = ~goes_right ? right_found[47:7] : left_found[47:7];
+    wire [40:0] choice_13 = ~goes_right ? right_shown[47:7] : left_shown[47:7];
     wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
@@ -9545,16 +9587,15 @@ module core_a_heap_stage_level6 (
         (settled_right_below & ~term_17) | (term_18 & choice_16),
         sum_21
     };
-    wire [6:0] choice_22 = lower ? {1'd0, step_row} : next_row[6:0];
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
-    wire term_23 = compared_carried[40] == sweep;
-    wire [27:0] joined_24 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_25 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_23 : (joined_24 < joined_25);
-    wire term_26 = joined_24 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_23 : term_26;
-    wire [27:0] joined_27 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_27 < joined_25);
+    wire term_22 = compared_carried[40] == sweep;
+    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
+    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
+    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -9602,10 +9643,10 @@ module core_a_heap_stage_level6 (
             compared_rival_stored <= newer & ~same_side;
             compared_rival <= choice_13[40:12];
             compared_rival_exists <= goes_right ? choice_6 : choice_7;
-            compared_rival_mark <= ~goes_right ? right_found[6] : left_found[6];
-            compared_entry <= goes_right ? right_found[47:7] : left_found[47:7];
-            compared_right_below <= goes_right ? right_found[5] : left_found[5];
-            compared_left_count <= goes_right ? right_found[4:0] : left_found[4:0];
+            compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
+            compared_entry <= goes_right ? right_shown[47:7] : left_shown[47:7];
+            compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
+            compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
             settled_hole <= compared_hole;
             settled_carry <= compared_carry;
             settled_existed <= compared_exists;
@@ -9616,7 +9657,7 @@ module core_a_heap_stage_level6 (
             settled_right_below <= chosen_right_below & compared_exists;
             settled_left_count <= chosen_left_count & {5{compared_exists}};
             stored <= node_to_store;
-            row <= choice_22;
+            row <= lower ? {1'd0, step_row} : next_row[6:0];
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
@@ -9626,20 +9667,18 @@ module core_a_heap_stage_level6 (
         right_exists_found <= chosen_right_below;
         left_full_found <= &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
         rival_stays_found <= rival_stays;
-        left_found <= left_shown;
-        right_found <= right_shown;
     end
     always @(posedge clk) begin
         if (ends & (settled_valid & ~side)) begin
             left_nodes[choice_9[7:1]] <= node_to_store;
         end
-        left_shown <= left_nodes[choice_22];
+        left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
         if (ends & (settled_valid & side)) begin
             right_nodes[choice_9[7:1]] <= node_to_store;
         end
-        right_shown <= right_nodes[choice_22];
+        right_shown <= right_nodes[row];
     end
 
     wire _unused = &{1'b0, choice_13[11:0]};
@@ -9687,7 +9726,9 @@ module core_a_heap_stage_level4 (
     output wire [28:0] below_rival,
     output wire [5:0] below_row
 );
+    (* ram_style = "distributed" *)
     reg [49:0] left_nodes [0:31];
+    (* ram_style = "distributed" *)
     reg [49:0] right_nodes [0:31];
     reg ends;
     reg lower;
@@ -9910,7 +9951,9 @@ module core_a_heap_stage_level2 (
     output wire [28:0] below_rival,
     output wire [3:0] below_row
 );
+    (* ram_style = "distributed" *)
     reg [51:0] left_nodes [0:7];
+    (* ram_style = "distributed" *)
     reg [51:0] right_nodes [0:7];
     reg ends;
     reg lower;
@@ -10128,7 +10171,9 @@ module core_a_heap_stage_level0 (
     output wire [28:0] below_rival,
     output wire [1:0] below_row
 );
+    (* ram_style = "distributed" *)
     reg [53:0] left_nodes [0:1];
+    (* ram_style = "distributed" *)
     reg [53:0] right_nodes [0:1];
     reg ends;
     reg lower;
@@ -10436,6 +10481,8 @@ module core_a_splitter (
     output wire [11:0] out_tile
 );
     reg busy;
+    reg idle;
+    reg last;
     reg splat_end;
     reg [23:0] splat_center_x;
     reg [23:0] splat_center_y;
@@ -10505,13 +10552,16 @@ module core_a_splitter (
     wire [2:0] out_queue_out_bottom;
     wire [11:0] out_queue_out_tile;
 
-    wire right_most = column == splat_right[8:3];
-    wire term_1 = row == splat_bottom[8:3];
-    wire last = splat_end | (right_most & term_1);
-    wire ready = out_queue_in_ready & (~busy | last);
+    wire ready = out_queue_in_ready & idle;
     assign in_ready = ready;
+    wire right_most = column == splat_right[8:3];
     wire out_queue_out_ready = out_ready;
     wire take = ready & in_valid;
+    wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
+    wire term_2 = in_end | term_1;
+    wire [5:0] choice_3 = right_most ? (row + 6'd1) : row;
+    wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign out_valid = out_queue_out_valid;
     assign out_end = out_queue_out_end;
@@ -10547,7 +10597,7 @@ module core_a_splitter (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_skid_w537 out_queue (
+    stream_half_buffer_w537 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(out_queue_in_ready & busy),
@@ -10582,7 +10632,7 @@ module core_a_splitter (
         .in_left((column == splat_left[8:3]) ? splat_left[2:0] : 3'd0),
         .in_right(right_most ? splat_right[2:0] : 3'd7),
         .in_top((row == splat_top[8:3]) ? splat_top[2:0] : 3'd0),
-        .in_bottom(term_1 ? splat_bottom[2:0] : 3'd7),
+        .in_bottom((row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7),
         .in_tile({row, column}),
         .out_valid(out_queue_out_valid),
         .out_ready(out_queue_out_ready),
@@ -10623,12 +10673,19 @@ module core_a_splitter (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
+            idle <= 1'd1;
         end else if (out_queue_in_ready) begin
             busy <= take | (busy & ~last);
+            idle <= take ? term_2 : (~busy | (last | term_5));
         end
     end
     always @(posedge clk) begin
-        if (take) begin
+        if (out_queue_in_ready) begin
+            last <= take ? term_2 : term_5;
+            column <= take ? in_left[8:3] : choice_4;
+            row <= take ? in_top[8:3] : choice_3;
+        end
+        if (ready) begin
             splat_end <= in_end;
             splat_center_x <= in_center_x;
             splat_center_y <= in_center_y;
@@ -10661,16 +10718,12 @@ module core_a_splitter (
             splat_top <= in_top;
             splat_bottom <= in_bottom;
         end
-        if (out_queue_in_ready) begin
-            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : (column + 6'd1);
-            row <= take ? in_top[8:3] : right_most ? (row + 6'd1) : row;
-        end
     end
 endmodule
 
-// Queue of two in registers.
+// One item in a register, at half rate.
 // width = 537
-module stream_skid_w537 (
+module stream_half_buffer_w537 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -10707,7 +10760,7 @@ module stream_skid_w537 (
     input  wire [2:0] in_top,
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
-    output reg  out_valid,
+    output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [23:0] out_center_x,
@@ -10742,115 +10795,90 @@ module stream_skid_w537 (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    reg second_valid;
-    reg [536:0] head;
-    reg [536:0] second;
+    reg full;
+    reg [536:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [536:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom,
-        in_tile
-    };
+    assign in_ready = ~full;
 
-    assign out_end = head[536];
-    assign out_center_x = head[535:512];
-    assign out_center_y = head[511:488];
-    assign out_ax = head[487:464];
-    assign out_bx = head[463:440];
-    assign out_ay = head[439:416];
-    assign out_by = head[415:392];
-    assign out_delta = head[391:368];
-    assign out_mx = head[367:344];
-    assign out_my = head[343:320];
-    assign out_depth = head[319:296];
-    assign out_depth_low = head[295:272];
-    assign out_depth_high = head[271:248];
-    assign out_attribute_0 = head[247:232];
-    assign out_attribute_1 = head[231:216];
-    assign out_attribute_2 = head[215:200];
-    assign out_attribute_3 = head[199:184];
-    assign out_attribute_4 = head[183:168];
-    assign out_attribute_5 = head[167:152];
-    assign out_attribute_6 = head[151:136];
-    assign out_attribute_7 = head[135:120];
-    assign out_attribute_8 = head[119:104];
-    assign out_attribute_9 = head[103:88];
-    assign out_attribute_10 = head[87:72];
-    assign out_attribute_11 = head[71:56];
-    assign out_attribute_12 = head[55:40];
-    assign out_cardinal_0 = head[39:24];
-    assign out_left = head[23:21];
-    assign out_right = head[20:18];
-    assign out_top = head[17:15];
-    assign out_bottom = head[14:12];
-    assign out_tile = head[11:0];
+    assign out_valid = full;
+    assign out_end = item[536];
+    assign out_center_x = item[535:512];
+    assign out_center_y = item[511:488];
+    assign out_ax = item[487:464];
+    assign out_bx = item[463:440];
+    assign out_ay = item[439:416];
+    assign out_by = item[415:392];
+    assign out_delta = item[391:368];
+    assign out_mx = item[367:344];
+    assign out_my = item[343:320];
+    assign out_depth = item[319:296];
+    assign out_depth_low = item[295:272];
+    assign out_depth_high = item[271:248];
+    assign out_attribute_0 = item[247:232];
+    assign out_attribute_1 = item[231:216];
+    assign out_attribute_2 = item[215:200];
+    assign out_attribute_3 = item[199:184];
+    assign out_attribute_4 = item[183:168];
+    assign out_attribute_5 = item[167:152];
+    assign out_attribute_6 = item[151:136];
+    assign out_attribute_7 = item[135:120];
+    assign out_attribute_8 = item[119:104];
+    assign out_attribute_9 = item[103:88];
+    assign out_attribute_10 = item[87:72];
+    assign out_attribute_11 = item[71:56];
+    assign out_attribute_12 = item[55:40];
+    assign out_cardinal_0 = item[39:24];
+    assign out_left = item[23:21];
+    assign out_right = item[20:18];
+    assign out_top = item[17:15];
+    assign out_bottom = item[14:12];
+    assign out_tile = item[11:0];
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            full <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
+            full <= full ? ~out_ready : in_valid;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
         if (in_ready) begin
-            second <= in_item;
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_attribute_3,
+                in_attribute_4,
+                in_attribute_5,
+                in_attribute_6,
+                in_attribute_7,
+                in_attribute_8,
+                in_attribute_9,
+                in_attribute_10,
+                in_attribute_11,
+                in_attribute_12,
+                in_cardinal_0,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile
+            };
         end
     end
-
-`ifdef POINTCORE_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
@@ -10941,6 +10969,14 @@ module core_a_setup (
     (* ram_style = "distributed" *)
     reg [95:0] delay_10_from_6 [0:8];
     reg [2:0] phase;
+    reg load_0;
+    reg load_1;
+    reg load_2;
+    reg load_3;
+    reg load_4;
+    reg load_5;
+    reg load_6;
+    reg load_7;
     reg [3:0] delay_17_from_0_pointer;
     reg [224:0] delay_17_from_0_out;
     reg [2:0] delay_6_from_1_pointer;
@@ -11195,31 +11231,27 @@ module core_a_setup (
     wire le_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
     wire and_208 = lt_160_d1 & and_207_d1;
     wire or_212 = delay_8_from_4_out[0] | delay_9_from_6_out[48];
     wire and_213 = and_208 & or_212;
     wire or_215 = delay_17_from_0_out[0] | and_213;
     wire term_1 = phase == 3'd4;
+    wire term_2 = valid_d17 & or_215 & term_1;
     wire [23:0] select_216 = delay_8_from_4_out[0] ? 24'h7fc000 : delay_9_from_6_out[23:0];
     wire queue_out_ready = out_ready;
-    wire term_2 = phase == 3'd7;
-    wire load_1 = queue_in_ready & (phase == 3'd1);
-    wire load_4 = queue_in_ready & term_1;
-    wire load_5 = queue_in_ready & (phase == 3'd5);
-    wire load_6 = queue_in_ready & (phase == 3'd6);
-    wire load_3 = queue_in_ready & (phase == 3'd3);
-    wire load_2 = queue_in_ready & (phase == 3'd2);
+    wire term_3 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire advance_next = ~term_4;
     wire [21:0] add_92 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_84 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] select_96 = whole_d10 ? (add_84 >> 8) : 22'd0;
-    wire load_7 = queue_in_ready & term_2;
     wire [21:0] min_97 = (22'd512 < shr_93_d1) ? 22'd512 : shr_93_d1;
     wire [21:0] select_98 = whole_d10 ? min_97_d1 : 22'd512;
     wire [21:0] sub_100 = select_98 - 22'd1;
     wire lt_103 = select_96_d1 < select_98;
-    wire [23:0] joined_3 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [23:0] joined_5 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
     wire [21:0] add_152 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] add_146 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
     wire [21:0] select_154 = whole_d10 ? (add_146 >> 8) : 22'd0;
@@ -11227,80 +11259,80 @@ module core_a_setup (
     wire [21:0] select_156 = whole_d11 ? min_155_d1 : 22'd512;
     wire [21:0] sub_157 = select_156 - 22'd1;
     wire lt_160 = select_154_d1 < select_156;
-    wire [8:0] joined_4 = {1'd0, add_f24_ftz_unit_y[22:15]};
-    wire equal_171 = joined_4 == 9'd0;
-    wire [8:0] add_169 = joined_4 + 9'd12;
+    wire [8:0] joined_6 = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire equal_171 = joined_6 == 9'd0;
+    wire [8:0] add_169 = joined_6 + 9'd12;
     wire lt_174 = add_169 < {1'd0, mul_162_d1[22:15]};
-    wire [23:0] joined_5 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
+    wire [23:0] joined_7 = {~mul_f24_ftz_unit_copy6_y[23], mul_f24_ftz_unit_copy6_y[22:0]};
     wire beyond_near = delay_6_from_1_out & le_f24_ftz_unit_y;
     wire [23:0] select_199 = beyond_near ? add_190_d2 : add_187_d3;
     wire [23:0] select_201 = beyond_near ? mul_194_d3 : min_200_d1;
     wire and_207 = lt_103_d1 & le_206_d4;
-    wire [23:0] choice_6 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] choice_7 = phase[1] ? (phase[0] ? scale_x : mul_28_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_8 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_28_d3 : scale_x;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? mul_42_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_27_d3 : add_60_d2;
-    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_54_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_48_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_12 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_29_d3 : add_65_d1;
-    wire [23:0] choice_14 = phase[1] ? choice_12 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_54_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_16 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_185_d6) : phase[0] ? mul_54_d1 : scale_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_54_d1 : reinterpret_108_d3) : phase[0] ? reinterpret_41_d3 : add_125_d2;
-    wire [23:0] choice_18 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_19 = phase[1] ? choice_18 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_113_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_191_d1) : scale_y;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_113_d1 : reinterpret_114_d3) : phase[0] ? reinterpret_43_d3 : add_130_d1;
-    wire [23:0] choice_23 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_119_d1 : mul_28_d3) : phase[0] ? recip_f24_ftz_unit_y : add_33_d4;
-    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_201_d1) : phase[0] ? mul_28_d3 : scale_y;
-    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_119_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_49_d3 : recip_f24_ftz_unit_y;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_119_d1 : mul_107_d1;
-    wire [23:0] choice_28 = phase[1] ? (phase[0] ? recip_26_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_30_d3) : phase[0] ? mul_30_d3 : mul_48_d1;
-    wire [23:0] choice_30 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_106_d3 : sqrt_192_d1;
-    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_48_d1) : phase[0] ? mul_48_d1 : mul_119_d1;
-    wire [23:0] choice_32 = phase[1] ? (phase[0] ? mul_162_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
-    wire [23:0] choice_33 = phase[1] ? (phase[0] ? add_57_d7 : add_57_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] joined_34 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] choice_35 = phase[1] ? (phase[0] ? joined_34 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] joined_36 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_37 = phase[0] ? joined_36 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_38 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_39 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_40 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_135_d4) : choice_39;
-    wire [23:0] choice_41 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_70_d4) : phase[0] ? mul_44_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] joined_42 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_43 = phase[1] ? (phase[0] ? joined_42 : neg_136_d1) : choice_23;
-    wire [23:0] choice_44 = phase[1] ? (phase[0] ? depth_a : joined_3) : phase[0] ? joined_34 : mul_66_d1;
-    wire [23:0] choice_45 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] choice_46 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_36) : choice_45;
-    wire [23:0] choice_47 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_50_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_48 = phase[0] ? {~mul_194_d1[23], mul_194_d1[22:0]} : add_122_d9;
-    wire [23:0] choice_49 = phase[1] ? choice_48 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_135_d4;
-    wire [23:0] joined_50 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_51 = phase[1] ? (phase[0] ? select_199_d2 : mul_180_d1) : phase[0] ? mul_180_d1 : filter_radius;
-    wire [23:0] choice_52 = phase[1] ? filter_radius : phase[0] ? mul_109_d1 : add_187_d1;
-    wire [23:0] joined_53 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_54 = phase[1] ? (phase[0] ? joined_53 : neg_182_d1) : phase[0] ? neg_182_d1 : add_122_d8;
-    wire [23:0] choice_55 = phase[1] ? add_57_d8 : phase[0] ? joined_42 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_56 = phase[1] ? (phase[0] ? select_199_d2 : add_122_d4) : add_122_d4;
-    wire [23:0] choice_57 = phase[1] ? add_122_d4 : phase[0] ? mul_115_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_58 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_34) : joined_34;
-    wire [23:0] choice_59 = phase[1] ? joined_34 : phase[0] ? joined_5 : epsilon_bias;
-    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_33_d1) : add_33_d1;
-    wire [23:0] choice_61 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_62 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] choice_63 = phase[1] ? (phase[0] ? max_142_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
-    wire [23:0] choice_64 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_65 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_67 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_68 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_70 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_224_d1;
+    wire [23:0] choice_8 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] choice_9 = phase[1] ? (phase[0] ? scale_x : mul_28_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_28_d3 : scale_x;
+    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_42_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_27_d3 : add_60_d2;
+    wire [23:0] choice_12 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_54_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_48_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_29_d3 : add_65_d1;
+    wire [23:0] choice_16 = phase[1] ? choice_14 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_54_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_185_d6) : phase[0] ? mul_54_d1 : scale_y;
+    wire [23:0] choice_19 = phase[1] ? (phase[0] ? mul_54_d1 : reinterpret_108_d3) : phase[0] ? reinterpret_41_d3 : add_125_d2;
+    wire [23:0] choice_20 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_21 = phase[1] ? choice_20 : phase[0] ? mul_113_d1 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_113_d1 : recip_26_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_23 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_191_d1) : scale_y;
+    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_113_d1 : reinterpret_114_d3) : phase[0] ? reinterpret_43_d3 : add_130_d1;
+    wire [23:0] choice_25 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_119_d1 : mul_28_d3) : phase[0] ? recip_f24_ftz_unit_y : add_33_d4;
+    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_201_d1) : phase[0] ? mul_28_d3 : scale_y;
+    wire [23:0] choice_28 = phase[1] ? (phase[0] ? mul_119_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_49_d3 : recip_f24_ftz_unit_y;
+    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_119_d1 : mul_107_d1;
+    wire [23:0] choice_30 = phase[1] ? (phase[0] ? recip_26_d1 : mul_30_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_30_d3) : phase[0] ? mul_30_d3 : mul_48_d1;
+    wire [23:0] choice_32 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_106_d3 : sqrt_192_d1;
+    wire [23:0] choice_33 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_48_d1) : phase[0] ? mul_48_d1 : mul_119_d1;
+    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_162_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
+    wire [23:0] choice_35 = phase[1] ? (phase[0] ? add_57_d7 : add_57_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] joined_36 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] choice_37 = phase[1] ? (phase[0] ? joined_36 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] joined_38 = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] choice_39 = phase[0] ? joined_38 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_40 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_41 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_42 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_135_d4) : choice_41;
+    wire [23:0] choice_43 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_70_d4) : phase[0] ? mul_44_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] joined_44 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_45 = phase[1] ? (phase[0] ? joined_44 : neg_136_d1) : choice_25;
+    wire [23:0] choice_46 = phase[1] ? (phase[0] ? depth_a : joined_5) : phase[0] ? joined_36 : mul_66_d1;
+    wire [23:0] choice_47 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] choice_48 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_38) : choice_47;
+    wire [23:0] choice_49 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_50_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_50 = phase[0] ? {~mul_194_d1[23], mul_194_d1[22:0]} : add_122_d9;
+    wire [23:0] choice_51 = phase[1] ? choice_50 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_135_d4;
+    wire [23:0] joined_52 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] choice_53 = phase[1] ? (phase[0] ? select_199_d2 : mul_180_d1) : phase[0] ? mul_180_d1 : filter_radius;
+    wire [23:0] choice_54 = phase[1] ? filter_radius : phase[0] ? mul_109_d1 : add_187_d1;
+    wire [23:0] joined_55 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_56 = phase[1] ? (phase[0] ? joined_55 : neg_182_d1) : phase[0] ? neg_182_d1 : add_122_d8;
+    wire [23:0] choice_57 = phase[1] ? add_57_d8 : phase[0] ? joined_44 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_58 = phase[1] ? (phase[0] ? select_199_d2 : add_122_d4) : add_122_d4;
+    wire [23:0] choice_59 = phase[1] ? add_122_d4 : phase[0] ? mul_115_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_36) : joined_36;
+    wire [23:0] choice_61 = phase[1] ? joined_36 : phase[0] ? joined_7 : epsilon_bias;
+    wire [23:0] choice_62 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_33_d1) : add_33_d1;
+    wire [23:0] choice_63 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_64 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] choice_65 = phase[1] ? (phase[0] ? max_142_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_67 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
+    wire [23:0] choice_68 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_70 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_71 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_72 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_224_d1;
     wire edge_on = equal_171_d1 | lt_174_d1;
     wire xor_210 = scale_x[23] ^ scale_y[23];
     wire xor_211 = add_f24_ftz_unit_y[23] ^ xor_210;
@@ -11341,7 +11373,7 @@ module core_a_setup (
     stream_skid_w549 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d17 & or_215 & term_1),
+        .in_valid(term_2),
         .in_ready(queue_in_ready),
         .in_end(delay_17_from_0_out[0]),
         .in_center_x(add_57_d11),
@@ -11588,6 +11620,14 @@ module core_a_setup (
     always @(posedge clk) begin
         if (rst) begin
             phase <= 3'd0;
+            load_0 <= 1'd1;
+            load_1 <= 1'd0;
+            load_2 <= 1'd0;
+            load_3 <= 1'd0;
+            load_4 <= 1'd0;
+            load_5 <= 1'd0;
+            load_6 <= 1'd0;
+            load_7 <= 1'd0;
             delay_17_from_0_pointer <= 4'd0;
             delay_6_from_1_pointer <= 3'd0;
             delay_8_from_4_pointer <= 3'd0;
@@ -11612,9 +11652,15 @@ module core_a_setup (
             valid_d16 <= 1'd0;
             valid_d17 <= 1'd0;
         end else begin
-            if (queue_in_ready) begin
-                phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
-            end
+            phase <= phase_next;
+            load_0 <= advance_next & (phase_next == 3'd0);
+            load_1 <= advance_next & (phase_next == 3'd1);
+            load_2 <= advance_next & (phase_next == 3'd2);
+            load_3 <= advance_next & (phase_next == 3'd3);
+            load_4 <= advance_next & (phase_next == 3'd4);
+            load_5 <= advance_next & (phase_next == 3'd5);
+            load_6 <= advance_next & (phase_next == 3'd6);
+            load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
                 valid_d1 <= in_valid;
@@ -11780,7 +11826,7 @@ module core_a_setup (
             mul_109_d1 <= mul_f24_ftz_unit_copy3_y;
             mul_115_d1 <= mul_f24_ftz_unit_copy4_y;
             add_130_d1 <= add_f24_ftz_unit_copy3_y;
-            neg_136_d1 <= joined_3;
+            neg_136_d1 <= joined_5;
         end
         if (load_2) begin
             mul_66_d1 <= mul_f24_ftz_unit_copy2_y;
@@ -11799,45 +11845,45 @@ module core_a_setup (
             min_97_d1 <= min_97;
             add_132_d1 <= add_f24_ftz_unit_copy3_y;
             mul_180_d1 <= mul_f24_ftz_unit_y;
-            neg_182_d1 <= joined_5;
+            neg_182_d1 <= joined_7;
             add_190_d1 <= add_f24_ftz_unit_copy4_y;
             add_190_d2 <= add_190_d1;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[2] ? choice_6 : in_center_z;
-            mul_f24_ftz_unit_a <= phase[2] ? choice_7 : choice_8;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_9 : choice_10;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_11 : phase[1] ? choice_12 : phase[0] ? mul_30_d3 : scale_x;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_13 : choice_14;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_15 : choice_16;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_17 : choice_19;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_20 : choice_21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_22 : phase[1] ? choice_23 : add_f24_ftz_unit_copy5_y;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_24 : choice_25;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_26 : choice_27;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_28 : choice_29;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_30 : choice_31;
-            add_f24_ftz_unit_a <= phase[2] ? choice_32 : choice_33;
-            add_f24_ftz_unit_b <= phase[2] ? choice_35 : phase[1] ? choice_37 : choice_38;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_40 : choice_41;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_43 : choice_44;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_46 : choice_47;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_49 : phase[1] ? add_70_d4 : phase[0] ? joined_50 : mul_131_d1;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_51 : choice_52;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_54 : choice_55;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_56 : choice_57;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_58 : choice_59;
-            sqrt_f24_ftz_unit_a <= phase[2] ? choice_60 : phase[1] ? add_33_d1 : add_132_d1;
-            min_f24_ftz_unit_a <= phase[2] ? choice_61 : choice_62;
-            min_f24_ftz_unit_b <= phase[2] ? choice_63 : phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : abs_191_d2;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_64;
-            max_f24_ftz_unit_b <= phase[2] ? choice_65 : choice_66;
+            recip_f24_ftz_unit_a <= phase[2] ? choice_8 : in_center_z;
+            mul_f24_ftz_unit_a <= phase[2] ? choice_9 : choice_10;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_11 : choice_12;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_13 : phase[1] ? choice_14 : phase[0] ? mul_30_d3 : scale_x;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_15 : choice_16;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_17 : choice_18;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_19 : choice_21;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_22 : choice_23;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_24 : phase[1] ? choice_25 : add_f24_ftz_unit_copy5_y;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_26 : choice_27;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_28 : choice_29;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_30 : choice_31;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_32 : choice_33;
+            add_f24_ftz_unit_a <= phase[2] ? choice_34 : choice_35;
+            add_f24_ftz_unit_b <= phase[2] ? choice_37 : phase[1] ? choice_39 : choice_40;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_42 : choice_43;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_45 : choice_46;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_48 : choice_49;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_51 : phase[1] ? add_70_d4 : phase[0] ? joined_52 : mul_131_d1;
+            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_53 : choice_54;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_56 : choice_57;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_58 : choice_59;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_60 : choice_61;
+            sqrt_f24_ftz_unit_a <= phase[2] ? choice_62 : phase[1] ? add_33_d1 : add_132_d1;
+            min_f24_ftz_unit_a <= phase[2] ? choice_63 : choice_64;
+            min_f24_ftz_unit_b <= phase[2] ? choice_65 : phase[1] ? add_75_d1 : phase[0] ? add_75_d1 : abs_191_d2;
+            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_66;
+            max_f24_ftz_unit_b <= phase[2] ? choice_67 : choice_68;
             max_f24_ftz_unit_copy2_a <= 24'd0;
             max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : select_199_d1) : phase[1] ? select_199_d1 : min_140_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_67 : max_f24_ftz_unit_y;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_69 : max_f24_ftz_unit_y;
             le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_187_d3 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? choice_68 : add_f24_ftz_unit_copy3_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_69 : choice_70;
+            le_f24_ftz_unit_b <= phase[2] ? choice_70 : add_f24_ftz_unit_copy3_y;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_71 : choice_72;
         end
     end
     always @(posedge clk) begin
@@ -11906,6 +11952,77 @@ module core_a_setup (
     end
 
     wire _unused = &{1'b0, sub_100[21:9], sub_157[21:9]};
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+`ifdef FORMAL
+                load_0_in_phase: assert (0);
+`else
+                $display("assertion failed: load_0_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+`ifdef FORMAL
+                load_1_in_phase: assert (0);
+`else
+                $display("assertion failed: load_1_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+`ifdef FORMAL
+                load_2_in_phase: assert (0);
+`else
+                $display("assertion failed: load_2_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+`ifdef FORMAL
+                load_3_in_phase: assert (0);
+`else
+                $display("assertion failed: load_3_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_4 == (queue_in_ready & term_1))) begin
+`ifdef FORMAL
+                load_4_in_phase: assert (0);
+`else
+                $display("assertion failed: load_4_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+`ifdef FORMAL
+                load_5_in_phase: assert (0);
+`else
+                $display("assertion failed: load_5_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+`ifdef FORMAL
+                load_6_in_phase: assert (0);
+`else
+                $display("assertion failed: load_6_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_7 == (queue_in_ready & term_3))) begin
+`ifdef FORMAL
+                load_7_in_phase: assert (0);
+`else
+                $display("assertion failed: load_7_in_phase in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Floating to fixed point.
@@ -13152,6 +13269,14 @@ module core_a_transform (
     output wire [15:0] out_cardinal_0
 );
     reg [2:0] phase;
+    reg load_0;
+    reg load_1;
+    reg load_2;
+    reg load_3;
+    reg load_4;
+    reg load_5;
+    reg load_6;
+    reg load_7;
     reg end_d1;
     reg end_d2;
     reg end_d3;
@@ -13322,22 +13447,18 @@ module core_a_transform (
     wire [23:0] add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
 
-    wire load_0 = queue_in_ready & (phase == 3'd0);
     assign in_ready = load_0;
     wire or_95 = end_d4 | lt_f24_ftz_unit_y;
     wire term_1 = phase == 3'd4;
+    wire term_2 = valid_d4 & or_95 & term_1;
     wire queue_out_ready = out_ready;
-    wire term_2 = phase == 3'd7;
-    wire load_7 = queue_in_ready & term_2;
-    wire load_2 = queue_in_ready & (phase == 3'd2);
-    wire load_3 = queue_in_ready & (phase == 3'd3);
-    wire load_5 = queue_in_ready & (phase == 3'd5);
-    wire load_6 = queue_in_ready & (phase == 3'd6);
-    wire load_1 = queue_in_ready & (phase == 3'd1);
+    wire term_3 = phase == 3'd7;
+    wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
+    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire advance_next = ~term_4;
     wire equal_100 = in_attribute_0[14:10] == 5'd31;
     wire equal_102 = in_attribute_0[9:0] == 10'd0;
     wire [15:0] select_106 = equal_102 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
-    wire load_4 = queue_in_ready & term_1;
     wire [15:0] select_107 = equal_100_d1 ? select_106_d1 : attribute_0_d1;
     wire equal_111 = 5'd31 == in_attribute_1[14:10];
     wire equal_112 = 10'd0 == in_attribute_1[9:0];
@@ -13387,29 +13508,29 @@ module core_a_transform (
     wire equal_200 = 10'd0 == in_attribute_12[9:0];
     wire [15:0] select_202 = equal_200 ? {in_attribute_12[15], 15'h7bff} : 16'd0;
     wire [15:0] select_203 = equal_199_d1 ? select_202_d1 : attribute_12_d1;
-    wire [23:0] choice_3 = phase[0] ? reinterpret_39_d1 : reinterpret_78_d1;
-    wire [23:0] choice_4 = phase[1] ? choice_3 : phase[0] ? reinterpret_60_d1 : reinterpret_76_d1;
-    wire [23:0] choice_5 = phase[1] ? (phase[0] ? reinterpret_76_d1 : reinterpret_39_d1) : phase[0] ? reinterpret_37_d1 : in_center_x;
-    wire [23:0] choice_6 = phase[0] ? reinterpret_60_d1 : reinterpret_77_d1;
-    wire [23:0] choice_7 = phase[0] ? reinterpret_59_d1 : reinterpret_58_d1;
-    wire [23:0] choice_8 = phase[1] ? choice_7 : phase[0] ? reinterpret_38_d1 : in_center_y;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? reinterpret_58_d1 : reinterpret_59_d1) : in_center_x;
-    wire [23:0] choice_10 = phase[1] ? reinterpret_77_d1 : phase[0] ? reinterpret_77_d1 : reinterpret_76_d1;
-    wire [23:0] choice_11 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
-    wire [23:0] choice_12 = phase[1] ? choice_11 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
-    wire [23:0] choice_13 = phase[1] ? (phase[0] ? m03 : mul_89_d1) : phase[0] ? mul_79_d1 : mul_66_d1;
-    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_16 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? m23 : add_91_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_69_d1 : mul_64_d1) : phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_19 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_20 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_92_d1) : choice_19;
-    wire [23:0] choice_21 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_22 = phase[1] ? choice_21 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
-    wire [23:0] choice_23 = phase[1] ? add_86_d1 : phase[0] ? add_86_d1 : add_f24_ftz_unit_y;
-    wire [23:0] choice_24 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_74_d1 : mul_f24_ftz_unit_copy4_y) : choice_24;
+    wire [23:0] choice_5 = phase[0] ? reinterpret_39_d1 : reinterpret_78_d1;
+    wire [23:0] choice_6 = phase[1] ? choice_5 : phase[0] ? reinterpret_60_d1 : reinterpret_76_d1;
+    wire [23:0] choice_7 = phase[1] ? (phase[0] ? reinterpret_76_d1 : reinterpret_39_d1) : phase[0] ? reinterpret_37_d1 : in_center_x;
+    wire [23:0] choice_8 = phase[0] ? reinterpret_60_d1 : reinterpret_77_d1;
+    wire [23:0] choice_9 = phase[0] ? reinterpret_59_d1 : reinterpret_58_d1;
+    wire [23:0] choice_10 = phase[1] ? choice_9 : phase[0] ? reinterpret_38_d1 : in_center_y;
+    wire [23:0] choice_11 = phase[1] ? (phase[0] ? reinterpret_58_d1 : reinterpret_59_d1) : in_center_x;
+    wire [23:0] choice_12 = phase[1] ? reinterpret_77_d1 : phase[0] ? reinterpret_77_d1 : reinterpret_76_d1;
+    wire [23:0] choice_13 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y;
+    wire [23:0] choice_14 = phase[1] ? choice_13 : phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y;
+    wire [23:0] choice_15 = phase[1] ? (phase[0] ? m03 : mul_89_d1) : phase[0] ? mul_79_d1 : mul_66_d1;
+    wire [23:0] choice_16 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_copy4_y) : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_18 = phase[1] ? add_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_19 = phase[1] ? (phase[0] ? m23 : add_91_d1) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_20 = phase[1] ? (phase[0] ? mul_69_d1 : mul_64_d1) : phase[0] ? mul_48_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_21 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_22 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : mul_92_d1) : choice_21;
+    wire [23:0] choice_23 = phase[0] ? add_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_24 = phase[1] ? choice_23 : phase[0] ? mul_f24_ftz_unit_copy3_y : m13;
+    wire [23:0] choice_25 = phase[1] ? add_86_d1 : phase[0] ? add_86_d1 : add_f24_ftz_unit_y;
+    wire [23:0] choice_26 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_74_d1 : mul_f24_ftz_unit_copy4_y) : choice_26;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -13440,7 +13561,7 @@ module core_a_transform (
     stream_skid_w441 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d4 & or_95 & term_1),
+        .in_valid(term_2),
         .in_ready(queue_in_ready),
         .in_end(end_d4),
         .in_center_x(add_55_d1),
@@ -13569,14 +13690,28 @@ module core_a_transform (
     always @(posedge clk) begin
         if (rst) begin
             phase <= 3'd0;
+            load_0 <= 1'd1;
+            load_1 <= 1'd0;
+            load_2 <= 1'd0;
+            load_3 <= 1'd0;
+            load_4 <= 1'd0;
+            load_5 <= 1'd0;
+            load_6 <= 1'd0;
+            load_7 <= 1'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
             valid_d4 <= 1'd0;
         end else begin
-            if (queue_in_ready) begin
-                phase <= term_2 ? (phase - 3'd7) : (phase + 3'd1);
-            end
+            phase <= phase_next;
+            load_0 <= advance_next & (phase_next == 3'd0);
+            load_1 <= advance_next & (phase_next == 3'd1);
+            load_2 <= advance_next & (phase_next == 3'd2);
+            load_3 <= advance_next & (phase_next == 3'd3);
+            load_4 <= advance_next & (phase_next == 3'd4);
+            load_5 <= advance_next & (phase_next == 3'd5);
+            load_6 <= advance_next & (phase_next == 3'd6);
+            load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
@@ -13720,21 +13855,92 @@ module core_a_transform (
         end
         if (queue_in_ready) begin
             mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_4 : choice_5;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_6 : choice_7;
             mul_f24_ftz_unit_copy2_a <= phase[2] ? (phase[1] ? (phase[0] ? m22 : m12) : phase[0] ? m12 : m01) : phase[1] ? (phase[0] ? m11 : m00) : phase[0] ? m11 : m01;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_3 : choice_6) : choice_8;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? choice_5 : choice_8) : choice_10;
             mul_f24_ftz_unit_copy3_a <= phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m11) : phase[1] ? (phase[0] ? m20 : m01) : m20;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_78_d1 : choice_6) : choice_9;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? (phase[1] ? reinterpret_78_d1 : choice_8) : choice_11;
             mul_f24_ftz_unit_copy4_a <= phase[2] ? (phase[1] ? m21 : phase[0] ? m21 : m20) : phase[1] ? (phase[0] ? m21 : m10) : m21;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_10 : phase[1] ? choice_7 : in_center_y;
-            add_f24_ftz_unit_a <= phase[2] ? choice_12 : choice_13;
-            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_14 : choice_11) : choice_15;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_16 : choice_17;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_18 : choice_20;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_22 : choice_23;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_25 : phase[1] ? mul_87_d1 : phase[0] ? mul_87_d1 : mul_82_d1;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_12 : phase[1] ? choice_9 : in_center_y;
+            add_f24_ftz_unit_a <= phase[2] ? choice_14 : choice_15;
+            add_f24_ftz_unit_b <= phase[2] ? (phase[1] ? choice_16 : choice_13) : choice_17;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_18 : choice_19;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_20 : choice_22;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_24 : choice_25;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_27 : phase[1] ? mul_87_d1 : phase[0] ? mul_87_d1 : mul_82_d1;
         end
     end
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
+`ifdef FORMAL
+                load_0_in_phase: assert (0);
+`else
+                $display("assertion failed: load_0_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+`ifdef FORMAL
+                load_1_in_phase: assert (0);
+`else
+                $display("assertion failed: load_1_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_2 == (queue_in_ready & (phase == 3'd2)))) begin
+`ifdef FORMAL
+                load_2_in_phase: assert (0);
+`else
+                $display("assertion failed: load_2_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_3 == (queue_in_ready & (phase == 3'd3)))) begin
+`ifdef FORMAL
+                load_3_in_phase: assert (0);
+`else
+                $display("assertion failed: load_3_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_4 == (queue_in_ready & term_1))) begin
+`ifdef FORMAL
+                load_4_in_phase: assert (0);
+`else
+                $display("assertion failed: load_4_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_5 == (queue_in_ready & (phase == 3'd5)))) begin
+`ifdef FORMAL
+                load_5_in_phase: assert (0);
+`else
+                $display("assertion failed: load_5_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_6 == (queue_in_ready & (phase == 3'd6)))) begin
+`ifdef FORMAL
+                load_6_in_phase: assert (0);
+`else
+                $display("assertion failed: load_6_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_7 == (queue_in_ready & term_3))) begin
+`ifdef FORMAL
+                load_7_in_phase: assert (0);
+`else
+                $display("assertion failed: load_7_in_phase in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Whether one floating-point number is less than another.

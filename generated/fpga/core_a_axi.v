@@ -981,7 +981,7 @@ module stream_fifo_d16_w8 (
     reg [3:0] read_address;
     reg [7:0] item;
 
-    wire has_room = ~(held == 5'd16);
+    wire has_room = ~held[4];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;

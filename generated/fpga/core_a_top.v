@@ -3681,7 +3681,7 @@ module stream_fifo_d64_w328 (
     reg [5:0] read_address;
     reg [327:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -3807,7 +3807,7 @@ module stream_fifo_d64_w11 (
     reg [5:0] read_address;
     reg [10:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -4812,7 +4812,9 @@ module core_a_rasterizer (
     output reg  event_blocked
 );
     reg busy;
+    reg idle;
     reg is_end;
+    reg is_last;
     reg [1:0] slot;
     reg [11:0] tile;
     reg [2:0] column;
@@ -4858,11 +4860,14 @@ module core_a_rasterizer (
     wire [15:0] shared_out_attribute_12;
     wire [15:0] shared_out_cardinal_0;
 
-    wire term_1 = column == right;
-    wire term_2 = is_end | (term_1 & (row == bottom));
-    wire take = evaluation_in_ready & (~busy | term_2) & shared_in_ready;
+    wire take = evaluation_in_ready & idle & shared_in_ready;
     assign in_ready = take;
     wire load = take & in_valid;
+    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire term_2 = column == right;
+    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
+    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
+    wire term_5 = {choice_3, choice_4} == {right, bottom};
 
     assign out_valid = evaluation_out_valid;
     assign out_end = evaluation_out_end;
@@ -4895,7 +4900,7 @@ module core_a_rasterizer (
         .in_valid(busy),
         .in_ready(evaluation_in_ready),
         .in_end(is_end),
-        .in_last(term_2 & ~is_end),
+        .in_last(is_last & ~is_end),
         .in_slot(slot),
         .in_column({tile[5:0], column}),
         .in_row({tile[11:6], row}),
@@ -4965,12 +4970,14 @@ module core_a_rasterizer (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
+            idle <= 1'd1;
             event_sample <= 1'd0;
             event_starved <= 1'd0;
             event_blocked <= 1'd0;
         end else begin
             if (evaluation_in_ready) begin
-                busy <= load | (busy & ~term_2);
+                busy <= load | (busy & ~is_last);
+                idle <= load ? term_1 : (~busy | (is_last | term_5));
             end
             event_sample <= evaluation_in_ready & busy & ~is_end;
             event_starved <= evaluation_in_ready & ~busy;
@@ -4978,7 +4985,7 @@ module core_a_rasterizer (
         end
     end
     always @(posedge clk) begin
-        if (load) begin
+        if (take) begin
             is_end <= in_end;
             slot <= in_slot;
             tile <= in_tile;
@@ -4996,8 +5003,9 @@ module core_a_rasterizer (
             my <= in_my;
         end
         if (evaluation_in_ready) begin
-            column <= load ? in_left : term_1 ? left : (column + 3'd1);
-            row <= load ? in_top : term_1 ? (row + 3'd1) : row;
+            is_last <= load ? term_1 : term_5;
+            column <= load ? in_left : choice_3;
+            row <= load ? in_top : choice_4;
         end
     end
 
@@ -5056,7 +5064,7 @@ module stream_fifo_d64_w296 (
     reg [5:0] read_address;
     reg [295:0] item;
 
-    wire has_room = ~(held == 7'd64);
+    wire has_room = ~held[6];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -7273,6 +7281,8 @@ module core_a_tile_cache (
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
+    wire head_takes = ~head_valid;
+    wire in_queue_out_ready = head_takes;
     wire head_waits = (mode == 3'd1) & head_valid;
     wire term_4 = head_waits & ~head_end;
     wire term_5 = resident_0 & is_of_copy_0;
@@ -7285,8 +7295,6 @@ module core_a_tile_cache (
     wire send = term_4 & term_10;
     wire send_end = head_waits & (head_end & out_queue_in_ready);
     wire term_11 = send | send_end;
-    wire head_takes = ~head_valid | term_11;
-    wire in_queue_out_ready = head_takes;
     wire [1:0] copy_slot = ({2{term_6}} & 2'd1) | ({2{term_7}} & 2'd2) | {2{term_8}};
     wire out_queue_out_ready = out_ready;
     wire held_leaves = holding & drain_step;
@@ -7427,7 +7435,7 @@ module core_a_tile_cache (
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
-    stream_skid_w609 in_queue (
+    stream_half_buffer_w609 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -7500,7 +7508,7 @@ module core_a_tile_cache (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_skid_w611 out_queue (
+    stream_half_buffer_w611 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(term_11),
@@ -7699,9 +7707,7 @@ module core_a_tile_cache (
             in_flight_3 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            if (head_takes) begin
-                head_valid <= in_queue_out_valid;
-            end
+            head_valid <= head_valid ? ~term_11 : in_queue_out_valid;
             mode <= ((term_14 & last_code) | close) ? 3'd1 : choice_24;
             code_read <= term_16 & ~code_read;
             looking <= start;
@@ -8181,9 +8187,9 @@ module stream_skid_w338 (
 `endif
 endmodule
 
-// Queue of two in registers.
+// One item in a register, at half rate.
 // width = 611
-module stream_skid_w611 (
+module stream_half_buffer_w611 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -8221,7 +8227,7 @@ module stream_skid_w611 (
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
     input  wire [1:0] in_slot,
-    output reg  out_valid,
+    output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [31:0] out_center_x,
@@ -8257,117 +8263,92 @@ module stream_skid_w611 (
     output wire [11:0] out_tile,
     output wire [1:0] out_slot
 );
-    reg second_valid;
-    reg [610:0] head;
-    reg [610:0] second;
+    reg full;
+    reg [610:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [610:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom,
-        in_tile,
-        in_slot
-    };
+    assign in_ready = ~full;
 
-    assign out_end = head[610];
-    assign out_center_x = head[609:578];
-    assign out_center_y = head[577:546];
-    assign out_ax = head[545:514];
-    assign out_bx = head[513:482];
-    assign out_ay = head[481:450];
-    assign out_by = head[449:418];
-    assign out_delta = head[417:386];
-    assign out_mx = head[385:354];
-    assign out_my = head[353:322];
-    assign out_depth = head[321:298];
-    assign out_depth_low = head[297:274];
-    assign out_depth_high = head[273:250];
-    assign out_attribute_0 = head[249:234];
-    assign out_attribute_1 = head[233:218];
-    assign out_attribute_2 = head[217:202];
-    assign out_attribute_3 = head[201:186];
-    assign out_attribute_4 = head[185:170];
-    assign out_attribute_5 = head[169:154];
-    assign out_attribute_6 = head[153:138];
-    assign out_attribute_7 = head[137:122];
-    assign out_attribute_8 = head[121:106];
-    assign out_attribute_9 = head[105:90];
-    assign out_attribute_10 = head[89:74];
-    assign out_attribute_11 = head[73:58];
-    assign out_attribute_12 = head[57:42];
-    assign out_cardinal_0 = head[41:26];
-    assign out_left = head[25:23];
-    assign out_right = head[22:20];
-    assign out_top = head[19:17];
-    assign out_bottom = head[16:14];
-    assign out_tile = head[13:2];
-    assign out_slot = head[1:0];
+    assign out_valid = full;
+    assign out_end = item[610];
+    assign out_center_x = item[609:578];
+    assign out_center_y = item[577:546];
+    assign out_ax = item[545:514];
+    assign out_bx = item[513:482];
+    assign out_ay = item[481:450];
+    assign out_by = item[449:418];
+    assign out_delta = item[417:386];
+    assign out_mx = item[385:354];
+    assign out_my = item[353:322];
+    assign out_depth = item[321:298];
+    assign out_depth_low = item[297:274];
+    assign out_depth_high = item[273:250];
+    assign out_attribute_0 = item[249:234];
+    assign out_attribute_1 = item[233:218];
+    assign out_attribute_2 = item[217:202];
+    assign out_attribute_3 = item[201:186];
+    assign out_attribute_4 = item[185:170];
+    assign out_attribute_5 = item[169:154];
+    assign out_attribute_6 = item[153:138];
+    assign out_attribute_7 = item[137:122];
+    assign out_attribute_8 = item[121:106];
+    assign out_attribute_9 = item[105:90];
+    assign out_attribute_10 = item[89:74];
+    assign out_attribute_11 = item[73:58];
+    assign out_attribute_12 = item[57:42];
+    assign out_cardinal_0 = item[41:26];
+    assign out_left = item[25:23];
+    assign out_right = item[22:20];
+    assign out_top = item[19:17];
+    assign out_bottom = item[16:14];
+    assign out_tile = item[13:2];
+    assign out_slot = item[1:0];
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            full <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
+            full <= full ? ~out_ready : in_valid;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
         if (in_ready) begin
-            second <= in_item;
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_attribute_3,
+                in_attribute_4,
+                in_attribute_5,
+                in_attribute_6,
+                in_attribute_7,
+                in_attribute_8,
+                in_attribute_9,
+                in_attribute_10,
+                in_attribute_11,
+                in_attribute_12,
+                in_cardinal_0,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile,
+                in_slot
+            };
         end
     end
-
-`ifdef POINTCORE_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Orders splat copies by tile; their payloads wait in a memory.
@@ -8445,8 +8426,10 @@ module core_a_reorder (
     output wire [11:0] out_tile
 );
     reg [595:0] payloads [0:4095];
-    reg draining;
+    reg free_valid;
+    reg [11:0] free;
     reg [12:0] fresh;
+    reg draining;
     reg stage_valid;
     reg [11:0] stage_tile;
     reg [595:0] stage_payload;
@@ -8530,18 +8513,17 @@ module core_a_reorder (
 
     assign in_ready = in_queue_in_ready;
     wire open = in_queue_out_valid & ~draining;
-    wire all_used = fresh[12];
-    wire offer = open & ~in_queue_out_end & (~all_used | returned_out_valid);
+    wire offer = open & ~in_queue_out_end & free_valid;
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
     wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
     wire out_queue_out_ready = out_ready;
-    wire [11:0] pointer = all_used ? returned_out_pointer : fresh[11:0];
     wire advance = ~stage_valid | out_queue_in_ready;
     wire heap_out_ready = advance;
     wire leaving = heap_out_valid & heap_out_ready;
-    wire returned_out_ready = insert & all_used;
+    wire all_used = fresh[12];
+    wire returned_out_ready = ~free_valid & all_used;
 
     assign out_valid = out_queue_out_valid;
     assign out_end = out_queue_out_end;
@@ -8577,7 +8559,7 @@ module core_a_reorder (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_skid_w609 in_queue (
+    stream_half_buffer_w609 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -8650,7 +8632,7 @@ module core_a_reorder (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_skid_w609 out_queue (
+    stream_half_buffer_w609 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(close | (stage_valid & out_queue_in_ready)),
@@ -8729,7 +8711,7 @@ module core_a_reorder (
         .in_valid(offer),
         .in_ready(heap_in_ready),
         .in_tile(in_queue_out_tile),
-        .in_pointer(pointer),
+        .in_pointer(free),
         .out_valid(heap_out_valid),
         .out_ready(heap_out_ready),
         .out_tile(heap_out_tile),
@@ -8750,15 +8732,17 @@ module core_a_reorder (
 
     always @(posedge clk) begin
         if (rst) begin
-            draining <= 1'd0;
+            free_valid <= 1'd0;
             fresh <= 13'd0;
+            draining <= 1'd0;
             stage_valid <= 1'd0;
         end else begin
+            free_valid <= free_valid ? ~insert : (~all_used | returned_out_valid);
+            if (~(free_valid | all_used)) begin
+                fresh <= fresh + 13'd1;
+            end
             if (take_end | close) begin
                 draining <= take_end;
-            end
-            if (insert & ~all_used) begin
-                fresh <= fresh + 13'd1;
             end
             if (advance) begin
                 stage_valid <= leaving;
@@ -8766,13 +8750,16 @@ module core_a_reorder (
         end
     end
     always @(posedge clk) begin
-        if (leaving) begin
+        if (~free_valid) begin
+            free <= all_used ? returned_out_pointer : fresh[11:0];
+        end
+        if (advance) begin
             stage_tile <= heap_out_tile;
         end
     end
     always @(posedge clk) begin
-        if (insert) begin
-            payloads[pointer] <= {
+        if (offer) begin
+            payloads[free] <= {
                 in_queue_out_center_x,
                 in_queue_out_center_y,
                 in_queue_out_ax,
@@ -8805,7 +8792,7 @@ module core_a_reorder (
                 in_queue_out_bottom
             };
         end
-        if (leaving) begin
+        if (advance) begin
             stage_payload <= payloads[heap_out_pointer];
         end
     end
@@ -8848,7 +8835,7 @@ module stream_fifo_d4096_w12 (
     reg [11:0] read_address;
     reg [11:0] item;
 
-    wire has_room = ~(held == 13'h1000);
+    wire has_room = ~held[12];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
@@ -8931,6 +8918,9 @@ module core_a_heap (
     reg [15:0] arrival;
     reg [11:0] alive_even;
     reg [11:0] alive_odd;
+    reg occupied;
+    reg full;
+    reg fresh_epoch_blocked;
     reg [11:0] current;
     reg sweep;
     reg last_epoch;
@@ -9023,10 +9013,8 @@ module core_a_heap (
     wire [9:0] stage_10_rise_node;
 
     wire begins = ~lower;
-    wire fresh_epoch_blocked = (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
-    wire occupied = |count;
     wire pop = begins & (occupied & out_queue_in_ready);
-    wire ready = begins & ~fresh_epoch_blocked & (~(&count) | pop);
+    wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
     assign in_ready = ready;
     wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
@@ -9037,7 +9025,7 @@ module core_a_heap (
     assign out_valid = out_queue_out_valid;
     assign out_tile = out_queue_out_tile;
     assign out_pointer = out_queue_out_pointer;
-    assign empty = ~(occupied | out_queue_out_valid);
+    assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w24 out_queue (
         .clk(clk),
@@ -9272,10 +9260,16 @@ module core_a_heap (
             arrival <= 16'd0;
             alive_even <= 12'd0;
             alive_odd <= 12'd0;
+            occupied <= 1'd0;
+            full <= 1'd0;
+            fresh_epoch_blocked <= 1'd0;
             current <= 12'd0;
             sweep <= 1'd0;
         end else begin
             lower <= begins;
+            occupied <= |count;
+            full <= &count;
+            fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
             if (push ^ pop) begin
                 count <= push ? (count + 12'd1) : (count - 12'd1);
             end
@@ -10624,6 +10618,8 @@ module core_a_splitter (
     output wire [11:0] out_tile
 );
     reg busy;
+    reg idle;
+    reg last;
     reg splat_end;
     reg [31:0] splat_center_x;
     reg [31:0] splat_center_y;
@@ -10693,13 +10689,16 @@ module core_a_splitter (
     wire [2:0] out_queue_out_bottom;
     wire [11:0] out_queue_out_tile;
 
-    wire right_most = column == splat_right[8:3];
-    wire term_1 = row == splat_bottom[8:3];
-    wire last = splat_end | (right_most & term_1);
-    wire ready = out_queue_in_ready & (~busy | last);
+    wire ready = out_queue_in_ready & idle;
     assign in_ready = ready;
+    wire right_most = column == splat_right[8:3];
     wire out_queue_out_ready = out_ready;
     wire take = ready & in_valid;
+    wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
+    wire term_2 = in_end | term_1;
+    wire [5:0] choice_3 = right_most ? (row + 6'd1) : row;
+    wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
+    wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
 
     assign out_valid = out_queue_out_valid;
     assign out_end = out_queue_out_end;
@@ -10735,7 +10734,7 @@ module core_a_splitter (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_skid_w609 out_queue (
+    stream_half_buffer_w609 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(out_queue_in_ready & busy),
@@ -10770,7 +10769,7 @@ module core_a_splitter (
         .in_left((column == splat_left[8:3]) ? splat_left[2:0] : 3'd0),
         .in_right(right_most ? splat_right[2:0] : 3'd7),
         .in_top((row == splat_top[8:3]) ? splat_top[2:0] : 3'd0),
-        .in_bottom(term_1 ? splat_bottom[2:0] : 3'd7),
+        .in_bottom((row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7),
         .in_tile({row, column}),
         .out_valid(out_queue_out_valid),
         .out_ready(out_queue_out_ready),
@@ -10811,12 +10810,19 @@ module core_a_splitter (
     always @(posedge clk) begin
         if (rst) begin
             busy <= 1'd0;
+            idle <= 1'd1;
         end else if (out_queue_in_ready) begin
             busy <= take | (busy & ~last);
+            idle <= take ? term_2 : (~busy | (last | term_5));
         end
     end
     always @(posedge clk) begin
-        if (take) begin
+        if (out_queue_in_ready) begin
+            last <= take ? term_2 : term_5;
+            column <= take ? in_left[8:3] : choice_4;
+            row <= take ? in_top[8:3] : choice_3;
+        end
+        if (ready) begin
             splat_end <= in_end;
             splat_center_x <= in_center_x;
             splat_center_y <= in_center_y;
@@ -10849,16 +10855,12 @@ module core_a_splitter (
             splat_top <= in_top;
             splat_bottom <= in_bottom;
         end
-        if (out_queue_in_ready) begin
-            column <= take ? in_left[8:3] : right_most ? splat_left[8:3] : (column + 6'd1);
-            row <= take ? in_top[8:3] : right_most ? (row + 6'd1) : row;
-        end
     end
 endmodule
 
-// Queue of two in registers.
+// One item in a register, at half rate.
 // width = 609
-module stream_skid_w609 (
+module stream_half_buffer_w609 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -10895,7 +10897,7 @@ module stream_skid_w609 (
     input  wire [2:0] in_top,
     input  wire [2:0] in_bottom,
     input  wire [11:0] in_tile,
-    output reg  out_valid,
+    output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [31:0] out_center_x,
@@ -10930,115 +10932,90 @@ module stream_skid_w609 (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    reg second_valid;
-    reg [608:0] head;
-    reg [608:0] second;
+    reg full;
+    reg [608:0] item;
 
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [608:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom,
-        in_tile
-    };
+    assign in_ready = ~full;
 
-    assign out_end = head[608];
-    assign out_center_x = head[607:576];
-    assign out_center_y = head[575:544];
-    assign out_ax = head[543:512];
-    assign out_bx = head[511:480];
-    assign out_ay = head[479:448];
-    assign out_by = head[447:416];
-    assign out_delta = head[415:384];
-    assign out_mx = head[383:352];
-    assign out_my = head[351:320];
-    assign out_depth = head[319:296];
-    assign out_depth_low = head[295:272];
-    assign out_depth_high = head[271:248];
-    assign out_attribute_0 = head[247:232];
-    assign out_attribute_1 = head[231:216];
-    assign out_attribute_2 = head[215:200];
-    assign out_attribute_3 = head[199:184];
-    assign out_attribute_4 = head[183:168];
-    assign out_attribute_5 = head[167:152];
-    assign out_attribute_6 = head[151:136];
-    assign out_attribute_7 = head[135:120];
-    assign out_attribute_8 = head[119:104];
-    assign out_attribute_9 = head[103:88];
-    assign out_attribute_10 = head[87:72];
-    assign out_attribute_11 = head[71:56];
-    assign out_attribute_12 = head[55:40];
-    assign out_cardinal_0 = head[39:24];
-    assign out_left = head[23:21];
-    assign out_right = head[20:18];
-    assign out_top = head[17:15];
-    assign out_bottom = head[14:12];
-    assign out_tile = head[11:0];
+    assign out_valid = full;
+    assign out_end = item[608];
+    assign out_center_x = item[607:576];
+    assign out_center_y = item[575:544];
+    assign out_ax = item[543:512];
+    assign out_bx = item[511:480];
+    assign out_ay = item[479:448];
+    assign out_by = item[447:416];
+    assign out_delta = item[415:384];
+    assign out_mx = item[383:352];
+    assign out_my = item[351:320];
+    assign out_depth = item[319:296];
+    assign out_depth_low = item[295:272];
+    assign out_depth_high = item[271:248];
+    assign out_attribute_0 = item[247:232];
+    assign out_attribute_1 = item[231:216];
+    assign out_attribute_2 = item[215:200];
+    assign out_attribute_3 = item[199:184];
+    assign out_attribute_4 = item[183:168];
+    assign out_attribute_5 = item[167:152];
+    assign out_attribute_6 = item[151:136];
+    assign out_attribute_7 = item[135:120];
+    assign out_attribute_8 = item[119:104];
+    assign out_attribute_9 = item[103:88];
+    assign out_attribute_10 = item[87:72];
+    assign out_attribute_11 = item[71:56];
+    assign out_attribute_12 = item[55:40];
+    assign out_cardinal_0 = item[39:24];
+    assign out_left = item[23:21];
+    assign out_right = item[20:18];
+    assign out_top = item[17:15];
+    assign out_bottom = item[14:12];
+    assign out_tile = item[11:0];
 
     always @(posedge clk) begin
         if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
+            full <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
+            full <= full ? ~out_ready : in_valid;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
         if (in_ready) begin
-            second <= in_item;
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_attribute_3,
+                in_attribute_4,
+                in_attribute_5,
+                in_attribute_6,
+                in_attribute_7,
+                in_attribute_8,
+                in_attribute_9,
+                in_attribute_10,
+                in_attribute_11,
+                in_attribute_12,
+                in_cardinal_0,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile
+            };
         end
     end
-
-`ifdef POINTCORE_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
@@ -11156,6 +11133,8 @@ module core_a_setup (
     (* ram_style = "distributed" *)
     reg [127:0] delay_50_from_1 [0:48];
     reg phase;
+    reg load_0;
+    reg load_1;
     reg [1:0] delay_5_from_0_pointer;
     reg [31:0] delay_5_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
@@ -11539,12 +11518,14 @@ module core_a_setup (
     wire [23:0] to_fixed_f32_ftz_u24q24_unit_y;
     wire [23:0] to_fixed_f32_ftz_u24q24_unit_copy2_y;
 
-    wire load_0 = queue_in_ready & ~phase;
     assign in_ready = load_0;
     wire or_215 = delay_79_from_0_out[0] | and_213_d1;
+    wire term_1 = valid_d79 & or_215 & ~phase;
     wire [31:0] select_216 = delay_42_from_0_out ? 32'h7fc00000 : delay_43_from_0_out[31:0];
     wire queue_out_ready = out_ready;
-    wire load_1 = queue_in_ready & phase;
+    wire phase_next = queue_in_ready ? (phase ? (phase - 1'd1) : (phase + 1'd1)) : phase;
+    wire term_2 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_1);
+    wire advance_next = ~term_2;
     wire [21:0] add_92 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_84 = {1'd0, to_fixed_f32_ftz_u21q8_unit_y} + 22'd126;
     wire [21:0] select_96 = delay_17_from_1_out ? (add_84 >> 8) : 22'd0;
@@ -11559,31 +11540,31 @@ module core_a_setup (
     wire [21:0] select_156 = whole_d49 ? min_155_d1 : 22'd512;
     wire [21:0] sub_157 = select_156 - 22'd1;
     wire lt_160 = select_154_d3 < select_156;
-    wire [8:0] joined_1 = {1'd0, add_f32_ftz_unit_copy11_y[30:23]};
-    wire equal_171 = joined_1 == 9'd0;
-    wire [8:0] add_169 = joined_1 + 9'd20;
+    wire [8:0] joined_3 = {1'd0, add_f32_ftz_unit_copy11_y[30:23]};
+    wire equal_171 = joined_3 == 9'd0;
+    wire [8:0] add_169 = joined_3 + 9'd20;
     wire lt_174 = add_169 < {1'd0, bits_172_d3};
     wire and_207 = lt_103_d1 & delay_19_from_0_out;
     wire and_208 = lt_160_d1 & and_207;
     wire or_212 = delay_42_from_0_out | delay_43_from_0_out[96];
     wire and_213 = and_208 & or_212;
-    wire [31:0] choice_2 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
-    wire [31:0] choice_3 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
-    wire [31:0] choice_4 = phase ? recip_f32_ftz_unit_y : scale_y;
+    wire [31:0] choice_4 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_y;
+    wire [31:0] choice_5 = phase ? recip_f32_ftz_unit_y : mul_f32_ftz_unit_copy2_y;
+    wire [31:0] choice_6 = phase ? recip_f32_ftz_unit_y : scale_y;
     wire beyond_near = delay_29_from_1_out & le_f32_ftz_unit_y;
     wire [31:0] select_201 = beyond_near ? delay_5_from_0_out : min_f32_ftz_unit_copy3_y;
-    wire [31:0] joined_5 = {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]};
-    wire [31:0] joined_6 = {~mul_f32_ftz_unit_copy5_y[31], mul_f32_ftz_unit_copy5_y[30:0]};
-    wire [31:0] joined_7 = {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]};
-    wire [31:0] joined_8 = {~mul_f32_ftz_unit_copy10_y[31], mul_f32_ftz_unit_copy10_y[30:0]};
-    wire [31:0] joined_9 = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
-    wire [31:0] joined_10 = {~filter_radius[31], filter_radius[30:0]};
-    wire [31:0] joined_11 = {~mul_f32_ftz_unit_copy15_y[31], mul_f32_ftz_unit_copy15_y[30:0]};
-    wire [31:0] joined_12 = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
-    wire [31:0] joined_13 = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
-    wire [31:0] joined_14 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
-    wire [31:0] joined_15 = {~mul_f32_ftz_unit_copy21_y[31], mul_f32_ftz_unit_copy21_y[30:0]};
-    wire [31:0] joined_16 = {~add_f32_ftz_unit_copy17_y[31], add_f32_ftz_unit_copy17_y[30:0]};
+    wire [31:0] joined_7 = {~mul_f32_ftz_unit_copy3_y[31], mul_f32_ftz_unit_copy3_y[30:0]};
+    wire [31:0] joined_8 = {~mul_f32_ftz_unit_copy5_y[31], mul_f32_ftz_unit_copy5_y[30:0]};
+    wire [31:0] joined_9 = {~mul_f32_ftz_unit_copy8_y[31], mul_f32_ftz_unit_copy8_y[30:0]};
+    wire [31:0] joined_10 = {~mul_f32_ftz_unit_copy10_y[31], mul_f32_ftz_unit_copy10_y[30:0]};
+    wire [31:0] joined_11 = {~mul_f32_ftz_unit_copy12_y[31], mul_f32_ftz_unit_copy12_y[30:0]};
+    wire [31:0] joined_12 = {~filter_radius[31], filter_radius[30:0]};
+    wire [31:0] joined_13 = {~mul_f32_ftz_unit_copy15_y[31], mul_f32_ftz_unit_copy15_y[30:0]};
+    wire [31:0] joined_14 = {~mul_f32_ftz_unit_copy17_y[31], mul_f32_ftz_unit_copy17_y[30:0]};
+    wire [31:0] joined_15 = {~mul_f32_ftz_unit_copy19_y[31], mul_f32_ftz_unit_copy19_y[30:0]};
+    wire [31:0] joined_16 = {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
+    wire [31:0] joined_17 = {~mul_f32_ftz_unit_copy21_y[31], mul_f32_ftz_unit_copy21_y[30:0]};
+    wire [31:0] joined_18 = {~add_f32_ftz_unit_copy17_y[31], add_f32_ftz_unit_copy17_y[30:0]};
     wire [31:0] select_199 = beyond_near ? delay_5_from_1_out : delay_8_from_1_out[159:128];
     wire edge_on = equal_171_d1 | lt_174_d1;
     wire xor_210 = scale_x[31] ^ scale_y[31];
@@ -11625,7 +11606,7 @@ module core_a_setup (
     stream_skid_w621 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d79 & or_215 & ~phase),
+        .in_valid(term_1),
         .in_ready(queue_in_ready),
         .in_end(delay_79_from_0_out[0]),
         .in_center_x(delay_12_from_0_out[31:0]),
@@ -12202,6 +12183,8 @@ module core_a_setup (
     always @(posedge clk) begin
         if (rst) begin
             phase <= 1'd0;
+            load_0 <= 1'd1;
+            load_1 <= 1'd0;
             delay_5_from_0_pointer <= 2'd0;
             delay_10_from_0_pointer <= 4'd0;
             delay_11_from_0_pointer <= 4'd0;
@@ -12302,9 +12285,9 @@ module core_a_setup (
             valid_d78 <= 1'd0;
             valid_d79 <= 1'd0;
         end else begin
-            if (queue_in_ready) begin
-                phase <= phase ? (phase - 1'd1) : (phase + 1'd1);
-            end
+            phase <= phase_next;
+            load_0 <= advance_next & ~phase_next;
+            load_1 <= advance_next & phase_next;
             if (load_0) begin
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
@@ -12484,15 +12467,15 @@ module core_a_setup (
         end
         if (queue_in_ready) begin
             recip_f32_ftz_unit_a <= phase ? add_f32_ftz_unit_y : in_center_z;
-            mul_f32_ftz_unit_a <= choice_2;
+            mul_f32_ftz_unit_a <= choice_4;
             mul_f32_ftz_unit_b <= phase ? delay_15_from_0_out[31:0] : mul_f32_ftz_unit_y;
-            mul_f32_ftz_unit_copy2_a <= choice_3;
+            mul_f32_ftz_unit_copy2_a <= choice_5;
             mul_f32_ftz_unit_copy2_b <= phase ? delay_15_from_0_out[63:32] : mul_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy3_a <= choice_2;
+            mul_f32_ftz_unit_copy3_a <= choice_4;
             mul_f32_ftz_unit_copy3_b <= phase ? delay_15_from_0_out[95:64] : mul_f32_ftz_unit_copy3_y;
             mul_f32_ftz_unit_copy4_a <= phase ? recip_f32_ftz_unit_y : scale_x;
             mul_f32_ftz_unit_copy4_b <= phase ? delay_15_from_0_out[127:96] : add_f32_ftz_unit_copy2_y;
-            mul_f32_ftz_unit_copy5_a <= choice_3;
+            mul_f32_ftz_unit_copy5_a <= choice_5;
             mul_f32_ftz_unit_copy5_b <= phase ? delay_15_from_0_out[159:128] : mul_f32_ftz_unit_copy3_y;
             mul_f32_ftz_unit_copy6_a <= phase ? delay_11_from_0_out[31:0] : scale_x;
             mul_f32_ftz_unit_copy6_b <= phase ? mul_f32_ftz_unit_copy4_y : add_f32_ftz_unit_copy3_y;
@@ -12504,11 +12487,11 @@ module core_a_setup (
             mul_f32_ftz_unit_copy9_b <= phase ? mul_f32_ftz_unit_copy4_y : delay_8_from_1_out[63:32];
             mul_f32_ftz_unit_copy10_a <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_y;
             mul_f32_ftz_unit_copy10_b <= phase ? mul_f32_ftz_unit_copy6_y : mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy11_a <= choice_4;
+            mul_f32_ftz_unit_copy11_a <= choice_6;
             mul_f32_ftz_unit_copy11_b <= phase ? delay_15_from_0_out[191:160] : add_f32_ftz_unit_copy6_y;
-            mul_f32_ftz_unit_copy12_a <= choice_3;
+            mul_f32_ftz_unit_copy12_a <= choice_5;
             mul_f32_ftz_unit_copy12_b <= phase ? delay_15_from_0_out[223:192] : mul_f32_ftz_unit_copy11_y;
-            mul_f32_ftz_unit_copy13_a <= choice_4;
+            mul_f32_ftz_unit_copy13_a <= choice_6;
             mul_f32_ftz_unit_copy13_b <= phase ? delay_15_from_0_out[255:224] : add_f32_ftz_unit_copy7_y;
             mul_f32_ftz_unit_copy14_a <= phase ? delay_11_from_0_out[31:0] : scale_y;
             mul_f32_ftz_unit_copy14_b <= mul_f32_ftz_unit_copy11_y;
@@ -12533,33 +12516,33 @@ module core_a_setup (
             add_f32_ftz_unit_a <= phase ? mul_f32_ftz_unit_y : 32'h3f800000;
             add_f32_ftz_unit_b <= phase ? mul_f32_ftz_unit_copy2_y : {~add_f32_ftz_unit_y[31], add_f32_ftz_unit_y[30:0]};
             add_f32_ftz_unit_copy2_a <= phase ? mul_44_d4 : mul_f32_ftz_unit_copy6_y;
-            add_f32_ftz_unit_copy2_b <= phase ? joined_5 : mul_f32_ftz_unit_copy7_y;
+            add_f32_ftz_unit_copy2_b <= phase ? joined_7 : mul_f32_ftz_unit_copy7_y;
             add_f32_ftz_unit_copy3_a <= phase ? mul_50_d4 : mul_f32_ftz_unit_copy9_y;
-            add_f32_ftz_unit_copy3_b <= phase ? joined_6 : mul_f32_ftz_unit_copy10_y;
+            add_f32_ftz_unit_copy3_b <= phase ? joined_8 : mul_f32_ftz_unit_copy10_y;
             add_f32_ftz_unit_copy4_a <= phase ? mul_f32_ftz_unit_copy7_y : mul_f32_ftz_unit_copy8_y;
             add_f32_ftz_unit_copy4_b <= phase ? origin_x : mul_66_d4;
             add_f32_ftz_unit_copy5_a <= phase ? delay_22_from_0_out[31:0] : delay_17_from_0_out[31:0];
-            add_f32_ftz_unit_copy5_b <= phase ? joined_7 : {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
+            add_f32_ftz_unit_copy5_b <= phase ? joined_9 : {~sqrt_f32_ftz_unit_y[31], sqrt_f32_ftz_unit_y[30:0]};
             add_f32_ftz_unit_copy6_a <= phase ? mul_109_d4 : sqrt_f32_ftz_unit_y;
-            add_f32_ftz_unit_copy6_b <= phase ? joined_8 : delay_17_from_0_out[31:0];
+            add_f32_ftz_unit_copy6_b <= phase ? joined_10 : delay_17_from_0_out[31:0];
             add_f32_ftz_unit_copy7_a <= phase ? mul_115_d4 : delay_20_from_0_out[31:0];
-            add_f32_ftz_unit_copy7_b <= phase ? joined_9 : joined_10;
+            add_f32_ftz_unit_copy7_b <= phase ? joined_11 : joined_12;
             add_f32_ftz_unit_copy8_a <= phase ? mul_f32_ftz_unit_copy14_y : filter_radius;
             add_f32_ftz_unit_copy8_b <= phase ? origin_y : delay_20_from_0_out[31:0];
             add_f32_ftz_unit_copy9_a <= phase ? delay_22_from_0_out[63:32] : mul_f32_ftz_unit_copy14_y;
-            add_f32_ftz_unit_copy9_b <= phase ? joined_11 : mul_f32_ftz_unit_copy15_y;
-            add_f32_ftz_unit_copy10_a <= phase ? joined_10 : mul_f32_ftz_unit_copy17_y;
+            add_f32_ftz_unit_copy9_b <= phase ? joined_13 : mul_f32_ftz_unit_copy15_y;
+            add_f32_ftz_unit_copy10_a <= phase ? joined_12 : mul_f32_ftz_unit_copy17_y;
             add_f32_ftz_unit_copy10_b <= phase ? delay_20_from_0_out[63:32] : mul_f32_ftz_unit_copy18_y;
             add_f32_ftz_unit_copy11_a <= phase ? mul_162_d1 : mul_f32_ftz_unit_copy16_y;
-            add_f32_ftz_unit_copy11_b <= phase ? joined_12 : mul_131_d4;
+            add_f32_ftz_unit_copy11_b <= phase ? joined_14 : mul_131_d4;
             add_f32_ftz_unit_copy12_a <= phase ? mul_f32_ftz_unit_copy18_y : delay_17_from_0_out[63:32];
-            add_f32_ftz_unit_copy12_b <= phase ? joined_13 : joined_14;
+            add_f32_ftz_unit_copy12_b <= phase ? joined_15 : joined_16;
             add_f32_ftz_unit_copy13_a <= phase ? mul_f32_ftz_unit_copy20_y : sqrt_f32_ftz_unit_copy2_y;
-            add_f32_ftz_unit_copy13_b <= phase ? joined_15 : delay_17_from_0_out[63:32];
+            add_f32_ftz_unit_copy13_b <= phase ? joined_17 : delay_17_from_0_out[63:32];
             add_f32_ftz_unit_copy14_a <= phase ? add_f32_ftz_unit_copy16_y : filter_radius;
             add_f32_ftz_unit_copy14_b <= phase ? {~mul_194_d4[31], mul_194_d4[30:0]} : delay_20_from_0_out[63:32];
             add_f32_ftz_unit_copy15_a <= phase ? delay_7_from_1_out[31:0] : delay_28_from_0_out;
-            add_f32_ftz_unit_copy15_b <= phase ? joined_16 : depth_a;
+            add_f32_ftz_unit_copy15_b <= phase ? joined_18 : depth_a;
             add_f32_ftz_unit_copy16_a <= phase ? delay_7_from_1_out[31:0] : add_187_d1;
             add_f32_ftz_unit_copy16_b <= phase ? add_f32_ftz_unit_copy17_y : mul_f32_ftz_unit_copy21_y;
             add_f32_ftz_unit_copy17_a <= mul_f32_ftz_unit_copy23_y;
@@ -12783,6 +12766,29 @@ module core_a_setup (
     end
 
     wire _unused = &{1'b0, sub_100[21:9], sub_157[21:9]};
+
+`ifdef POINTCORE_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(load_0 == (queue_in_ready & ~phase))) begin
+`ifdef FORMAL
+                load_0_in_phase: assert (0);
+`else
+                $display("assertion failed: load_0_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_1 == (queue_in_ready & phase))) begin
+`ifdef FORMAL
+                load_1_in_phase: assert (0);
+`else
+                $display("assertion failed: load_1_in_phase in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
 endmodule
 
 // Floating to fixed point.

@@ -1356,20 +1356,17 @@ module core_b_queue (
     output reg  event_beat,
     output reg  event_insert_wait
 );
+    (* ram_style = "distributed" *)
+    reg [186:0] arrivals [0:1];
     reg [1823:0] rows [0:15];
     reg [61:0] queries [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
-    reg head_valid;
-    reg [3:0] head_thread;
-    reg [21:0] head_address;
-    reg head_last;
-    reg [31:0] head_distance0;
-    reg [31:0] head_distance1;
-    reg [31:0] head_distance2;
-    reg [31:0] head_distance3;
+    reg [1:0] arrivals_count;
+    reg arrivals_write_address;
+    reg arrivals_read_address;
     reg owned;
     reg [3:0] owner;
     reg [1823:0] working;
@@ -1411,25 +1408,15 @@ module core_b_queue (
     reg [23:0] item_index;
     reg [31:0] item_distance2;
     reg [15:0] from_leaf;
-    reg [31:0] radius2;
     reg [1823:0] sent_row;
     reg [23:0] sent_number;
     reg [5:0] position;
 
-    wire candidates_queue_in_ready;
-    wire candidates_queue_out_valid;
-    wire [3:0] candidates_queue_out_thread;
-    wire [21:0] candidates_queue_out_address;
-    wire candidates_queue_out_last;
-    wire [31:0] candidates_queue_out_distance0;
-    wire [31:0] candidates_queue_out_distance1;
-    wire [31:0] candidates_queue_out_distance2;
-    wire [31:0] candidates_queue_out_distance3;
     wire finish_queue_in_ready;
     wire finish_queue_out_valid;
     wire [3:0] finish_queue_out_thread;
 
-    assign candidates_ready = candidates_queue_in_ready;
+    assign candidates_ready = ~(arrivals_count == 2'd2);
     assign finish_ready = finish_queue_in_ready;
     wire [5:0] next_position = position + 6'd1;
     wire choice_1 = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
@@ -1474,56 +1461,55 @@ module core_b_queue (
     wire [31:0] choice_39 = position[1] ? (position[0] ? sent_row[202:171] : sent_row[145:114]) : position[0] ? sent_row[88:57] : sent_row[31:0];
     wire [31:0] choice_40 = position[3] ? (position[2] ? choice_36 : choice_37) : position[2] ? choice_38 : choice_39;
     wire readout_reads = finish_queue_out_valid & readout_idle;
-    wire waits = beat_reads & readout_reads;
-    wire moves = beat_valid & ~waits;
-    wire term_41 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
-    wire stays = beat_valid & (term_41 | (beat_pending[3] & |beat_pending[2:0]));
-    wire done = moves & ~stays;
-    wire [3:0] tail = item_valid ? item_thread : owner;
-    wire follows_tail = (item_valid | owned) & (tail == head_thread);
-    wire follows_beat = beat_thread == head_thread;
-    wire term_42 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = head_valid & term_42;
-    wire head_takes = ~head_valid | take;
-    wire candidates_queue_out_ready = head_takes;
     wire finished_owns = owned & (owner == finish_queue_out_thread);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
     wire finish_queue_out_ready = readout_starts;
-    wire term_43 = query[37:32] < 6'd1;
-    wire term_44 = query[37:32] < 6'd2;
-    wire term_45 = query[37:32] < 6'd3;
-    wire term_46 = query[37:32] < 6'd4;
-    wire term_47 = query[37:32] < 6'd5;
-    wire term_48 = query[37:32] < 6'd6;
-    wire term_49 = query[37:32] < 6'd7;
-    wire term_50 = query[37:32] < 6'd8;
-    wire term_51 = query[37:32] < 6'd9;
-    wire term_52 = query[37:32] < 6'd10;
-    wire term_53 = query[37:32] < 6'd11;
-    wire term_54 = query[37:32] < 6'd12;
-    wire term_55 = query[37:32] < 6'd13;
-    wire term_56 = query[37:32] < 6'd14;
-    wire term_57 = query[37:32] < 6'd15;
-    wire term_58 = query[37:32] < 6'd16;
-    wire term_59 = query[37:32] < 6'd17;
-    wire term_60 = query[37:32] < 6'd18;
-    wire term_61 = query[37:32] < 6'd19;
-    wire term_62 = query[37:32] < 6'd20;
-    wire term_63 = query[37:32] < 6'd21;
-    wire term_64 = query[37:32] < 6'd22;
-    wire term_65 = query[37:32] < 6'd23;
-    wire term_66 = query[37:32] < 6'd24;
-    wire term_67 = query[37:32] < 6'd25;
-    wire term_68 = query[37:32] < 6'd26;
-    wire term_69 = query[37:32] < 6'd27;
-    wire term_70 = query[37:32] < 6'd28;
-    wire term_71 = query[37:32] < 6'd29;
-    wire term_72 = query[37:32] < 6'd30;
-    wire term_73 = query[37:32] < 6'd31;
-    wire term_74 = query[37:32] < 6'd32;
+    wire term_41 = candidates_valid & candidates_ready;
+    wire waits = beat_reads & readout_reads;
+    wire moves = beat_valid & ~waits;
+    wire term_42 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
+    wire stays = beat_valid & (term_42 | (beat_pending[3] & |beat_pending[2:0]));
+    wire done = moves & ~stays;
+    wire beat_free = ~beat_valid | done;
+    wire [3:0] tail = item_valid ? item_thread : owner;
+    wire [186:0] arrivals_head = arrivals[arrivals_read_address];
+    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[186:183]);
+    wire follows_beat = beat_thread == arrivals_head[186:183];
+    wire term_43 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = |arrivals_count & term_43;
+    wire term_44 = query[37:32] < 6'd1;
+    wire term_45 = query[37:32] < 6'd2;
+    wire term_46 = query[37:32] < 6'd3;
+    wire term_47 = query[37:32] < 6'd4;
+    wire term_48 = query[37:32] < 6'd5;
+    wire term_49 = query[37:32] < 6'd6;
+    wire term_50 = query[37:32] < 6'd7;
+    wire term_51 = query[37:32] < 6'd8;
+    wire term_52 = query[37:32] < 6'd9;
+    wire term_53 = query[37:32] < 6'd10;
+    wire term_54 = query[37:32] < 6'd11;
+    wire term_55 = query[37:32] < 6'd12;
+    wire term_56 = query[37:32] < 6'd13;
+    wire term_57 = query[37:32] < 6'd14;
+    wire term_58 = query[37:32] < 6'd15;
+    wire term_59 = query[37:32] < 6'd16;
+    wire term_60 = query[37:32] < 6'd17;
+    wire term_61 = query[37:32] < 6'd18;
+    wire term_62 = query[37:32] < 6'd19;
+    wire term_63 = query[37:32] < 6'd20;
+    wire term_64 = query[37:32] < 6'd21;
+    wire term_65 = query[37:32] < 6'd22;
+    wire term_66 = query[37:32] < 6'd23;
+    wire term_67 = query[37:32] < 6'd24;
+    wire term_68 = query[37:32] < 6'd25;
+    wire term_69 = query[37:32] < 6'd26;
+    wire term_70 = query[37:32] < 6'd27;
+    wire term_71 = query[37:32] < 6'd28;
+    wire term_72 = query[37:32] < 6'd29;
+    wire term_73 = query[37:32] < 6'd30;
+    wire term_74 = query[37:32] < 6'd31;
+    wire term_75 = query[37:32] < 6'd32;
     wire [1823:0] initial_row = {
-        25'd0,
-        term_43 ? 32'd0 : query[31:0],
         25'd0,
         term_44 ? 32'd0 : query[31:0],
         25'd0,
@@ -1585,103 +1571,104 @@ module core_b_queue (
         25'd0,
         term_73 ? 32'd0 : query[31:0],
         25'd0,
-        term_74 ? 32'd0 : query[31:0]
+        term_74 ? 32'd0 : query[31:0],
+        25'd0,
+        term_75 ? 32'd0 : query[31:0]
     };
-    wire choice_75 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
-    wire [23:0] choice_76 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] choice_77 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire choice_78 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
-    wire [23:0] choice_79 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] choice_80 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire choice_81 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
-    wire [23:0] choice_82 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] choice_83 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire choice_84 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
-    wire [23:0] choice_85 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] choice_86 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire choice_87 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
-    wire [23:0] choice_88 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] choice_89 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire choice_90 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
-    wire [23:0] choice_91 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] choice_92 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire choice_93 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
-    wire [23:0] choice_94 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] choice_95 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire choice_96 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
-    wire [23:0] choice_97 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] choice_98 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire choice_99 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
-    wire [23:0] choice_100 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] choice_101 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire choice_102 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
-    wire [23:0] choice_103 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] choice_104 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire choice_105 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
-    wire [23:0] choice_106 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] choice_107 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire choice_108 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
-    wire [23:0] choice_109 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] choice_110 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire choice_111 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
-    wire [23:0] choice_112 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] choice_113 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire choice_114 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
-    wire [23:0] choice_115 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] choice_116 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire choice_117 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
-    wire [23:0] choice_118 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] choice_119 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire choice_120 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
-    wire [23:0] choice_121 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] choice_122 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire choice_123 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
-    wire [23:0] choice_124 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] choice_125 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire choice_126 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
-    wire [23:0] choice_127 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] choice_128 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire choice_129 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
-    wire [23:0] choice_130 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] choice_131 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire choice_132 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
-    wire [23:0] choice_133 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] choice_134 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire choice_135 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
-    wire [23:0] choice_136 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] choice_137 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire choice_138 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
-    wire [23:0] choice_139 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] choice_140 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire choice_141 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
-    wire [23:0] choice_142 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] choice_143 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire choice_144 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
-    wire [23:0] choice_145 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] choice_146 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire choice_147 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
-    wire [23:0] choice_148 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] choice_149 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire choice_150 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
-    wire [23:0] choice_151 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] choice_152 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire choice_153 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
-    wire [23:0] choice_154 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] choice_155 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire choice_156 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
-    wire [23:0] choice_157 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] choice_158 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire choice_159 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
-    wire [23:0] choice_160 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] choice_161 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire choice_162 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
-    wire [23:0] choice_163 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] choice_164 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire choice_165 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
-    wire [23:0] choice_166 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] choice_167 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
+    wire choice_76 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
+    wire [23:0] choice_77 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
+    wire [31:0] choice_78 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
+    wire choice_79 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
+    wire [23:0] choice_80 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
+    wire [31:0] choice_81 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
+    wire choice_82 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
+    wire [23:0] choice_83 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
+    wire [31:0] choice_84 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
+    wire choice_85 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
+    wire [23:0] choice_86 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
+    wire [31:0] choice_87 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
+    wire choice_88 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
+    wire [23:0] choice_89 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
+    wire [31:0] choice_90 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
+    wire choice_91 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
+    wire [23:0] choice_92 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
+    wire [31:0] choice_93 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
+    wire choice_94 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
+    wire [23:0] choice_95 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
+    wire [31:0] choice_96 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
+    wire choice_97 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
+    wire [23:0] choice_98 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
+    wire [31:0] choice_99 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
+    wire choice_100 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
+    wire [23:0] choice_101 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
+    wire [31:0] choice_102 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
+    wire choice_103 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
+    wire [23:0] choice_104 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
+    wire [31:0] choice_105 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
+    wire choice_106 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
+    wire [23:0] choice_107 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
+    wire [31:0] choice_108 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
+    wire choice_109 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
+    wire [23:0] choice_110 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
+    wire [31:0] choice_111 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
+    wire choice_112 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
+    wire [23:0] choice_113 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
+    wire [31:0] choice_114 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
+    wire choice_115 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
+    wire [23:0] choice_116 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
+    wire [31:0] choice_117 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
+    wire choice_118 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
+    wire [23:0] choice_119 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
+    wire [31:0] choice_120 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
+    wire choice_121 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
+    wire [23:0] choice_122 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
+    wire [31:0] choice_123 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
+    wire choice_124 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
+    wire [23:0] choice_125 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
+    wire [31:0] choice_126 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
+    wire choice_127 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
+    wire [23:0] choice_128 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
+    wire [31:0] choice_129 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
+    wire choice_130 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
+    wire [23:0] choice_131 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
+    wire [31:0] choice_132 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
+    wire choice_133 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
+    wire [23:0] choice_134 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
+    wire [31:0] choice_135 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
+    wire choice_136 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
+    wire [23:0] choice_137 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
+    wire [31:0] choice_138 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
+    wire choice_139 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
+    wire [23:0] choice_140 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
+    wire [31:0] choice_141 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
+    wire choice_142 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
+    wire [23:0] choice_143 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
+    wire [31:0] choice_144 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
+    wire choice_145 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
+    wire [23:0] choice_146 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
+    wire [31:0] choice_147 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
+    wire choice_148 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
+    wire [23:0] choice_149 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
+    wire [31:0] choice_150 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
+    wire choice_151 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
+    wire [23:0] choice_152 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
+    wire [31:0] choice_153 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
+    wire choice_154 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
+    wire [23:0] choice_155 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
+    wire [31:0] choice_156 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
+    wire choice_157 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
+    wire [23:0] choice_158 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
+    wire [31:0] choice_159 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
+    wire choice_160 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
+    wire [23:0] choice_161 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
+    wire [31:0] choice_162 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
+    wire choice_163 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
+    wire [23:0] choice_164 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
+    wire [31:0] choice_165 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
+    wire choice_166 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
+    wire [23:0] choice_167 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
+    wire [31:0] choice_168 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
     wire [1823:0] inserted_row = {
-        choice_75,
         choice_76,
         choice_77,
         choice_78,
@@ -1774,12 +1761,13 @@ module core_b_queue (
         choice_165,
         choice_166,
         choice_167,
+        choice_168,
         nearer[0] ? new_found : working[56],
         nearer[0] ? new_index : working[55:32],
         nearer[0] ? new_distance2 : working[31:0]
     };
     wire reads = moves & beat_reads;
-    wire [15:0] joined_168 = {
+    wire [15:0] joined_169 = {
         reads & (beat_thread == 4'd15),
         reads & (beat_thread == 4'd14),
         reads & (beat_thread == 4'd13),
@@ -1815,28 +1803,35 @@ module core_b_queue (
         start_valid & (start_thread == 4'd1),
         start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] shifted_169 = fresh >> head_thread;
-    wire is_fresh = shifted_169[0];
-    wire choice_170 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire [15:0] shifted_170 = fresh >> arrivals_head[186:183];
+    wire is_fresh = shifted_170[0];
+    wire choice_171 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == head_thread) & ~choice_170);
-    wire term_171 = (head_distance3 < radius2) & (~farthest_will_be_known | (head_distance3 < farthest));
-    wire term_172 = (head_distance2 < radius2) & (~farthest_will_be_known | (head_distance2 < farthest));
-    wire term_173 = (head_distance1 < radius2) & (~farthest_will_be_known | (head_distance1 < farthest));
-    wire term_174 = (head_distance0 < radius2) & (~farthest_will_be_known | (head_distance0 < farthest));
+    wire term_172 = (farthest_thread == arrivals_head[186:183]) & ~choice_171;
+    wire farthest_will_be_known = farthest_is_current & term_172;
+    wire term_173 = ~farthest_will_be_known | (arrivals_head[63:32] < farthest);
+    wire term_174 = ~farthest_will_be_known | (arrivals_head[95:64] < farthest);
+    wire term_175 = ~farthest_will_be_known | (arrivals_head[127:96] < farthest);
+    wire term_176 = ~farthest_will_be_known | (arrivals_head[159:128] < farthest);
+    wire term_177 = (arrivals_head[159:128] < arrivals_head[31:0]) & term_176;
+    wire [3:0] joined_178 = {
+        (arrivals_head[63:32] < arrivals_head[31:0]) & term_173,
+        (arrivals_head[95:64] < arrivals_head[31:0]) & term_174,
+        (arrivals_head[127:96] < arrivals_head[31:0]) & term_175,
+        term_177
+    };
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire [3:0] joined_175 = {
+    wire [3:0] joined_179 = {
         ~farthest_is_known | (beat_distance3 < farthest),
         ~farthest_is_known | (beat_distance2 < farthest),
         ~farthest_is_known | (beat_distance1 < farthest),
         ~farthest_is_known | (beat_distance0 < farthest)
     };
-    wire [3:0] left = waits ? beat_pending : (rest & joined_175);
-    wire [15:0] shifted_176 = fresh >> beat_thread;
-    wire [31:0] joined_177 = {
-        ~term_43,
+    wire [3:0] left = waits ? beat_pending : (rest & joined_179);
+    wire [15:0] shifted_180 = fresh >> beat_thread;
+    wire [31:0] joined_181 = {
         ~term_44,
         ~term_45,
         ~term_46,
@@ -1867,46 +1862,43 @@ module core_b_queue (
         ~term_71,
         ~term_72,
         ~term_73,
-        ~term_74
+        ~term_74,
+        ~term_75
     };
     wire [1823:0] base = item_reads ? stored : working;
-    wire term_178 = item_distance2 < base[1798:1767];
-    wire term_179 = item_distance2 < base[1741:1710];
-    wire term_180 = item_distance2 < base[1684:1653];
-    wire term_181 = item_distance2 < base[1627:1596];
-    wire term_182 = item_distance2 < base[1570:1539];
-    wire term_183 = item_distance2 < base[1513:1482];
-    wire term_184 = item_distance2 < base[1456:1425];
-    wire term_185 = item_distance2 < base[1399:1368];
-    wire term_186 = item_distance2 < base[1342:1311];
-    wire term_187 = item_distance2 < base[1285:1254];
-    wire term_188 = item_distance2 < base[1228:1197];
-    wire term_189 = item_distance2 < base[1171:1140];
-    wire term_190 = item_distance2 < base[1114:1083];
-    wire term_191 = item_distance2 < base[1057:1026];
-    wire term_192 = item_distance2 < base[1000:969];
-    wire term_193 = item_distance2 < base[943:912];
-    wire term_194 = item_distance2 < base[886:855];
-    wire term_195 = item_distance2 < base[829:798];
-    wire term_196 = item_distance2 < base[772:741];
-    wire term_197 = item_distance2 < base[715:684];
-    wire term_198 = item_distance2 < base[658:627];
-    wire term_199 = item_distance2 < base[601:570];
-    wire term_200 = item_distance2 < base[544:513];
-    wire term_201 = item_distance2 < base[487:456];
-    wire term_202 = item_distance2 < base[430:399];
-    wire term_203 = item_distance2 < base[373:342];
-    wire term_204 = item_distance2 < base[316:285];
-    wire term_205 = item_distance2 < base[259:228];
-    wire term_206 = item_distance2 < base[202:171];
-    wire term_207 = item_distance2 < base[145:114];
-    wire term_208 = item_distance2 < base[88:57];
-    wire term_209 = item_distance2 < base[31:0];
-    wire [31:0] joined_210 = {
-        term_178,
-        term_179,
-        term_180,
-        term_181,
+    wire term_182 = item_distance2 < base[1798:1767];
+    wire term_183 = item_distance2 < base[1741:1710];
+    wire term_184 = item_distance2 < base[1684:1653];
+    wire term_185 = item_distance2 < base[1627:1596];
+    wire term_186 = item_distance2 < base[1570:1539];
+    wire term_187 = item_distance2 < base[1513:1482];
+    wire term_188 = item_distance2 < base[1456:1425];
+    wire term_189 = item_distance2 < base[1399:1368];
+    wire term_190 = item_distance2 < base[1342:1311];
+    wire term_191 = item_distance2 < base[1285:1254];
+    wire term_192 = item_distance2 < base[1228:1197];
+    wire term_193 = item_distance2 < base[1171:1140];
+    wire term_194 = item_distance2 < base[1114:1083];
+    wire term_195 = item_distance2 < base[1057:1026];
+    wire term_196 = item_distance2 < base[1000:969];
+    wire term_197 = item_distance2 < base[943:912];
+    wire term_198 = item_distance2 < base[886:855];
+    wire term_199 = item_distance2 < base[829:798];
+    wire term_200 = item_distance2 < base[772:741];
+    wire term_201 = item_distance2 < base[715:684];
+    wire term_202 = item_distance2 < base[658:627];
+    wire term_203 = item_distance2 < base[601:570];
+    wire term_204 = item_distance2 < base[544:513];
+    wire term_205 = item_distance2 < base[487:456];
+    wire term_206 = item_distance2 < base[430:399];
+    wire term_207 = item_distance2 < base[373:342];
+    wire term_208 = item_distance2 < base[316:285];
+    wire term_209 = item_distance2 < base[259:228];
+    wire term_210 = item_distance2 < base[202:171];
+    wire term_211 = item_distance2 < base[145:114];
+    wire term_212 = item_distance2 < base[88:57];
+    wire term_213 = item_distance2 < base[31:0];
+    wire [31:0] joined_214 = {
         term_182,
         term_183,
         term_184,
@@ -1934,36 +1926,36 @@ module core_b_queue (
         term_206,
         term_207,
         term_208,
-        term_209
+        term_209,
+        term_210,
+        term_211,
+        term_212,
+        term_213
     };
-    wire term_211 = item_distance2 < new_distance2;
-    wire choice_212 = nearer[31] ? (nearer[30] ? term_179 : term_211) : term_178;
-    wire choice_213 = nearer[30] ? (nearer[29] ? term_180 : term_211) : term_179;
-    wire choice_214 = nearer[29] ? (nearer[28] ? term_181 : term_211) : term_180;
-    wire choice_215 = nearer[28] ? (nearer[27] ? term_182 : term_211) : term_181;
-    wire choice_216 = nearer[27] ? (nearer[26] ? term_183 : term_211) : term_182;
-    wire choice_217 = nearer[26] ? (nearer[25] ? term_184 : term_211) : term_183;
-    wire choice_218 = nearer[25] ? (nearer[24] ? term_185 : term_211) : term_184;
-    wire choice_219 = nearer[24] ? (nearer[23] ? term_186 : term_211) : term_185;
-    wire choice_220 = nearer[23] ? (nearer[22] ? term_187 : term_211) : term_186;
-    wire choice_221 = nearer[22] ? (nearer[21] ? term_188 : term_211) : term_187;
-    wire choice_222 = nearer[21] ? (nearer[20] ? term_189 : term_211) : term_188;
-    wire choice_223 = nearer[20] ? (nearer[19] ? term_190 : term_211) : term_189;
-    wire choice_224 = nearer[19] ? (nearer[18] ? term_191 : term_211) : term_190;
-    wire choice_225 = nearer[18] ? (nearer[17] ? term_192 : term_211) : term_191;
-    wire choice_226 = nearer[17] ? (nearer[16] ? term_193 : term_211) : term_192;
-    wire choice_227 = nearer[16] ? (nearer[15] ? term_194 : term_211) : term_193;
-    wire choice_228 = nearer[15] ? (nearer[14] ? term_195 : term_211) : term_194;
-    wire choice_229 = nearer[14] ? (nearer[13] ? term_196 : term_211) : term_195;
-    wire choice_230 = nearer[13] ? (nearer[12] ? term_197 : term_211) : term_196;
-    wire choice_231 = nearer[12] ? (nearer[11] ? term_198 : term_211) : term_197;
-    wire choice_232 = nearer[11] ? (nearer[10] ? term_199 : term_211) : term_198;
-    wire choice_233 = nearer[10] ? (nearer[9] ? term_200 : term_211) : term_199;
-    wire [31:0] joined_234 = {
-        choice_212,
-        choice_213,
-        choice_214,
-        choice_215,
+    wire term_215 = item_distance2 < new_distance2;
+    wire choice_216 = nearer[31] ? (nearer[30] ? term_183 : term_215) : term_182;
+    wire choice_217 = nearer[30] ? (nearer[29] ? term_184 : term_215) : term_183;
+    wire choice_218 = nearer[29] ? (nearer[28] ? term_185 : term_215) : term_184;
+    wire choice_219 = nearer[28] ? (nearer[27] ? term_186 : term_215) : term_185;
+    wire choice_220 = nearer[27] ? (nearer[26] ? term_187 : term_215) : term_186;
+    wire choice_221 = nearer[26] ? (nearer[25] ? term_188 : term_215) : term_187;
+    wire choice_222 = nearer[25] ? (nearer[24] ? term_189 : term_215) : term_188;
+    wire choice_223 = nearer[24] ? (nearer[23] ? term_190 : term_215) : term_189;
+    wire choice_224 = nearer[23] ? (nearer[22] ? term_191 : term_215) : term_190;
+    wire choice_225 = nearer[22] ? (nearer[21] ? term_192 : term_215) : term_191;
+    wire choice_226 = nearer[21] ? (nearer[20] ? term_193 : term_215) : term_192;
+    wire choice_227 = nearer[20] ? (nearer[19] ? term_194 : term_215) : term_193;
+    wire choice_228 = nearer[19] ? (nearer[18] ? term_195 : term_215) : term_194;
+    wire choice_229 = nearer[18] ? (nearer[17] ? term_196 : term_215) : term_195;
+    wire choice_230 = nearer[17] ? (nearer[16] ? term_197 : term_215) : term_196;
+    wire choice_231 = nearer[16] ? (nearer[15] ? term_198 : term_215) : term_197;
+    wire choice_232 = nearer[15] ? (nearer[14] ? term_199 : term_215) : term_198;
+    wire choice_233 = nearer[14] ? (nearer[13] ? term_200 : term_215) : term_199;
+    wire choice_234 = nearer[13] ? (nearer[12] ? term_201 : term_215) : term_200;
+    wire choice_235 = nearer[12] ? (nearer[11] ? term_202 : term_215) : term_201;
+    wire choice_236 = nearer[11] ? (nearer[10] ? term_203 : term_215) : term_202;
+    wire choice_237 = nearer[10] ? (nearer[9] ? term_204 : term_215) : term_203;
+    wire [31:0] joined_238 = {
         choice_216,
         choice_217,
         choice_218,
@@ -1982,22 +1974,26 @@ module core_b_queue (
         choice_231,
         choice_232,
         choice_233,
-        nearer[9] ? (nearer[8] ? term_201 : term_211) : term_200,
-        nearer[8] ? (nearer[7] ? term_202 : term_211) : term_201,
-        nearer[7] ? (nearer[6] ? term_203 : term_211) : term_202,
-        nearer[6] ? (nearer[5] ? term_204 : term_211) : term_203,
-        nearer[5] ? (nearer[4] ? term_205 : term_211) : term_204,
-        nearer[4] ? (nearer[3] ? term_206 : term_211) : term_205,
-        nearer[3] ? (nearer[2] ? term_207 : term_211) : term_206,
-        nearer[2] ? (nearer[1] ? term_208 : term_211) : term_207,
-        nearer[1] ? (nearer[0] ? term_209 : term_211) : term_208,
-        nearer[0] ? term_211 : term_209
+        choice_234,
+        choice_235,
+        choice_236,
+        choice_237,
+        nearer[9] ? (nearer[8] ? term_205 : term_215) : term_204,
+        nearer[8] ? (nearer[7] ? term_206 : term_215) : term_205,
+        nearer[7] ? (nearer[6] ? term_207 : term_215) : term_206,
+        nearer[6] ? (nearer[5] ? term_208 : term_215) : term_207,
+        nearer[5] ? (nearer[4] ? term_209 : term_215) : term_208,
+        nearer[4] ? (nearer[3] ? term_210 : term_215) : term_209,
+        nearer[3] ? (nearer[2] ? term_211 : term_215) : term_210,
+        nearer[2] ? (nearer[1] ? term_212 : term_215) : term_211,
+        nearer[1] ? (nearer[0] ? term_213 : term_215) : term_212,
+        nearer[0] ? term_215 : term_213
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_177 : joined_210) : joined_234;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_181 : joined_214) : joined_238;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [15:0] shifted_235 = fresh >> finish_queue_out_thread;
-    wire [31:0] choice_236 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [15:0] shifted_239 = fresh >> finish_queue_out_thread;
+    wire [31:0] choice_240 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15),
         radius_valid & (radius_thread == 4'd14),
@@ -2016,9 +2012,9 @@ module core_b_queue (
         radius_valid & (radius_thread == 4'd1),
         radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_237 = from_leaf >> candidates_queue_out_thread;
-    wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
-    wire [31:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire [15:0] shifted_241 = from_leaf >> candidates_thread;
+    wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
+    wire [31:0] query_radius2 = query_radii[candidates_thread];
     wire write_back = item_reads & owned;
     wire [3:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
@@ -2028,29 +2024,6 @@ module core_b_queue (
     assign result_found = position[4] ? choice_15 : choice_20;
     assign result_index = position[4] ? choice_25 : choice_30;
     assign result_distance2 = position[4] ? choice_35 : choice_40;
-
-    stream_skid_w155 candidates_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(candidates_valid),
-        .in_ready(candidates_queue_in_ready),
-        .in_thread(candidates_thread),
-        .in_address(candidates_address),
-        .in_last(candidates_last),
-        .in_distance0(candidates_distance0),
-        .in_distance1(candidates_distance1),
-        .in_distance2(candidates_distance2),
-        .in_distance3(candidates_distance3),
-        .out_valid(candidates_queue_out_valid),
-        .out_ready(candidates_queue_out_ready),
-        .out_thread(candidates_queue_out_thread),
-        .out_address(candidates_queue_out_address),
-        .out_last(candidates_queue_out_last),
-        .out_distance0(candidates_queue_out_distance0),
-        .out_distance1(candidates_queue_out_distance1),
-        .out_distance2(candidates_queue_out_distance2),
-        .out_distance3(candidates_queue_out_distance3)
-    );
 
     stream_skid_w4 finish_queue (
         .clk(clk),
@@ -2065,7 +2038,9 @@ module core_b_queue (
 
     always @(posedge clk) begin
         if (rst) begin
-            head_valid <= 1'd0;
+            arrivals_count <= 2'd0;
+            arrivals_write_address <= 1'd0;
+            arrivals_read_address <= 1'd0;
             owned <= 1'd0;
             fresh <= 16'd0;
             beat_valid <= 1'd0;
@@ -2087,13 +2062,11 @@ module core_b_queue (
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
         end else begin
-            if (head_takes) begin
-                head_valid <= candidates_queue_out_valid;
-            end
+            arrivals_count <= (arrivals_count + {1'd0, term_41}) - {1'd0, take};
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_168) | query_set;
+            fresh <= (fresh & ~joined_169) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? choice_170 : (beat_reads & waits);
+            beat_reads <= take ? choice_171 : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & |beat_pending;
@@ -2110,48 +2083,44 @@ module core_b_queue (
             released_valid <= fetching;
             event_beat <= done;
             event_insert_wait <= moves & stays;
+            if (term_41) begin
+                arrivals_write_address <= arrivals_write_address + 1'd1;
+            end
+            if (take) begin
+                arrivals_read_address <= arrivals_read_address + 1'd1;
+            end
         end
     end
     always @(posedge clk) begin
-        if (head_takes) begin
-            head_thread <= candidates_queue_out_thread;
-            head_address <= candidates_queue_out_address;
-            head_last <= candidates_queue_out_last;
-            head_distance0 <= candidates_queue_out_distance0;
-            head_distance1 <= candidates_queue_out_distance1;
-            head_distance2 <= candidates_queue_out_distance2;
-            head_distance3 <= candidates_queue_out_distance3;
-            radius2 <= shifted_237[0] ? leaf_radius2 : query_radius2;
-        end
         if (item_valid) begin
             owner <= item_thread;
         end
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? {term_171, term_172, term_173, term_174} : left;
+        beat_pending <= take ? joined_178 : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_176[0];
+        item_fresh <= shifted_180[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_77;
-        farthest <= choice_77;
+        radius_radius2 <= choice_78;
+        farthest <= choice_78;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_235[0];
+        fetch_from_nothing <= shifted_239[0];
         item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : choice_236;
+        item_distance2 <= chosen[0] ? beat_distance0 : choice_240;
         released_thread <= readout_thread;
-        if (take) begin
-            beat_thread <= head_thread;
-            beat_address <= head_address;
-            beat_last <= head_last;
-            beat_distance0 <= head_distance0;
-            beat_distance1 <= head_distance1;
-            beat_distance2 <= head_distance2;
-            beat_distance3 <= head_distance3;
+        if (beat_free) begin
+            beat_thread <= arrivals_head[186:183];
+            beat_address <= arrivals_head[182:161];
+            beat_last <= arrivals_head[160];
+            beat_distance0 <= arrivals_head[159:128];
+            beat_distance1 <= arrivals_head[127:96];
+            beat_distance2 <= arrivals_head[95:64];
+            beat_distance3 <= arrivals_head[63:32];
         end
         if (readout_starts) begin
             readout_thread <= finish_queue_out_thread;
@@ -2162,6 +2131,20 @@ module core_b_queue (
         end
         if (fetching | result_transfer) begin
             position <= fetching ? (6'd32 - query[37:32]) : next_position;
+        end
+    end
+    always @(posedge clk) begin
+        if (term_41) begin
+            arrivals[arrivals_write_address] <= {
+                candidates_thread,
+                candidates_address,
+                candidates_last,
+                candidates_distance0,
+                candidates_distance1,
+                candidates_distance2,
+                candidates_distance3,
+                shifted_241[0] ? leaf_radius2 : query_radius2
+            };
         end
     end
     always @(posedge clk) begin
@@ -2221,22 +2204,22 @@ module core_b_queue (
         base[1709:1685],
         base[1766:1742],
         base[1823:1799],
-        shifted_169[15:1],
-        shifted_176[15:1],
-        shifted_235[15:1],
-        shifted_237[15:1],
+        shifted_170[15:1],
+        shifted_180[15:1],
+        shifted_239[15:1],
+        shifted_241[15:1],
         start_x,
         start_y,
         start_z
     };
 
 `ifdef POINTCORE_ASSERT
-    wire term_238 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [15:0] shifted_239 = fresh >> readout_thread;
+    wire term_242 = fetch_from_working == (owned & (owner == readout_thread));
+    wire [15:0] shifted_243 = fresh >> readout_thread;
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~fetching | term_238)) begin
+            if (!(~fetching | term_242)) begin
 `ifdef FORMAL
                 a_fetched_row_stays_where_it_is: assert (0);
 `else
@@ -2244,7 +2227,7 @@ module core_b_queue (
                 $stop;
 `endif
             end
-            if (!(~fetching | (fetch_from_nothing == shifted_239[0]))) begin
+            if (!(~fetching | (fetch_from_nothing == shifted_243[0]))) begin
 `ifdef FORMAL
                 a_fetched_row_stays_fresh: assert (0);
 `else
@@ -2263,7 +2246,7 @@ module core_b_queue (
         end
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_239[15:1]};
+    wire _unused_by_checks = &{1'b0, shifted_243[15:1]};
 `endif
 endmodule
 
@@ -2565,7 +2548,7 @@ module stream_fifo (
     reg [3:0] read_address;
     reg [154:0] item;
 
-    wire has_room = ~(held == 5'd16);
+    wire has_room = ~held[4];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;

@@ -433,17 +433,17 @@ module core_b_queue (
     output reg  event_beat,
     output reg  event_insert_wait
 );
+    (* ram_style = "distributed" *)
+    reg [66:0] arrivals [0:1];
     reg [327:0] rows [0:3];
     reg [43:0] queries [0:3];
     (* ram_style = "distributed" *)
     reg [23:0] query_radii [0:3];
     (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
-    reg head_valid;
-    reg [1:0] head_thread;
-    reg [15:0] head_address;
-    reg head_last;
-    reg [23:0] head_distance0;
+    reg [1:0] arrivals_count;
+    reg arrivals_write_address;
+    reg arrivals_read_address;
     reg owned;
     reg [1:0] owner;
     reg [327:0] working;
@@ -482,22 +482,15 @@ module core_b_queue (
     reg [15:0] item_index;
     reg [23:0] item_distance2;
     reg [3:0] from_leaf;
-    reg [23:0] radius2;
     reg [327:0] sent_row;
     reg [15:0] sent_number;
     reg [3:0] position;
 
-    wire candidates_queue_in_ready;
-    wire candidates_queue_out_valid;
-    wire [1:0] candidates_queue_out_thread;
-    wire [15:0] candidates_queue_out_address;
-    wire candidates_queue_out_last;
-    wire [23:0] candidates_queue_out_distance0;
     wire finish_queue_in_ready;
     wire finish_queue_out_valid;
     wire [1:0] finish_queue_out_thread;
 
-    assign candidates_ready = candidates_queue_in_ready;
+    assign candidates_ready = ~(arrivals_count == 2'd2);
     assign finish_ready = finish_queue_in_ready;
     wire [3:0] next_position = position + 4'd1;
     wire choice_1 = next_position[1] ? (next_position[0] ? sent_row[327] : sent_row[286]) : next_position[0] ? sent_row[245] : sent_row[204];
@@ -510,31 +503,30 @@ module core_b_queue (
     wire [23:0] choice_7 = position[1] ? (position[0] ? sent_row[310:287] : sent_row[269:246]) : position[0] ? sent_row[228:205] : sent_row[187:164];
     wire [23:0] choice_8 = position[1] ? (position[0] ? sent_row[146:123] : sent_row[105:82]) : position[0] ? sent_row[64:41] : sent_row[23:0];
     wire readout_reads = finish_queue_out_valid & readout_idle;
+    wire finished_owns = owned & (owner == finish_queue_out_thread);
+    wire readout_starts = readout_reads & ~(item_reads & finished_owns);
+    wire finish_queue_out_ready = readout_starts;
+    wire term_9 = candidates_valid & candidates_ready;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
     wire stays = 1'd0;
     wire done = moves & ~stays;
+    wire beat_free = ~beat_valid | done;
     wire [1:0] tail = item_valid ? item_thread : owner;
-    wire follows_tail = (item_valid | owned) & (tail == head_thread);
-    wire follows_beat = beat_thread == head_thread;
-    wire term_9 = (~beat_valid | done) & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = head_valid & term_9;
-    wire head_takes = ~head_valid | take;
-    wire candidates_queue_out_ready = head_takes;
-    wire finished_owns = owned & (owner == finish_queue_out_thread);
-    wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire finish_queue_out_ready = readout_starts;
-    wire term_10 = query[27:24] < 4'd1;
-    wire term_11 = query[27:24] < 4'd2;
-    wire term_12 = query[27:24] < 4'd3;
-    wire term_13 = query[27:24] < 4'd4;
-    wire term_14 = query[27:24] < 4'd5;
-    wire term_15 = query[27:24] < 4'd6;
-    wire term_16 = query[27:24] < 4'd7;
-    wire term_17 = query[27:24] < 4'd8;
+    wire [66:0] arrivals_head = arrivals[arrivals_read_address];
+    wire follows_tail = (item_valid | owned) & (tail == arrivals_head[66:65]);
+    wire follows_beat = beat_thread == arrivals_head[66:65];
+    wire term_10 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = |arrivals_count & term_10;
+    wire term_11 = query[27:24] < 4'd1;
+    wire term_12 = query[27:24] < 4'd2;
+    wire term_13 = query[27:24] < 4'd3;
+    wire term_14 = query[27:24] < 4'd4;
+    wire term_15 = query[27:24] < 4'd5;
+    wire term_16 = query[27:24] < 4'd6;
+    wire term_17 = query[27:24] < 4'd7;
+    wire term_18 = query[27:24] < 4'd8;
     wire [327:0] initial_row = {
-        17'd0,
-        term_10 ? 24'd0 : query[23:0],
         17'd0,
         term_11 ? 24'd0 : query[23:0],
         17'd0,
@@ -548,31 +540,32 @@ module core_b_queue (
         17'd0,
         term_16 ? 24'd0 : query[23:0],
         17'd0,
-        term_17 ? 24'd0 : query[23:0]
+        term_17 ? 24'd0 : query[23:0],
+        17'd0,
+        term_18 ? 24'd0 : query[23:0]
     };
-    wire choice_18 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
-    wire [15:0] choice_19 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
-    wire [23:0] choice_20 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
-    wire choice_21 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
-    wire [15:0] choice_22 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
-    wire [23:0] choice_23 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
-    wire choice_24 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
-    wire [15:0] choice_25 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
-    wire [23:0] choice_26 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
-    wire choice_27 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
-    wire [15:0] choice_28 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
-    wire [23:0] choice_29 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
-    wire choice_30 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
-    wire [15:0] choice_31 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
-    wire [23:0] choice_32 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
-    wire choice_33 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
-    wire [15:0] choice_34 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
-    wire [23:0] choice_35 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
-    wire choice_36 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
-    wire [15:0] choice_37 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
-    wire [23:0] choice_38 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
+    wire choice_19 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
+    wire [15:0] choice_20 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
+    wire [23:0] choice_21 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
+    wire choice_22 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
+    wire [15:0] choice_23 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
+    wire [23:0] choice_24 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
+    wire choice_25 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
+    wire [15:0] choice_26 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
+    wire [23:0] choice_27 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
+    wire choice_28 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
+    wire [15:0] choice_29 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
+    wire [23:0] choice_30 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
+    wire choice_31 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
+    wire [15:0] choice_32 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
+    wire [23:0] choice_33 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
+    wire choice_34 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
+    wire [15:0] choice_35 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
+    wire [23:0] choice_36 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
+    wire choice_37 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
+    wire [15:0] choice_38 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
+    wire [23:0] choice_39 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
     wire [327:0] inserted_row = {
-        choice_18,
         choice_19,
         choice_20,
         choice_21,
@@ -593,12 +586,13 @@ module core_b_queue (
         choice_36,
         choice_37,
         choice_38,
+        choice_39,
         nearer[0] ? new_found : working[40],
         nearer[0] ? new_index : working[39:24],
         nearer[0] ? new_distance2 : working[23:0]
     };
     wire reads = moves & beat_reads;
-    wire [3:0] joined_39 = {
+    wire [3:0] joined_40 = {
         reads & (beat_thread == 2'd3),
         reads & (beat_thread == 2'd2),
         reads & (beat_thread == 2'd1),
@@ -610,53 +604,53 @@ module core_b_queue (
         start_valid & (start_thread == 2'd1),
         start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] shifted_40 = fresh >> head_thread;
-    wire is_fresh = shifted_40[0];
-    wire choice_41 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire [3:0] shifted_41 = fresh >> arrivals_head[66:65];
+    wire is_fresh = shifted_41[0];
+    wire choice_42 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == head_thread) & ~choice_41);
-    wire term_42 = (head_distance0 < radius2) & (~farthest_will_be_known | (head_distance0 < farthest));
+    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == arrivals_head[66:65]) & ~choice_42);
+    wire term_43 = ~farthest_will_be_known | (arrivals_head[47:24] < farthest);
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire term_43 = rest & (~farthest_is_known | (beat_distance0 < farthest));
-    wire left = waits ? beat_pending : term_43;
-    wire [3:0] shifted_44 = fresh >> beat_thread;
-    wire [7:0] joined_45 = {~term_10, ~term_11, ~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17};
+    wire term_44 = rest & (~farthest_is_known | (beat_distance0 < farthest));
+    wire left = waits ? beat_pending : term_44;
+    wire [3:0] shifted_45 = fresh >> beat_thread;
+    wire [7:0] joined_46 = {~term_11, ~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18};
     wire [327:0] base = item_reads ? stored : working;
-    wire term_46 = item_distance2 < base[310:287];
-    wire term_47 = item_distance2 < base[269:246];
-    wire term_48 = item_distance2 < base[228:205];
-    wire term_49 = item_distance2 < base[187:164];
-    wire term_50 = item_distance2 < base[146:123];
-    wire term_51 = item_distance2 < base[105:82];
-    wire term_52 = item_distance2 < base[64:41];
-    wire term_53 = item_distance2 < base[23:0];
-    wire [7:0] joined_54 = {term_46, term_47, term_48, term_49, term_50, term_51, term_52, term_53};
-    wire term_55 = item_distance2 < new_distance2;
-    wire [7:0] joined_56 = {
-        nearer[7] ? (nearer[6] ? term_47 : term_55) : term_46,
-        nearer[6] ? (nearer[5] ? term_48 : term_55) : term_47,
-        nearer[5] ? (nearer[4] ? term_49 : term_55) : term_48,
-        nearer[4] ? (nearer[3] ? term_50 : term_55) : term_49,
-        nearer[3] ? (nearer[2] ? term_51 : term_55) : term_50,
-        nearer[2] ? (nearer[1] ? term_52 : term_55) : term_51,
-        nearer[1] ? (nearer[0] ? term_53 : term_55) : term_52,
-        nearer[0] ? term_55 : term_53
+    wire term_47 = item_distance2 < base[310:287];
+    wire term_48 = item_distance2 < base[269:246];
+    wire term_49 = item_distance2 < base[228:205];
+    wire term_50 = item_distance2 < base[187:164];
+    wire term_51 = item_distance2 < base[146:123];
+    wire term_52 = item_distance2 < base[105:82];
+    wire term_53 = item_distance2 < base[64:41];
+    wire term_54 = item_distance2 < base[23:0];
+    wire [7:0] joined_55 = {term_47, term_48, term_49, term_50, term_51, term_52, term_53, term_54};
+    wire term_56 = item_distance2 < new_distance2;
+    wire [7:0] joined_57 = {
+        nearer[7] ? (nearer[6] ? term_48 : term_56) : term_47,
+        nearer[6] ? (nearer[5] ? term_49 : term_56) : term_48,
+        nearer[5] ? (nearer[4] ? term_50 : term_56) : term_49,
+        nearer[4] ? (nearer[3] ? term_51 : term_56) : term_50,
+        nearer[3] ? (nearer[2] ? term_52 : term_56) : term_51,
+        nearer[2] ? (nearer[1] ? term_53 : term_56) : term_52,
+        nearer[1] ? (nearer[0] ? term_54 : term_56) : term_53,
+        nearer[0] ? term_56 : term_54
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_45 : joined_54) : joined_56;
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_46 : joined_55) : joined_57;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [3:0] shifted_57 = fresh >> finish_queue_out_thread;
+    wire [3:0] shifted_58 = fresh >> finish_queue_out_thread;
     wire [3:0] leaf_set = {
         radius_valid & (radius_thread == 2'd3),
         radius_valid & (radius_thread == 2'd2),
         radius_valid & (radius_thread == 2'd1),
         radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_58 = from_leaf >> candidates_queue_out_thread;
-    wire [23:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
-    wire [23:0] query_radius2 = query_radii[candidates_queue_out_thread];
+    wire [3:0] shifted_59 = from_leaf >> candidates_thread;
+    wire [23:0] leaf_radius2 = leaf_radii[candidates_thread];
+    wire [23:0] query_radius2 = query_radii[candidates_thread];
     wire write_back = item_reads & owned;
     wire [1:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
@@ -666,23 +660,6 @@ module core_b_queue (
     assign result_found = position[2] ? choice_3 : choice_4;
     assign result_index = position[2] ? choice_5 : choice_6;
     assign result_distance2 = position[2] ? choice_7 : choice_8;
-
-    stream_skid_w43 candidates_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(candidates_valid),
-        .in_ready(candidates_queue_in_ready),
-        .in_thread(candidates_thread),
-        .in_address(candidates_address),
-        .in_last(candidates_last),
-        .in_distance0(candidates_distance0),
-        .out_valid(candidates_queue_out_valid),
-        .out_ready(candidates_queue_out_ready),
-        .out_thread(candidates_queue_out_thread),
-        .out_address(candidates_queue_out_address),
-        .out_last(candidates_queue_out_last),
-        .out_distance0(candidates_queue_out_distance0)
-    );
 
     stream_skid_w2 finish_queue (
         .clk(clk),
@@ -697,7 +674,9 @@ module core_b_queue (
 
     always @(posedge clk) begin
         if (rst) begin
-            head_valid <= 1'd0;
+            arrivals_count <= 2'd0;
+            arrivals_write_address <= 1'd0;
+            arrivals_read_address <= 1'd0;
             owned <= 1'd0;
             fresh <= 4'd0;
             beat_valid <= 1'd0;
@@ -719,13 +698,11 @@ module core_b_queue (
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
         end else begin
-            if (head_takes) begin
-                head_valid <= candidates_queue_out_valid;
-            end
+            arrivals_count <= (arrivals_count + {1'd0, term_9}) - {1'd0, take};
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_39) | query_set;
+            fresh <= (fresh & ~joined_40) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? choice_41 : (beat_reads & waits);
+            beat_reads <= take ? choice_42 : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & beat_pending;
@@ -742,42 +719,41 @@ module core_b_queue (
             released_valid <= fetching;
             event_beat <= done;
             event_insert_wait <= moves & stays;
+            if (term_9) begin
+                arrivals_write_address <= arrivals_write_address + 1'd1;
+            end
+            if (take) begin
+                arrivals_read_address <= arrivals_read_address + 1'd1;
+            end
         end
     end
     always @(posedge clk) begin
-        if (head_takes) begin
-            head_thread <= candidates_queue_out_thread;
-            head_address <= candidates_queue_out_address;
-            head_last <= candidates_queue_out_last;
-            head_distance0 <= candidates_queue_out_distance0;
-            radius2 <= shifted_58[0] ? leaf_radius2 : query_radius2;
-        end
         if (item_valid) begin
             owner <= item_thread;
         end
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? term_42 : left;
+        beat_pending <= take ? ((arrivals_head[47:24] < arrivals_head[23:0]) & term_43) : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_44[0];
+        item_fresh <= shifted_45[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_20;
-        farthest <= choice_20;
+        radius_radius2 <= choice_21;
+        farthest <= choice_21;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_57[0];
+        fetch_from_nothing <= shifted_58[0];
         item_found <= 1'd1;
         item_index <= beat_address;
         item_distance2 <= beat_distance0;
         released_thread <= readout_thread;
-        if (take) begin
-            beat_thread <= head_thread;
-            beat_address <= head_address;
-            beat_last <= head_last;
-            beat_distance0 <= head_distance0;
+        if (beat_free) begin
+            beat_thread <= arrivals_head[66:65];
+            beat_address <= arrivals_head[64:49];
+            beat_last <= arrivals_head[48];
+            beat_distance0 <= arrivals_head[47:24];
         end
         if (readout_starts) begin
             readout_thread <= finish_queue_out_thread;
@@ -788,6 +764,17 @@ module core_b_queue (
         end
         if (fetching | result_transfer) begin
             position <= fetching ? (4'd8 - query[27:24]) : next_position;
+        end
+    end
+    always @(posedge clk) begin
+        if (term_9) begin
+            arrivals[arrivals_write_address] <= {
+                candidates_thread,
+                candidates_address,
+                candidates_last,
+                candidates_distance0,
+                shifted_59[0] ? leaf_radius2 : query_radius2
+            };
         end
     end
     always @(posedge clk) begin
@@ -823,22 +810,22 @@ module core_b_queue (
         base[245:229],
         base[286:270],
         base[327:311],
-        shifted_40[3:1],
-        shifted_44[3:1],
-        shifted_57[3:1],
+        shifted_41[3:1],
+        shifted_45[3:1],
         shifted_58[3:1],
+        shifted_59[3:1],
         start_x,
         start_y,
         start_z
     };
 
 `ifdef POINTCORE_ASSERT
-    wire term_59 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [3:0] shifted_60 = fresh >> readout_thread;
+    wire term_60 = fetch_from_working == (owned & (owner == readout_thread));
+    wire [3:0] shifted_61 = fresh >> readout_thread;
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~fetching | term_59)) begin
+            if (!(~fetching | term_60)) begin
 `ifdef FORMAL
                 a_fetched_row_stays_where_it_is: assert (0);
 `else
@@ -846,7 +833,7 @@ module core_b_queue (
                 $stop;
 `endif
             end
-            if (!(~fetching | (fetch_from_nothing == shifted_60[0]))) begin
+            if (!(~fetching | (fetch_from_nothing == shifted_61[0]))) begin
 `ifdef FORMAL
                 a_fetched_row_stays_fresh: assert (0);
 `else
@@ -865,7 +852,7 @@ module core_b_queue (
         end
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_60[3:1]};
+    wire _unused_by_checks = &{1'b0, shifted_61[3:1]};
 `endif
 endmodule
 
@@ -1091,7 +1078,7 @@ module stream_fifo (
     reg [1:0] read_address;
     reg [42:0] item;
 
-    wire has_room = ~(held == 3'd4);
+    wire has_room = ~held[2];
     assign in_ready = has_room;
     wire push = in_valid & in_ready;
     wire out_taken = out_ready;
