@@ -111,6 +111,22 @@ impl Number {
         self.bits >> self.format.mantissa & self.format.exponent_max()
     }
 
+    /// The exponent of a number's power of two, as its significand is an integer.
+    #[must_use]
+    pub const fn scale(self) -> i32 {
+        self.exponent_field() as i32 - self.format.bias() - self.format.mantissa as i32
+    }
+
+    /// A normal number's significand, the implied bit included; 0 of a subnormal one.
+    #[must_use]
+    pub const fn significand(self) -> u64 {
+        if self.exponent_field() == 0 {
+            0
+        } else {
+            self.bits & ((1 << self.format.mantissa) - 1) | (1 << self.format.mantissa)
+        }
+    }
+
     /// Whether it is no number.
     #[must_use]
     pub const fn is_nan(self) -> bool {

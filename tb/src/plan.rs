@@ -18,7 +18,7 @@ pub use error::PlanError;
 pub use table::{TABLE_HEAD, choices_row, table_row};
 
 use crate::scene::Scene;
-use attributes::{attributes, material_conflict};
+use attributes::{attributes, filter_conflict, material_conflict};
 use demand::Demand;
 use given::{Conflict, conflict};
 use overrides::overridden;
@@ -83,6 +83,10 @@ impl Plan {
         // What a splat asks for depends on the number format.
         let asked = overridden(&config, overrides)?;
         asked.validate()?;
+        if let Some((value, reason)) = filter_conflict(scene, asked.raster_format()) {
+            let alternative = " or choose another `splatting.filter_radius_px`";
+            return Err(PlanError::Conflict { key: "rasterizer", value, reason, alternative });
+        }
         let demand = Demand::of(scene, &everything(scene, &asked));
         let (attributes, constants) = attributes(scene);
 

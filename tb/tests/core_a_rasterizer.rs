@@ -5,13 +5,13 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::core_a::rasterizer;
 use pointcore_spec::core_a::ports;
 
-use crate::core_a::{Device, configs, knobs, scene};
+use crate::core_a::{Device, configs, integer_configs, knobs, scene};
 
 const SPLATS: usize = 700;
 
 #[test]
 fn it_agrees_with_the_model() {
-    for config in configs().into_iter().chain(knobs()) {
+    for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
         let hardware = rasterizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&hardware.module, ports::rasterizer(&config));
         let copies = scene::placed_copies(&config, SPLATS);

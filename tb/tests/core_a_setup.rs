@@ -5,13 +5,13 @@ use pointcore_hdl::compiler::Options;
 use pointcore_hdl::core_a::setup;
 use pointcore_spec::core_a::ports;
 
-use crate::core_a::{Device, configs, knobs, scene};
+use crate::core_a::{Device, configs, integer_configs, knobs, scene};
 
 const SPLATS: usize = 1500;
 
 #[test]
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
-    for config in configs().into_iter().chain(knobs()) {
+    for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
         let hardware = setup::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
         let device = Device::new(&hardware.module, ports::setup(&config));
         let mut splats = scene::camera(&config, SPLATS);

@@ -7,7 +7,7 @@ use pointcore::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, inject, se
 use pointcore::verilated::{Library, Source};
 use pointcore_spec::core_a::{Config, records};
 
-use crate::core_a::{RUNS, configs, fixed_configs, knobs, scene, stalls};
+use crate::core_a::{RUNS, configs, fixed_configs, integer_configs, knobs, scene, stalls};
 use crate::support;
 
 /// Splats and ends of several frames.
@@ -34,8 +34,8 @@ fn run(
 
 #[test]
 fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
-    let ([coarse, _], [fixed, ..]) = (knobs(), fixed_configs());
-    for config in configs().into_iter().chain([coarse, fixed]) {
+    let ([coarse, _], [fixed, ..], [.., integers]) = (knobs(), fixed_configs(), integer_configs());
+    for config in configs().into_iter().chain([coarse, fixed, integers]) {
         let core = Core::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&Source::from(&core.design));
         let mut frame = frames(&config, RECORDS);

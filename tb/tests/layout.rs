@@ -19,6 +19,8 @@ const HELPERS: &[&str] = &[
     "bus/wiring",
     "core_a/blend",
     "core_a/division",
+    "core_a/fixed_distance",
+    "core_a/fixed_footprint",
     "core_a/heap_links",
     "core_a/heap_order",
     "core_a/heap_stage",

@@ -20,6 +20,8 @@ pub mod uniforms;
 pub mod weighting;
 
 mod division;
+mod fixed_distance;
+mod fixed_footprint;
 
 pub use accumulator::Accumulator;
 pub use depth_test::DepthTest;
@@ -53,14 +55,16 @@ pub struct Latencies {
 mod tests {
     use super::*;
     use crate::testing::check_ports;
-    use pointcore_spec::core_a::{AttributeFormat, Config, Feature, Fraction, ports};
+    use pointcore_spec::core_a::{AttributeFormat, Coefficient, Config, Feature, Fraction, RasterFormat, ports};
 
     #[test]
     fn every_record_follows_its_port_list() {
         let filterless = Config { continuous: 1, screen_filter: Feature::Off, ..Config::default() };
         let cardinal = Config { continuous: 0, cardinal: 14, ..Config::default() };
         let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Eight), ..Config::default() };
-        for config in [Config::default(), filterless, cardinal, fixed] {
+        let rasterizer = Some(RasterFormat::Fixed(Coefficient::Eighteen));
+        let integers = Config { rasterizer, ..Config::default() };
+        for config in [Config::default(), filterless, cardinal, fixed, integers] {
             let latencies = Latencies { transform: 1, setup: 1, rasterizer: 1, weighting: 1, normalizer: 1 };
             check_ports(&Transform::new(&config, 1), &ports::transform(&config));
             check_ports(&Setup::new(&config, 1), &ports::setup(&config));

@@ -1,9 +1,10 @@
 //! Rasterizer: intersects the viewing ray of every pixel in a copy's bounds with the splat's plane (thesis 5.4.2, table 5.2).
 //!
-//! A pixel a cycle, in the rasterizer's format; samples outside the splat are dropped, but for a copy's last. Depth band and
+//! A pixel a cycle, in the rasterizer's format, floating or [fixed](super::fixed_distance) point; samples outside the splat are dropped, but for a copy's last. Depth band and
 //! attributes wait in a queue beside the datapath and meet each of their samples at its end.
 
 use super::division::squared_ratio;
+use super::fixed_distance::Distance;
 use super::records::{Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace, Shape};
 use crate::datapath::Datapath;
 use crate::float::{Table, kernel_table};
@@ -11,7 +12,7 @@ use crate::number::Number;
 use crate::stream::Fifo;
 use crate::unit::{Model, Record, Visitor, stream};
 use pointcore_spec::core_a::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE};
-use pointcore_spec::core_a::{Config, Division, Feature};
+use pointcore_spec::core_a::{Config, Division, Feature, RasterFormat};
 use pointcore_spec::{Format, FragmentDepth, Sampling};
 use std::sync::Arc;
 
@@ -83,6 +84,8 @@ impl Scan {
 pub struct Rasterizer {
     shape: Shape,
     format: Format,
+    /// In fixed point, in the place of a format.
+    fixed: Option<Distance>,
     sampling: Sampling,
     eye_plane: Feature,
     division: Division,
@@ -101,15 +104,24 @@ impl Rasterizer {
     /// The unit with a pipeline of `latency` stages.
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
+        let kernel_bits = config.kernel_index_bits + config.kernel_fraction_bits;
+        let (format, fixed) = match config.raster_format() {
+            RasterFormat::Float(format) => (format, None),
+            RasterFormat::Fixed(coefficient) => {
+                let (eye_plane, screen_filter) = (config.eye_plane, config.screen_filter);
+                (config.geometry, Some(Distance { coefficient, kernel_bits, eye_plane, screen_filter }))
+            }
+        };
         Self {
             shape: Shape::new(config),
-            format: config.raster_format(),
+            format,
+            fixed,
             sampling: config.sampling,
             eye_plane: config.eye_plane,
             division: config.division,
             tile_column_bits: config.tile_column_bits(),
             kernel: Arc::new(kernel_table(config.kernel_gamma, config.kernel_table())),
-            kernel_bits: config.kernel_index_bits + config.kernel_fraction_bits,
+            kernel_bits,
             scan: None,
             copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
             datapath: Datapath::new(latency, 1),
@@ -132,7 +144,7 @@ impl Rasterizer {
         let place = |tile: u32, local: u16| tile * TILE_SIZE + u32::from(local);
         let [column, row] = [place(tile_column, scan.column), place(tile_row, scan.row)];
         let squared = self.squared_distance(&copy.footprint, [column, row], filter_scale);
-        let inside = self.is_inside(squared);
+        let inside = Self::is_inside(squared);
         let last = scan.is_last();
         (inside || last).then(|| {
             let place = SamplePlace {
@@ -168,8 +180,8 @@ impl Rasterizer {
 
     /// Whether a sample at `ρ²` lies inside its splat; a NaN does not.
     #[must_use]
-    pub fn is_inside(&self, squared: Number) -> bool {
-        squared.is_below(Number::from_fixed(self.format, 1, 1, 0))
+    pub fn is_inside(squared: Number) -> bool {
+        squared.is_below(squared.of(1.0))
     }
 
     /// Kernel weight at `ρ²`.
@@ -178,9 +190,12 @@ impl Rasterizer {
         self.kernel.interpolate(squared.to_fixed(self.kernel_bits, self.kernel_bits)) as u16
     }
 
-    /// `ρ²` at the sample of a pixel, given by column and row of the image.
+    /// `ρ²` at the sample of a pixel, given by column and row of the image; in fixed point its leading bits, infinite outside.
     #[must_use]
     pub fn squared_distance(&self, footprint: &Footprint, pixel: [u32; 2], filter_scale: u32) -> Number {
+        if let Some(fixed) = &self.fixed {
+            return fixed.squared(footprint, self.sample_eighths(pixel), filter_scale);
+        }
         let number = |bits| Number::new(self.format, bits);
         let [x, y] = self.offset(footprint, pixel);
         let [ax, ay] = footprint.a.map(number);
@@ -199,10 +214,16 @@ impl Rasterizer {
     }
 
     /// Where the sample of a column and a row lies, px.
-    fn sample_position(&self, [column, row]: [u32; 2]) -> [Number; 2] {
+    fn sample_position(&self, sample: [u32; 2]) -> [Number; 2] {
         const POSITION_BITS: u32 = 16;
         const FRACTION_BITS: u32 = 3;
-        let eighths = match self.sampling {
+        let eighths = self.sample_eighths(sample);
+        eighths.map(|place| Number::from_fixed(self.format, u64::from(place), POSITION_BITS, FRACTION_BITS))
+    }
+
+    /// The same in eighths of a pixel.
+    fn sample_eighths(&self, [column, row]: [u32; 2]) -> [u32; 2] {
+        match self.sampling {
             Sampling::Center => [column * 8 + 4, row * 8 + 4],
             Sampling::Flipquad => {
                 let pixel = column / 2;
@@ -214,8 +235,7 @@ impl Rasterizer {
                     (true, false) => [pixel * 8 + 5, row * 8],
                 }
             }
-        };
-        eighths.map(|place| Number::from_fixed(self.format, u64::from(place), POSITION_BITS, FRACTION_BITS))
+        }
     }
 }
 
@@ -302,9 +322,8 @@ mod tests {
             a: [bits(3.0), 0],
             b: [0, bits(3.0)],
             delta: bits(9.0),
-            m: [0; 2],
             band: Band { depth: u32::from(slot), low: 1, high: 2 },
-            plane: DepthPlane::default(),
+            ..Footprint::default()
         };
         let bounds = Rectangle { left: 1, right: 6, top: 1, bottom: 6 };
         PlacedCopy { copy: SplatCopy { footprint, bounds, tile: 1 << 5 | 1, ..SplatCopy::default() }, slot }

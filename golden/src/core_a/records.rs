@@ -5,7 +5,7 @@
 use crate::unit::{Record, Visitor, Word};
 use pointcore_spec::FragmentDepth;
 use pointcore_spec::core_a::config::ATTRIBUTES_MAX;
-use pointcore_spec::core_a::{Config, Feature};
+use pointcore_spec::core_a::{Config, Feature, RasterFormat};
 
 /// Attributes of a splat: first the continuous ones, then the cardinal ones, then unused places.
 pub type Attributes = [u32; ATTRIBUTES_MAX as usize];
@@ -24,17 +24,20 @@ pub struct Shape {
     pub screen_filter: Feature,
     /// Whether splats have a depth band, or a plane of depths.
     pub depth: FragmentDepth,
+    /// Format of footprints.
+    pub raster: RasterFormat,
 }
 
 impl Shape {
     /// The layout of a configuration.
     #[must_use]
-    pub const fn new(config: &Config) -> Self {
+    pub fn new(config: &Config) -> Self {
         Self {
             continuous: config.continuous as usize,
             cardinal: config.cardinal as usize,
             screen_filter: config.screen_filter,
             depth: config.depth,
+            raster: config.raster_format(),
         }
     }
 
@@ -132,6 +135,8 @@ pub struct Footprint {
     pub delta: u32,
     /// `m_x`, `m_y`.
     pub m: [u32; 2],
+    /// In fixed point, places by which offsets from the centre are shifted.
+    pub shift: u8,
     /// Depth band, where all samples share it.
     pub band: Band,
     /// Depth plane, where each sample has its own.
@@ -149,6 +154,9 @@ impl Footprint {
         visitor.field("delta", &mut self.delta);
         visitor.field("mx", &mut self.m[0]);
         visitor.field("my", &mut self.m[1]);
+        if shape.raster.fixed().is_some() {
+            visitor.field("shift", &mut self.shift);
+        }
         match shape.depth {
             FragmentDepth::Center => self.band.visit(visitor),
             FragmentDepth::Plane => self.plane.visit(visitor),

@@ -6,13 +6,14 @@
 //! and draws its screen filter's disc at most.
 
 use super::division::{recip, sqrt};
+use super::fixed_footprint::{self, Projection};
 use super::records::{Band, DepthPlane, Footprint, Rectangle, SetupSplat, Shape, Splat};
 use super::uniforms::SetupUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
 use pointcore_spec::core_a::config::DEPTH_BITS;
-use pointcore_spec::core_a::{Config, Division, Feature};
+use pointcore_spec::core_a::{Config, Division, Feature, RasterFormat};
 use pointcore_spec::{Format, Sampling};
 use std::ops::Range;
 
@@ -55,7 +56,7 @@ pub type Out = ThroughOut<SetupSplat>;
 pub struct Setup {
     shape: Shape,
     geometry: Format,
-    raster: Format,
+    raster: RasterFormat,
     division: Division,
     culling: Feature,
     eye_plane: Feature,
@@ -134,23 +135,17 @@ impl Setup {
         if self.culling.is_on() && !is_edge_on && !is_front(delta, scale_x, scale_y) {
             return None;
         }
-        let coefficient = |value| self.coefficient(value);
         let m = [beta * ay - alpha * by, alpha * bx - beta * ax];
-        let slope = depths.slope(self.division, (!is_edge_on).then_some(delta), m);
-        let plane = DepthPlane {
-            center: coefficient(depths.center),
-            slope: slope.map(coefficient),
-            range: depths.range.map(coefficient),
-            epsilon: coefficient(depths.epsilon),
-        };
-        let footprint = Footprint {
-            center: [cx, cy].map(coefficient),
-            a: [ax, ay].map(coefficient),
-            b: [bx, by].map(coefficient),
-            delta: if is_edge_on { self.raster.quiet_nan() as u32 } else { coefficient(delta) },
-            m: m.map(coefficient),
-            band: depths.band(),
-            plane,
+        let delta = (!is_edge_on).then_some(delta);
+        let projection = Projection { center: [cx, cy], a: [ax, ay], b: [bx, by], delta, m };
+        let footprint = match self.raster {
+            RasterFormat::Float(format) => self.footprint(format, &projection, &depths),
+            RasterFormat::Fixed(coefficient) => {
+                let per_pixel = u64::from(self.sampling.columns());
+                let columns = columns.start / per_pixel..columns.end / per_pixel;
+                let footprint = fixed_footprint::footprint(coefficient, &projection, [columns, rows.clone()]);
+                Footprint { band: depths.band(), ..footprint }
+            }
         };
         let bounds = Rectangle {
             left: columns.start as u16,
@@ -161,9 +156,28 @@ impl Setup {
         Some(SetupSplat { end: false, footprint, attributes: splat.attributes, bounds })
     }
 
-    /// A value in the rasterizer's format.
-    fn coefficient(&self, value: Number) -> u32 {
-        if self.raster == self.geometry { value.bits() } else { value.convert(self.raster).bits() }
+    /// The footprint in a floating-point format.
+    fn footprint(&self, format: Format, projection: &Projection, depths: &Depths) -> Footprint {
+        let coefficient =
+            |value: Number| if format == self.geometry { value.bits() } else { value.convert(format).bits() };
+        let Projection { center, a, b, delta, m } = *projection;
+        let slope = depths.slope(self.division, delta, m);
+        let plane = DepthPlane {
+            center: coefficient(depths.center),
+            slope: slope.map(coefficient),
+            range: depths.range.map(coefficient),
+            epsilon: coefficient(depths.epsilon),
+        };
+        Footprint {
+            center: center.map(coefficient),
+            a: a.map(coefficient),
+            b: b.map(coefficient),
+            delta: delta.map_or(format.quiet_nan() as u32, coefficient),
+            m: m.map(coefficient),
+            shift: 0,
+            band: depths.band(),
+            plane,
+        }
     }
 
     /// Whether a difference is rounding alone, by the exponents of it and of its first term.
@@ -446,7 +460,8 @@ mod tests {
 
     #[test]
     fn the_footprint_alone_has_the_rasterizers_format() {
-        let setup = |rasterizer| {
+        let setup = |rasterizer: Option<Format>| {
+            let rasterizer = rasterizer.map(RasterFormat::Float);
             let unit = Setup::new(&Config { geometry: Format::F32, rasterizer, ..Config::default() }, 1);
             let encode = f32::to_bits;
             let (center, tangents) =
@@ -456,7 +471,7 @@ mod tests {
         };
         let (wide, narrow) = (setup(None), setup(Some(Format::BF16)));
         let rounded = |bits| Number::new(Format::F32, bits).convert(Format::BF16).bits();
-        let Footprint { center, a, b, delta, m, band, plane } = wide.footprint;
+        let Footprint { center, a, b, delta, m, shift, band, plane } = wide.footprint;
         let pairs = [center, a, b, m].map(|pair| pair.map(rounded));
         let [center, a, b, m] = pairs;
         let plane = DepthPlane {
@@ -465,7 +480,7 @@ mod tests {
             range: plane.range.map(rounded),
             epsilon: rounded(plane.epsilon),
         };
-        assert_eq!(narrow.footprint, Footprint { center, a, b, delta: rounded(delta), m, band, plane });
+        assert_eq!(narrow.footprint, Footprint { center, a, b, delta: rounded(delta), m, shift, band, plane });
         assert_eq!(narrow.bounds, wide.bounds);
     }
 

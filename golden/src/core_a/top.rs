@@ -73,7 +73,7 @@ impl Top {
         Self {
             shape: Shape::new(config),
             uniforms: Uniforms::default(),
-            filter_scale_bits: u32::MAX >> (u32::BITS - config.raster_format().width()),
+            filter_scale_bits: u32::MAX >> (u32::BITS - config.uniform_format("filter_scale").width()),
             transform: Transform::new(config, latencies.transform),
             setup: Setup::new(config, latencies.setup),
             splitter: Splitter::new(config),

@@ -8,7 +8,8 @@ use pointcore_golden::core_a::uniforms::UniformWrite;
 use pointcore_golden::float;
 use pointcore_golden::unit::Model;
 use pointcore_spec::core_a::config::TILE_PIXELS;
-use pointcore_spec::core_a::{AttributeFormat, Config};
+use pointcore_spec::core_a::ports::UNIFORMS;
+use pointcore_spec::core_a::{AttributeFormat, Config, UniformFormat};
 use pointcore_spec::{Camera, Format, Rendering, Splat};
 use std::collections::VecDeque;
 
@@ -78,7 +79,11 @@ pub fn uniforms(config: &Config, camera: &Camera, rendering: &Rendering) -> Vec<
     numbers.extend([camera.scale_x, camera.scale_y, camera.center_x, camera.center_y]);
     numbers.extend([camera.depth_a, camera.depth_b, camera.near]);
     numbers.extend([rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)]);
-    numbers.into_iter().map(|number| encode(config.geometry, number as f32)).collect()
+    let word = |(name, number): (&str, f64)| match config.uniform_format(name) {
+        UniformFormat::Float(format) => encode(format, number as f32),
+        UniformFormat::Fixed(fixed) => (number * f64::from(1 << fixed.fraction)).round() as u32,
+    };
+    UNIFORMS.into_iter().zip(numbers).map(word).collect()
 }
 
 /// The reconstruction buffer's memory: answers reads in order, each after the writes that came before it.

@@ -9,7 +9,7 @@ use glam::Vec3;
 use pointcore_golden::core_a::Latencies;
 use pointcore_golden::core_a::records::{Fragment, Splat as SplatRecord};
 use pointcore_golden::reference::{self, Mapping};
-use pointcore_spec::core_a::{AttributeFormat, Config, Feature, Fraction};
+use pointcore_spec::core_a::{AttributeFormat, Coefficient, Config, Feature, Fraction, RasterFormat};
 use pointcore_spec::{Format, Rendering, Splat};
 use scenes::{CAMERA, RENDERING, chaos, disc, sphere};
 
@@ -122,6 +122,16 @@ struct Difference {
     depth: f64,
     attribute: f64,
     material: usize,
+    /// Squared errors of all attributes of those pixels.
+    squares: f64,
+}
+
+impl Difference {
+    /// PSNR of the attributes of pixels that show the same surface.
+    fn psnr_db(&self, attributes: u32) -> f64 {
+        let numbers = (self.compared - self.surfaces) as f64 * f64::from(attributes);
+        -10.0 * (self.squares / numbers).log10()
+    }
 }
 
 fn compare(config: &Config, rendering: &Rendering, splats: &[Splat]) -> Difference {
@@ -143,7 +153,10 @@ fn compare(config: &Config, rendering: &Rendering, splats: &[Splat]) -> Differen
         difference.depth = difference.depth.max(depth);
         let attributes = fragment.attributes.iter().zip(expected.attributes);
         let errors = attributes.map(|(bits, expected)| (decode_attribute(config.attribute, *bits) - expected).abs());
-        difference.attribute = errors.fold(difference.attribute, f64::max);
+        for error in errors.take(config.continuous as usize) {
+            difference.attribute = difference.attribute.max(error);
+            difference.squares += error * error;
+        }
         difference.material += usize::from(fragment.attributes[6] != u32::from(expected.material));
     }
     difference.coverage = fragments.len() + covered - 2 * difference.compared;
@@ -183,6 +196,34 @@ fn a_surface_in_fixed_point_agrees_with_the_reference_within_its_resolution() {
     }
 }
 
+/// The configuration with its rasterizer in fixed point, and attributes whose own rounding does not show.
+fn integers(coefficient: Coefficient) -> Config {
+    let rasterizer = Some(RasterFormat::Fixed(coefficient));
+    Config { rasterizer, attribute: AttributeFormat::Float(Format::F32.flushed()), ..config() }
+}
+
+#[test]
+fn a_rasterizer_in_fixed_point_agrees_with_the_reference() {
+    let mut random = Rng::with_seed(first_seed());
+    let (surface, all_kinds) = (sphere(2000, &mut random), chaos(2000, &mut random));
+    for ((name, coefficient), [surface_db, all_kinds_db]) in
+        Coefficient::NAMED.into_iter().zip([[120.0, 105.0], [115.0, 82.0], [105.0, 75.0]])
+    {
+        for screen_filter in [Feature::On, Feature::Off] {
+            let filter_radius_px = screen_filter.is_on().then_some(Rendering::DEFAULT_FILTER_RADIUS_PX);
+            let rendering = Rendering { filter_radius_px, ..RENDERING };
+            let config = Config { screen_filter, ..integers(coefficient) };
+            for (splats, least_db) in [(&surface, surface_db), (&all_kinds, all_kinds_db)] {
+                let difference = compare(&config, &rendering, splats);
+                let psnr_db = difference.psnr_db(config.continuous);
+                println!("{name}: {psnr_db:.1} dB, {difference:?}");
+                assert!(difference.compared > 3000 && difference.coverage <= 10 && difference.surfaces <= 10, "{name}");
+                assert!(psnr_db > least_db, "{name}: {psnr_db} dB");
+            }
+        }
+    }
+}
+
 #[test]
 fn splats_of_all_kinds_agree_with_the_reference() {
     let splats = chaos(2000, &mut Rng::with_seed(first_seed()));
@@ -201,8 +242,9 @@ fn numbers_that_are_none_do_no_harm() {
     let mut random = Rng::with_seed(first_seed());
     let splats = sphere(300, &mut random);
     let odd = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 1e-40];
-    for culling in [Feature::On, Feature::Off] {
-        let config = Config { culling, ..config() };
+    let integers = Coefficient::NAMED.map(|(_, coefficient)| integers(coefficient));
+    let culling = [Feature::On, Feature::Off].map(|culling| Config { culling, ..config() });
+    for config in culling.into_iter().chain(integers) {
         let mut records = records(&config, &splats);
         for _ in 0..300 {
             let mut record = random.choice(&records).copied().expect("the sphere has splats");

@@ -2,17 +2,24 @@
 //! parts and the sum of a product that takes several of them.
 
 use super::types::Type;
+use crate::float::delay;
 use crate::float::pipe::{Operator, Pipe};
 use crate::float::product::{product, product_delays};
+use crate::rtl::Expr;
 
 /// Segments: the operands' way to their registers, then those of the product.
 fn delays(a: Type, b: Type) -> Vec<u32> {
     let mut delays = vec![0];
-    match a {
-        Type::Signed(_) => delays.extend(product_delays(1, 1)),
-        _ => delays.extend(product_delays(a.width(), b.width())),
+    delays.extend(product_delays(a.width(), b.width()));
+    if is_corrected(a, b) {
+        delays.push(2 * delay::adder(a.width() + b.width()));
     }
     delays
+}
+
+/// Whether a signed product takes several multipliers: it is that of unsigned numbers, less what signs add to it.
+fn is_corrected(a: Type, b: Type) -> bool {
+    matches!(a, Type::Signed(_)) && product_delays(a.width(), b.width()).len() > 1
 }
 
 /// A register stage for the operands, one for each step of the product.
@@ -28,8 +35,22 @@ pub(super) fn module(a: Type, b: Type, stages: u32) -> Operator {
     let [left, right] = [("a", a), ("b", b)].map(|(name, ty)| pipe.module.input(name, ty.width() as usize));
     let [left, right] = pipe.cut([("a", &left), ("b", &right)]);
     let product = match a {
+        Type::Signed(_) if is_corrected(a, b) => signed_product(&mut pipe, &left, &right),
         Type::Signed(_) => left.mul_signed(&right),
         _ => product(&mut pipe, &left, &right),
     };
     pipe.finish(&product)
+}
+
+/// A product of signed numbers: the top bit of one counts `2^width` less than an unsigned number's, times the other.
+fn signed_product(pipe: &mut Pipe, left: &Expr, right: &Expr) -> Expr {
+    let width = left.width() + right.width();
+    let mut excess = [("left", left, right), ("right", right, left)].map(|(name, signed, other)| {
+        let times_sign = signed.msb().repeat(other.width()) & other;
+        (signed.width(), pipe.carry(&format!("excess_{name}"), &times_sign))
+    });
+    let unsigned = product(pipe, left, right);
+    let [unsigned] = pipe.cut([("unsigned", &unsigned)]);
+    let [left, right] = excess.each_mut().map(|(place, times)| pipe.arrive(times).zext(width).shl(*place));
+    unsigned - left - right
 }

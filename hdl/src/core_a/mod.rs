@@ -16,6 +16,8 @@ pub mod weighting;
 
 mod blend;
 mod division;
+mod fixed_distance;
+mod fixed_footprint;
 mod heap_links;
 mod heap_order;
 mod heap_stage;
@@ -28,7 +30,9 @@ mod tests {
     use crate::compiler::{CompileError, Datapath, Options};
     use crate::rtl::Module;
     use crate::units::testing::{check, check_in_order};
-    use pointcore_spec::core_a::{AttributeFormat, Config, Division, Feature, Fraction, Port, ports};
+    use pointcore_spec::core_a::{
+        AttributeFormat, Coefficient, Config, Division, Feature, Fraction, Port, RasterFormat, ports,
+    };
     use pointcore_spec::{Format, FragmentDepth};
 
     type Unit = (fn(&Config) -> Module, fn(&Config) -> Vec<Port>);
@@ -68,13 +72,14 @@ mod tests {
         let fixed = Config { attribute: AttributeFormat::Fixed(Fraction::Twelve), ..small.clone() };
         let coarse = Config {
             geometry: Format::F24,
-            rasterizer: Some(Format::BF16.flushed()),
+            rasterizer: Some(Format::BF16.flushed().into()),
             division: Division::Newton,
             kernel_fraction_bits: 0,
             depth: FragmentDepth::Plane,
             ..Config::default()
         };
-        for config in [Config::default(), small, fixed, coarse] {
+        let integers = Config { rasterizer: Some(RasterFormat::Fixed(Coefficient::TwentyFour)), ..Config::default() };
+        for config in [Config::default(), small, fixed, coarse, integers] {
             for (module, ports) in CONTROL_UNITS {
                 check(&module(&config), ports(&config));
             }

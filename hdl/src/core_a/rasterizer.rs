@@ -2,6 +2,7 @@
 //! `pointcore_golden::core_a::rasterizer`.
 
 use super::division::squared_ratio;
+use super::fixed_distance;
 use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
 use crate::float::exp_neg;
 use crate::rtl::{Expr, Instance, Module, Reg, Stream, cat};
@@ -9,7 +10,7 @@ use crate::stream;
 use crate::units::datapath::{Inputs, uniform};
 use crate::units::records::{layout, stream_in};
 use pointcore_spec::core_a::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE, index_bits};
-use pointcore_spec::core_a::{Config, Field, records};
+use pointcore_spec::core_a::{Config, Field, RasterFormat, records};
 use pointcore_spec::{Fixed, Format, FragmentDepth, Sampling, Signedness};
 use std::rc::Rc;
 
@@ -34,15 +35,58 @@ fn kernel(config: &Config) -> Result<Rc<Table>, CompileError> {
     Table::new(shape, exp_neg::samples(config.kernel_gamma, shape)).map(Rc::new)
 }
 
+/// `ρ²` of a sample.
+enum Squared {
+    /// A number, from the offsets `x` and `y` to the splat's centre, px.
+    Float { format: Format, distance: Value, offset: [Value; 2] },
+    /// Its leading bits.
+    Fixed(fixed_distance::Squared),
+}
+
 /// Intersects the viewing ray of each sample with the splat's plane (table 5.2, recentred) and weighs it.
 fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
-    let format = config.raster_format();
     let program =
         Program::new("core_a_evaluation", "Distance of a sample from its splat's centre, and its kernel weight.");
     let input = Inputs::new(&program, &position(config));
+    let squared = match config.raster_format() {
+        RasterFormat::Float(format) => floating(config, format, &program, &input),
+        RasterFormat::Fixed(coefficient) => {
+            let places = ["column", "row"].map(|axis| sample(config.sampling, &program, &input, axis));
+            Squared::Fixed(fixed_distance::squared(config, coefficient, &program, &input, places))
+        }
+    };
+
+    let (end, last) = (input.bits("end"), input.bits("last"));
+    let covered = match &squared {
+        Squared::Float { format, distance, .. } => distance.lt(&program.float(*format, 1.0)),
+        Squared::Fixed(squared) => squared.covered.clone(),
+    };
+    let inside = covered & !&end;
+    program.keep_if(&(&inside | &last | &end));
+    let kernel = kernel(config)?;
+    let argument_bits = kernel.shape().index_bits + kernel.shape().fraction_bits;
+    let argument = match &squared {
+        Squared::Float { distance, .. } => {
+            distance.to_fixed(Fixed { width: argument_bits, fraction: argument_bits, signed: Signedness::Unsigned })
+        }
+        Squared::Fixed(squared) => squared.argument.clone(),
+    };
+    let weight = argument.kernel(&kernel);
+    let local = |name| input.bits(name).bits(LOCAL_BITS - 1, 0);
+    let pixel = local("row").concat(&local("column"));
+    let mut computed = vec![("inside", inside), ("pixel", pixel), ("weight", weight)];
+    if let (FragmentDepth::Plane, Squared::Float { format, offset, .. }) = (config.depth, &squared) {
+        computed.extend(depth_band(*format, &program, &input, offset));
+    }
+    input.output(&program, &records::evaluated(config), &computed);
+    compile(&program, options)
+}
+
+/// `ρ²` in a floating-point format.
+fn floating(config: &Config, format: Format, program: &Program, input: &Inputs) -> Squared {
     let coefficient = |name| input.float(format, name);
     let offset = |pixel: &str, center: &str| {
-        let (place, fraction) = sample(config.sampling, &program, &input, pixel);
+        let (place, fraction) = sample(config.sampling, program, input, pixel);
         place.to_float(format, fraction) - input.float(format, center)
     };
     let (x, y) = (offset("column", "center_x"), offset("row", "center_y"));
@@ -57,25 +101,10 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
         distance = behind.select(&infinity, &distance);
     }
     if config.screen_filter.is_on() {
-        let screen = (&x * &x + &y * &y) * uniform(&program, format, "filter_scale");
+        let screen = (&x * &x + &y * &y) * uniform(program, format, "filter_scale");
         distance = distance.min(&screen);
     }
-
-    let (end, last) = (input.bits("end"), input.bits("last"));
-    let inside = distance.lt(&program.float(format, 1.0)) & !&end;
-    program.keep_if(&(&inside | &last | &end));
-    let kernel = kernel(config)?;
-    let argument_bits = kernel.shape().index_bits + kernel.shape().fraction_bits;
-    let argument = Fixed { width: argument_bits, fraction: argument_bits, signed: Signedness::Unsigned };
-    let weight = distance.to_fixed(argument).kernel(&kernel);
-    let local = |name| input.bits(name).bits(LOCAL_BITS - 1, 0);
-    let pixel = local("row").concat(&local("column"));
-    let mut computed = vec![("inside", inside), ("pixel", pixel), ("weight", weight)];
-    if config.depth == FragmentDepth::Plane {
-        computed.extend(depth_band(config, &program, &input, [&x, &y]));
-    }
-    input.output(&program, &records::evaluated(config), &computed);
-    compile(&program, options)
+    Squared::Float { format, distance, offset: [x, y] }
 }
 
 /// Place of a sample along an axis, px, as a fixed-point number with its fraction bits.
@@ -97,8 +126,7 @@ fn sample(sampling: Sampling, program: &Program, input: &Inputs, axis: &str) -> 
 }
 
 /// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
-fn depth_band(config: &Config, program: &Program, input: &Inputs, [x, y]: [&Value; 2]) -> [(&'static str, Value); 3] {
-    let format = config.raster_format();
+fn depth_band(format: Format, program: &Program, input: &Inputs, [x, y]: &[Value; 2]) -> [(&'static str, Value); 3] {
     let number = |name| input.float(format, name);
     let plane = number("depth_center") + x * number("depth_x") + y * number("depth_y");
     let depth = plane.max(&number("depth_near")).min(&number("depth_far"));

@@ -2,11 +2,12 @@
 //! `pointcore_golden::core_a::setup`.
 
 use super::division::{recip, sqrt};
+use super::fixed_footprint::{self, Projection};
 use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
 use crate::float::mul;
 use crate::units::datapath::{Inputs, uniform};
 use pointcore_spec::core_a::config::DEPTH_BITS;
-use pointcore_spec::core_a::{Config, records};
+use pointcore_spec::core_a::{Config, RasterFormat, records};
 use pointcore_spec::{Fixed, Format, FragmentDepth, Sampling, Signedness};
 
 /// Where bounds saturate, in px: beyond every image.
@@ -176,25 +177,40 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         let negative = delta.bits(format.width() - 1, format.width() - 1);
         visible = visible & (&edge_on | (negative ^ (&x.mirrored ^ &y.mirrored)));
     }
-    let raster = config.raster_format();
+    let raster = match config.raster_format() {
+        RasterFormat::Float(raster) => raster,
+        RasterFormat::Fixed(_) => format,
+    };
     let no_delta = program.constant(Type::Float(raster), raster.quiet_nan());
     let coefficient = |value: &Value| if raster == format { value.clone() } else { value.convert(raster) };
     program.keep_if(&(splat.bits("end") | visible));
-    let mut computed = vec![
-        ("center_x", coefficient(&x.center)),
-        ("center_y", coefficient(&y.center)),
-        ("ax", coefficient(&x.a)),
-        ("bx", coefficient(&x.b)),
-        ("ay", coefficient(&y.a)),
-        ("by", coefficient(&y.b)),
-        ("delta", edge_on.select(&no_delta, &coefficient(&delta))),
-        ("mx", coefficient(&mx)),
-        ("my", coefficient(&my)),
-        ("left", x.first),
-        ("right", x.last),
-        ("top", y.first),
-        ("bottom", y.last),
-    ];
+    let mut computed = match config.raster_format() {
+        RasterFormat::Float(_) => vec![
+            ("center_x", coefficient(&x.center)),
+            ("center_y", coefficient(&y.center)),
+            ("ax", coefficient(&x.a)),
+            ("bx", coefficient(&x.b)),
+            ("ay", coefficient(&y.a)),
+            ("by", coefficient(&y.b)),
+            ("delta", edge_on.select(&no_delta, &coefficient(&delta))),
+            ("mx", coefficient(&mx)),
+            ("my", coefficient(&my)),
+        ],
+        RasterFormat::Fixed(coefficient) => {
+            let per_pixel = config.sampling.columns().ilog2();
+            let projection = Projection {
+                center: [&x.center, &y.center],
+                a: [&x.a, &y.a],
+                b: [&x.b, &y.b],
+                delta: &delta,
+                edge_on: &edge_on,
+                m: [&mx, &my],
+                pixels: [[x.first.shr(per_pixel), x.last.shr(per_pixel)], [y.first.clone(), y.last.clone()]],
+            };
+            fixed_footprint::footprint(&program, format, coefficient, &projection)
+        }
+    };
+    computed.extend([("left", x.first), ("right", x.last), ("top", y.first), ("bottom", y.last)]);
     computed.extend(match config.depth {
         FragmentDepth::Center => {
             let fixed = |depth: &Value| depth.max(&zero).to_fixed(DEPTH);

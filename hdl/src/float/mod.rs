@@ -28,7 +28,7 @@ pub mod sqrt;
 pub mod table;
 pub mod to_fixed;
 
-mod delay;
+pub(crate) mod delay;
 mod newton;
 mod operand;
 pub(crate) mod pipe;

@@ -1,7 +1,7 @@
 //! `Config`: every parameter of core A, with the ranges the hardware holds.
 
-use super::AttributeFormat;
 use super::division::Division;
+use super::{AttributeFormat, Coefficient, RasterFormat, UniformFormat};
 use crate::{Format, FragmentDepth, Sampling, TableShape, bus};
 use serde::{Deserialize, Serialize};
 
@@ -64,7 +64,7 @@ pub struct Config {
     pub geometry: Format,
     /// Format of the footprint behind setup and of the rasterizer, down to ρ²; none, `"geometry"` in a file, for that of all geometry.
     #[serde(with = "as_geometry")]
-    pub rasterizer: Option<Format>,
+    pub rasterizer: Option<RasterFormat>,
     /// Format of attributes and of their accumulators.
     pub attribute: AttributeFormat,
     /// Attributes that are blended (eq. 5.11).
@@ -171,6 +171,12 @@ pub enum ConfigError {
         /// What would be right.
         expected: &'static str,
     },
+    /// Depths of samples where there is no number to hold them.
+    #[error(
+        "`rasterizer` = \"{0}\" with `depth` = \"plane\": expected `depth` = \"center\", or a floating-point `rasterizer`, in which \
+         samples have depths of their own"
+    )]
+    PlaneInFixedPoint(RasterFormat),
     /// A width that no bus has.
     #[error(transparent)]
     Bus(#[from] bus::ConfigError),
@@ -218,9 +224,15 @@ impl Config {
             let expected = "f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (the projection needs an 8-bit exponent)";
             return Err(ConfigError::Format { key: "geometry", format: self.geometry, expected });
         }
-        if let Some(format) = self.rasterizer.filter(|format| !self.holds(*format)) {
-            let expected = "\"geometry\", f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (no wider than `geometry`)";
-            return Err(ConfigError::Format { key: "rasterizer", format, expected });
+        match self.raster_format() {
+            RasterFormat::Float(format) if !self.holds(format) => {
+                let expected = "\"geometry\", f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (no wider than `geometry`), or fixed24, fixed18, fixed16";
+                return Err(ConfigError::Format { key: "rasterizer", format, expected });
+            }
+            format @ RasterFormat::Fixed(_) if self.depth == FragmentDepth::Plane => {
+                return Err(ConfigError::PlaneInFixedPoint(format));
+            }
+            _ => {}
         }
         Ok(self.bus.validate()?)
     }
@@ -232,14 +244,18 @@ impl Config {
 
     /// Format of the footprint behind setup and of the rasterizer.
     #[must_use]
-    pub fn raster_format(&self) -> Format {
-        self.rasterizer.unwrap_or(self.geometry)
+    pub fn raster_format(&self) -> RasterFormat {
+        self.rasterizer.unwrap_or(RasterFormat::Float(self.geometry))
     }
 
     /// Format of a uniform register.
     #[must_use]
-    pub fn uniform_format(&self, name: &str) -> Format {
-        if name == "filter_scale" { self.raster_format() } else { self.geometry }
+    pub fn uniform_format(&self, name: &str) -> UniformFormat {
+        match self.raster_format() {
+            RasterFormat::Float(format) if name == "filter_scale" => UniformFormat::Float(format),
+            RasterFormat::Fixed(_) if name == "filter_scale" => UniformFormat::Fixed(Coefficient::FILTER_SCALE),
+            _ => UniformFormat::Float(self.geometry),
+        }
     }
 
     /// Attributes of both kinds.
@@ -303,19 +319,19 @@ impl Config {
 
 /// A format that is that of all geometry unless it is named.
 mod as_geometry {
-    use crate::Format;
+    use crate::core_a::RasterFormat;
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
 
     const GEOMETRY: &str = "geometry";
 
-    pub fn serialize<S: Serializer>(format: &Option<Format>, serializer: S) -> Result<S::Ok, S::Error> {
+    pub fn serialize<S: Serializer>(format: &Option<RasterFormat>, serializer: S) -> Result<S::Ok, S::Error> {
         match format {
             Some(format) => serializer.collect_str(format),
             None => serializer.serialize_str(GEOMETRY),
         }
     }
 
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Format>, D::Error> {
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<RasterFormat>, D::Error> {
         let name = String::deserialize(deserializer)?;
         if name == GEOMETRY {
             return Ok(None);
@@ -351,12 +367,14 @@ mod tests {
         let error = Config { continuous: 15, ..Config::default() }.validate().unwrap_err();
         assert_eq!(error.to_string(), "`continuous` + `cardinal` = 15: expected 1 to 14 attributes");
         let geometry = Format::F24;
-        let error = Config { geometry, rasterizer: Some(Format::F32), ..Config::default() }.validate().unwrap_err();
+        let error =
+            Config { geometry, rasterizer: Some(Format::F32.into()), ..Config::default() }.validate().unwrap_err();
         assert!(error.to_string().starts_with("`rasterizer` = \"f32\": expected one of \"geometry\""), "{error}");
         for (text, named) in [
             ("widht = 3", ["widht", "width"]),
             ("division = \"exact\"", ["exact", "`newton`"]),
             ("rasterizer = \"f8\"", ["f24", "or \"geometry\""]),
+            ("rasterizer = \"fixed20\"", ["`fixed20`", "fixed18"]),
         ] {
             let error = toml::from_str::<Config>(text).unwrap_err().to_string();
             assert!(named.iter().all(|name| error.contains(name)), "{error}");
@@ -374,15 +392,28 @@ mod tests {
 
     #[test]
     fn the_rasterizer_computes_in_its_own_format_or_that_of_geometry() {
-        let formats = [None, Some(Format::F24.flushed()), Some(Format::F32)];
-        for (rasterizer, name) in formats.into_iter().zip(["geometry", "f24-ftz", "f32"]) {
+        let formats = [None, Some(Format::F24.flushed().into()), Some(RasterFormat::Fixed(Coefficient::Eighteen))];
+        let scales = [Format::F32, Format::F24.flushed()].map(UniformFormat::Float);
+        let scales = scales.into_iter().chain([UniformFormat::Fixed(Coefficient::FILTER_SCALE)]);
+        for ((rasterizer, name), scale) in formats.into_iter().zip(["geometry", "f24-ftz", "fixed18"]).zip(scales) {
             let config = Config { rasterizer, geometry: Format::F32, ..Config::default() };
             assert_eq!(config.validate(), Ok(()));
             let text = toml::to_string(&config).unwrap();
             assert!(text.contains(&format!("rasterizer = \"{name}\"")), "{text}");
             assert_eq!(toml::from_str(&text), Ok(config.clone()));
-            assert_eq!(config.uniform_format("filter_scale"), rasterizer.unwrap_or(Format::F32));
-            assert_eq!(config.uniform_format("filter_radius"), Format::F32);
+            assert_eq!(config.uniform_format("filter_scale"), scale);
+            assert_eq!(config.uniform_format("filter_radius"), UniformFormat::Float(Format::F32));
+        }
+    }
+
+    #[test]
+    fn a_rasterizer_in_fixed_point_has_no_depths_of_samples() {
+        for (_, coefficient) in Coefficient::NAMED {
+            let rasterizer = Some(RasterFormat::Fixed(coefficient));
+            let config = Config { rasterizer, geometry: Format::F24, ..Config::default() };
+            assert_eq!(config.validate(), Ok(()));
+            let error = Config { depth: FragmentDepth::Plane, ..config }.validate().unwrap_err().to_string();
+            assert!(error.contains("`depth` = \"center\"") && error.contains("fixed"), "{error}");
         }
     }
 

@@ -1,13 +1,15 @@
 //! The records that flow through core A: names and widths of their fields, in order.
 //!
-//! Geometry fields are values of [`Config::geometry`], those of footprints of [`Config::raster_format`], attributes of [`Config::attribute`],
+//! Geometry fields are values of [`Config::geometry`], those of footprints of [`Config::raster_format`] (in fixed point with widths of
+//! their own), attributes of [`Config::attribute`],
 //! whose products and sums may be wider; depths, weights and coordinates are unsigned integers. A record with `end` set closes the frame
 //! and carries nothing else.
 
 use super::config::{
     Config, DEPTH_BITS, DEPTH_SUM_BITS, TILE_PIXELS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS, index_bits,
 };
-use crate::FragmentDepth;
+use super::raster::{Coefficient, RasterFormat};
+use crate::{Format, FragmentDepth};
 
 /// A field: its name and its width in bits.
 pub type Field = (String, u32);
@@ -48,20 +50,34 @@ pub fn splat(config: &Config) -> Vec<Field> {
 /// What the rasterizer needs of a splat, recentred at its projected centre (px), and its depth band.
 #[must_use]
 pub fn footprint(config: &Config) -> Vec<Field> {
-    let coefficients = ["center_x", "center_y", "ax", "bx", "ay", "by", "delta", "mx", "my"];
-    let mut record = fields(coefficients, config.raster_format().width());
-    record.extend(match config.depth {
-        FragmentDepth::Center => band(),
-        FragmentDepth::Plane => depth_plane(config),
+    let (centers, coefficients) = (["center_x", "center_y"], ["ax", "bx", "ay", "by", "delta", "mx", "my"]);
+    let mut record = match config.raster_format() {
+        RasterFormat::Float(format) => {
+            let mut record = fields(centers, format.width());
+            record.extend(fields(coefficients, format.width()));
+            record
+        }
+        RasterFormat::Fixed(fixed) => {
+            let mut record = fields(centers, fixed.center().width);
+            record.extend(fields(coefficients, fixed.width()));
+            record.extend(fields(["shift"], Coefficient::SHIFT_BITS));
+            let delta = record.iter_mut().filter(|(name, _)| name == "delta");
+            delta.for_each(|(_, width)| *width = fixed.delta_width());
+            record
+        }
+    };
+    record.extend(match (config.depth, config.raster_format()) {
+        (FragmentDepth::Plane, RasterFormat::Float(format)) => depth_plane(format),
+        _ => band(),
     });
     record
 }
 
 /// Depth over a splat's plane: at its centre, its change a pixel, the ends of its range, and half the ε-band (eq. 5.9).
 #[must_use]
-pub fn depth_plane(config: &Config) -> Vec<Field> {
+pub fn depth_plane(format: Format) -> Vec<Field> {
     let names = ["depth_center", "depth_x", "depth_y", "depth_near", "depth_far", "epsilon"];
-    fields(names, config.raster_format().width())
+    fields(names, format.width())
 }
 
 /// Depth of a splat, or of a sample, and the ends of its ε-band (eq. 5.8, 5.9).

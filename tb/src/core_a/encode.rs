@@ -1,6 +1,6 @@
 //! A scene as the words that core A takes: splat records and uniform registers.
 
-use crate::number::{encode, encode_attribute};
+use crate::number::{encode, encode_attribute, encode_uniform};
 use crate::plan::Plan;
 use crate::scene::Scene;
 use pointcore_spec::core_a::ports::UNIFORMS;
@@ -68,5 +68,9 @@ pub(crate) fn uniforms(camera: &Camera, rendering: &Rendering, config: &Config) 
     let viewport = [camera.scale_x, camera.scale_y, camera.center_x, camera.center_y, camera.depth_a, camera.depth_b];
     let tests = [camera.near, rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)];
     let values = camera.model_view.iter().flatten().chain(&viewport).chain(&tests);
-    UNIFORMS.iter().zip(values).map(|(name, &value)| word(config.uniform_format(name), value as f32)).collect()
+    UNIFORMS
+        .iter()
+        .zip(values)
+        .map(|(name, &value)| encode_uniform(config.uniform_format(name), value as f32).into())
+        .collect()
 }

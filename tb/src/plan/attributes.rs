@@ -1,7 +1,7 @@
-//! What a scene's splats carry beside their geometry, and whether the hardware's format holds it.
+//! What a scene's splats carry beside their geometry, and whether the hardware's formats hold it and the scene's filter.
 
 use crate::scene::Scene;
-use pointcore_spec::core_a::{AttributeFormat, Fraction};
+use pointcore_spec::core_a::{AttributeFormat, Coefficient, Fraction, RasterFormat};
 use pointcore_spec::splat::{CONTINUOUS_ATTRIBUTES, NORMAL};
 
 /// Why the scene's materials do not go into an attribute, and the format's name: a material takes as many bits as an attribute has, which in every
@@ -12,6 +12,19 @@ pub(super) fn material_conflict(scene: &Scene, attribute: AttributeFormat) -> Op
     let needed = u16::BITS - largest.leading_zeros();
     let (name, _) = Fraction::NAMED.iter().find(|(_, named)| *named == fraction)?;
     (needed > fraction.width()).then(|| (*name, format!("material {largest} of the scene needs {needed} bits")))
+}
+
+/// Radii of screen filters that a rasterizer in fixed point has numbers for, px.
+const FILTER_RADII_PX: std::ops::RangeInclusive<f64> = 0.2501..=4.0;
+
+/// Why the scene's filter does not go into a rasterizer in fixed point, and the format's name.
+pub(super) fn filter_conflict(scene: &Scene, rasterizer: RasterFormat) -> Option<(&'static str, String)> {
+    let radius = scene.rendering.filter_radius_px.filter(|radius| !FILTER_RADII_PX.contains(radius))?;
+    let (name, _) = Coefficient::NAMED.iter().find(|(_, named)| Some(*named) == rasterizer.fixed())?;
+    let reason = format!(
+        "the scene's filter of {radius} px is not wider than ¼ px and at most 4 px, for which fixed point has numbers"
+    );
+    Some((*name, reason))
 }
 
 /// Indices of the attributes that differ between splats (at least one is carried), and the values of the others.

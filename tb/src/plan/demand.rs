@@ -13,6 +13,9 @@
 //! **Screen filter.** `|s| ≤ σ_max·dist`, `D ≥ Δ − √q|s|` and `Δ = σ_min·σ_max` of the projection's Jacobian, so that
 //! `ρ ≤ dist/(σ_min − √q·dist)`, which is below the filter's `dist/radius` within the radius if `σ_min ≥ radius(1 + √q)`. The margin is for
 //! rounding, which moves every factor by a few `u` and `Δ` by `4uσ_max²`.
+//!
+//! **In fixed point** rounding is that of offsets and coefficients, absolute rather than relative, and neither argument holds near a splat's
+//! centre. There every splat's samples are tried, with the part and without.
 
 use crate::core_a::{uniforms, word};
 use crate::number::decode;
@@ -20,9 +23,9 @@ use crate::scene::Scene;
 use pointcore_golden::core_a::records::{Footprint, Rectangle, SetupSplat, Splat as Record};
 use pointcore_golden::core_a::uniforms::Uniforms;
 use pointcore_golden::core_a::{Rasterizer, Setup, Slant, Transform};
-use pointcore_spec::Splat;
 use pointcore_spec::core_a::config::TILE_SIZE;
-use pointcore_spec::core_a::{Config, Feature};
+use pointcore_spec::core_a::{Config, Feature, RasterFormat};
+use pointcore_spec::{Format, Splat};
 use rayon::prelude::*;
 
 /// Share by which a splat must be wider than the screen filter, if only for the radius' own rounding.
@@ -102,6 +105,7 @@ struct Units<'a> {
     without_filter: Setup,
     rasterizer: Rasterizer,
     without_side: Rasterizer,
+    without_disc: Rasterizer,
 }
 
 impl<'a> Units<'a> {
@@ -119,17 +123,8 @@ impl<'a> Units<'a> {
             without_filter: Setup::new(&Config { screen_filter: Feature::Off, ..config.clone() }, 1),
             rasterizer: Rasterizer::new(config, 1),
             without_side: Rasterizer::new(&Config { eye_plane: Feature::Off, ..config.clone() }, 1),
+            without_disc: Rasterizer::new(&Config { screen_filter: Feature::Off, ..config.clone() }, 1),
         }
-    }
-
-    /// A number of a footprint.
-    fn value(&self, bits: u32) -> f64 {
-        decode(self.config.raster_format(), bits).into()
-    }
-
-    /// `u`: what a rounding may change a footprint's number by, relative to it.
-    fn rounding(&self) -> f64 {
-        0.5_f64.powi(self.config.raster_format().mantissa as i32 + 1)
     }
 
     fn demand(&self, index: usize, splat: &Splat) -> Demand {
@@ -141,7 +136,7 @@ impl<'a> Units<'a> {
             return Demand { back_facing: is_culled.into(), ..Demand::default() };
         };
         let slant = self.setup.slant_of(&splat);
-        let covers_filter = self.covers_filter(&drawn.footprint, &slant)
+        let covers_filter = self.covers_filter(&drawn, &slant)
             && self.without_filter.setup(&splat, &self.uniforms.setup) == Some(drawn);
         let Rectangle { left, right, top, bottom } = drawn.bounds;
         let tile = |pixel: u16| u32::from(pixel) / TILE_SIZE;
@@ -161,8 +156,12 @@ impl<'a> Units<'a> {
 
     /// Whether the side of the eye may decide of a sample of a whole splat.
     fn needs_side(&self, drawn: &SetupSplat) -> bool {
+        let RasterFormat::Float(format) = self.config.raster_format() else {
+            return self.differs(drawn, &self.without_side);
+        };
         let Footprint { center, a, b, delta, .. } = drawn.footprint;
-        let delta = self.value(delta).abs();
+        let value = |bits| value(format, bits);
+        let delta = value(delta).abs();
         // A splat seen edge-on: every distance is NaN, on whichever side.
         if delta.is_nan() {
             return false;
@@ -171,20 +170,21 @@ impl<'a> Units<'a> {
         let reach = |center: u32, columns: u32, first: u16, last: u16| {
             // Between these edges of pixels lie all samples. Their places are rounded where a format has fewer digits than an image pixels.
             let edges = [u32::from(first) / columns, u32::from(last) / columns + 1].map(f64::from);
-            let offset = |edge: f64| (edge - self.value(center)).abs() + self.rounding() * edge;
+            let offset = |edge: f64| (edge - value(center)).abs() + rounding(format) * edge;
             edges.map(offset).into_iter().fold(0.0, f64::max)
         };
         let columns = self.config.sampling.columns();
         let [x, y] = [reach(center[0], columns, left, right), reach(center[1], 1, top, bottom)];
-        let [extent_x, extent_y] = [0, 1].map(|axis| self.value(a[axis]).abs() + self.value(b[axis]).abs());
+        let [extent_x, extent_y] = [0, 1].map(|axis| value(a[axis]).abs() + value(b[axis]).abs());
         let sum = x * extent_y + y * extent_x + delta;
-        let is_far = delta >= SIDE_UNITS * self.rounding() * sum;
+        let is_far = delta >= SIDE_UNITS * rounding(format) * sum;
         let is_squarable = SQUARABLE.contains(&delta) && SQUARABLE.contains(&sum);
-        !(is_far && is_squarable) && self.side_decides(drawn)
+        !(is_far && is_squarable) && self.differs(drawn, &self.without_side)
     }
 
-    /// Whether the side of the eye decides of any sample of a splat, by trying them; splats of very many are said to need it.
-    fn side_decides(&self, drawn: &SetupSplat) -> bool {
+    /// Whether any sample of a splat comes out otherwise without a part of the rasterizer, by trying them; splats of very many are said to
+    /// need it.
+    fn differs(&self, drawn: &SetupSplat, without: &Rasterizer) -> bool {
         let Rectangle { left, right, top, bottom } = drawn.bounds;
         let (columns, rows) = (left..=right, top..=bottom);
         if columns.len() * rows.len() > SAMPLES_TRIED {
@@ -192,23 +192,38 @@ impl<'a> Units<'a> {
         }
         let outcome = |unit: &Rasterizer, pixel: [u32; 2]| {
             let squared = unit.squared_distance(&drawn.footprint, pixel, self.uniforms.filter_scale);
-            (unit.is_inside(squared), unit.weight(squared))
+            (Rasterizer::is_inside(squared), unit.weight(squared))
         };
         let pixels = rows.flat_map(|row| columns.clone().map(move |column| [column, row].map(u32::from)));
-        pixels.into_iter().any(|pixel| outcome(&self.rasterizer, pixel) != outcome(&self.without_side, pixel))
+        pixels.into_iter().any(|pixel| outcome(&self.rasterizer, pixel) != outcome(without, pixel))
     }
 
     /// Whether the splat's projection holds the screen filter's disc, so that the filter never decides.
-    fn covers_filter(&self, footprint: &Footprint, slant: &Slant) -> bool {
-        if !slant.is_whole || self.value(footprint.delta).is_nan() {
+    fn covers_filter(&self, drawn: &SetupSplat, slant: &Slant) -> bool {
+        let RasterFormat::Float(format) = self.config.raster_format() else {
+            return !self.differs(drawn, &self.without_disc);
+        };
+        let footprint = &drawn.footprint;
+        let value = |bits| value(format, bits);
+        if !slant.is_whole || value(footprint.delta).is_nan() {
             return false;
         }
         let radius = f64::from(decode(self.config.geometry, self.uniforms.setup.filter_radius));
-        let ([ax, ay], [bx, by]) = (footprint.a.map(|bits| self.value(bits)), footprint.b.map(|bits| self.value(bits)));
+        let ([ax, ay], [bx, by]) = (footprint.a.map(value), footprint.b.map(value));
         let (sum, difference) = ((ax + by).hypot(ay - bx), (ax - by).hypot(ay + bx));
         let (smallest, largest) = ((sum - difference).abs() / 2.0, (sum + difference) / 2.0);
         let steepness = f64::from(slant.alpha.value()).hypot(slant.beta.value().into());
-        let margin = FILTER_MARGIN.max(FILTER_MARGIN_UNITS * self.rounding());
-        smallest - 8.0 * self.rounding() * largest >= radius * (1.0 + steepness) * (1.0 + margin)
+        let margin = FILTER_MARGIN.max(FILTER_MARGIN_UNITS * rounding(format));
+        smallest - 8.0 * rounding(format) * largest >= radius * (1.0 + steepness) * (1.0 + margin)
     }
+}
+
+/// A number of a footprint.
+fn value(format: Format, bits: u32) -> f64 {
+    decode(format, bits).into()
+}
+
+/// `u`: what a rounding may change a footprint's number by, relative to it.
+fn rounding(format: Format) -> f64 {
+    0.5_f64.powi(format.mantissa as i32 + 1)
 }

@@ -1,6 +1,6 @@
 //! A scene on hardware that it was not planned for, and what no hardware may lack.
 
-use super::attributes::{attributes, material_conflict};
+use super::attributes::{attributes, filter_conflict, material_conflict};
 use super::demand::Demand;
 use super::{Effect, Plan, PlanError, everything, has_materials, is_filtered};
 use crate::scene::Scene;
@@ -80,6 +80,10 @@ impl Plan {
         if let Some((value, reason)) = material_conflict(scene, config.attribute) {
             let remedy = "choose a wider format, or fewer materials".to_owned();
             return excluded("more materials", reason, "attribute", format!("\"{value}\""), remedy);
+        }
+        if let Some((value, reason)) = filter_conflict(scene, config.raster_format()) {
+            let remedy = "choose a floating-point format, or another `splatting.filter_radius_px`".to_owned();
+            return excluded("another screen filter", reason, "rasterizer", format!("\"{value}\""), remedy);
         }
         let demand = Demand::of(scene, &everything(scene, config));
         if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, config, &demand) {

@@ -65,6 +65,7 @@ fn overrides_that_do_not_fit_name_key_and_remedy() {
         (SPHERE, "heap_levels = \"9\"", ["`overrides.heap_levels` = \"9\"", "such as"]),
         (SPHERE, "geometry = \"f8\"", ["`overrides.geometry` = \"f8\"", "f24"]),
         (SPHERE, "attribute = \"fixed9\"", ["`overrides.attribute` = \"fixed9\"", "fixed12"]),
+        (SPHERE, "rasterizer = \"fixed20\"", ["`overrides.rasterizer` = \"fixed20\"", "fixed18"]),
         (SPHERE, "culling = false", ["`overrides.culling` = false", "\"on\""]),
         (SPHERE, "culling = \"maybe\"", ["`overrides.culling` = \"maybe\"", "`off`"]),
         (SPHERE, "culling = \"off\"", ["`overrides.culling` = \"off\"", "face away"]),
@@ -79,6 +80,38 @@ fn overrides_that_do_not_fit_name_key_and_remedy() {
     let unfiltered = format!("{HEAD}{DUST}[splatting]\nfilter_radius_px = 0\n[overrides]\nscreen_filter = \"on\"\n");
     let message = plan(&unfiltered).expect_err("the scene has no filter").to_string();
     assert!(message.contains("screen_filter") && message.contains("filter_radius_px"), "{message}");
+}
+
+#[test]
+fn a_rasterizer_in_fixed_point_says_what_it_has_no_numbers_for() {
+    for (splatting, parts) in [
+        ("filter_radius_px = 4.5", ["`overrides.rasterizer` = \"fixed18\"", "filter of 4.5 px", "at most 4 px"]),
+        ("filter_radius_px = 0.25", ["`overrides.rasterizer` = \"fixed18\"", "filter of 0.25 px", "wider than ¼ px"]),
+        ("depth = \"plane\"", ["`rasterizer` = \"fixed18\"", "`depth` = \"center\"", "floating-point"]),
+    ] {
+        let text = |format| format!("{HEAD}{SPHERE}[splatting]\n{splatting}\n[overrides]\nrasterizer = \"{format}\"\n");
+        assert!(plan(&text("f24-ftz")).is_ok(), "{splatting}");
+        let message = plan(&text("fixed18")).expect_err(splatting).to_string();
+        for part in parts {
+            assert!(message.contains(part), "`{part}` is missing in: {message}");
+        }
+    }
+    for radius in [0.0, 0.3, 4.0] {
+        let text = format!("[splatting]\nfilter_radius_px = {radius:?}\n[overrides]\nrasterizer = \"fixed18\"\n");
+        assert!(plan(&format!("{HEAD}{SPHERE}{text}")).is_ok(), "{radius} px");
+    }
+}
+
+#[test]
+fn what_a_rasterizer_in_fixed_point_needs_is_found_sample_by_sample() {
+    for (object, screen_filter, eye_plane) in [
+        (format!("{HEAD}{DUST}"), Feature::On, Feature::Off),
+        (format!("{HEAD}{}", DUST.replace("0.01", "0.2")), Feature::Off, Feature::Off),
+        (FLOOR.to_owned(), Feature::On, Feature::On),
+    ] {
+        let config = plan(&format!("{object}[overrides]\nrasterizer = \"fixed18\"\n")).expect("it is good").config;
+        assert_eq!((config.screen_filter, config.eye_plane), (screen_filter, eye_plane));
+    }
 }
 
 /// A floor below the eye, whose nearest splats reach behind it.

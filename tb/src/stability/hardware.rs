@@ -93,7 +93,7 @@ impl Units {
     /// The kernel's weight there; `None` outside the splat.
     #[must_use]
     pub fn weight(&self, squared: Number) -> Option<u16> {
-        self.rasterizer[0].is_inside(squared).then(|| self.rasterizer[0].weight(squared))
+        Rasterizer::is_inside(squared).then(|| self.rasterizer[0].weight(squared))
     }
 
     /// What a pixel holds after so many samples of one splat.

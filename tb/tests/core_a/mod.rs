@@ -10,7 +10,9 @@ use pointcore::lockstep::{Golden, Lockstep, Run, Stall, StreamTestbench, Streams
 use pointcore::verilated::Library;
 use pointcore_golden::unit::{Model, Ported, Unit};
 use pointcore_hdl::rtl::Module;
-use pointcore_spec::core_a::{AttributeFormat, Config, Direction, Division, Feature, Fraction, Port};
+use pointcore_spec::core_a::{
+    AttributeFormat, Coefficient, Config, Direction, Division, Feature, Fraction, Port, RasterFormat,
+};
 use pointcore_spec::{Format, FragmentDepth, Sampling};
 
 use crate::support;
@@ -96,6 +98,15 @@ pub fn fixed_configs() -> [Config; 3] {
     [fixed(mixed, Fraction::Twelve), fixed(bare, Fraction::Eight), fixed(full, Fraction::Sixteen)]
 }
 
+/// Those with a rasterizer in fixed point: in every width, with and without filter and eye plane, and with samples between pixels.
+pub fn integer_configs() -> [Config; 3] {
+    let [bare, full, mixed] = configs();
+    let fixed = |config, coefficient| Config { rasterizer: Some(RasterFormat::Fixed(coefficient)), ..config };
+    let mixed = Config { depth: FragmentDepth::Center, screen_filter: Feature::On, ..mixed };
+    let coarse = Config { kernel_index_bits: 5, kernel_fraction_bits: 0, division: Division::Newton, ..full };
+    [fixed(bare, Coefficient::Eighteen), fixed(coarse, Coefficient::Sixteen), fixed(mixed, Coefficient::TwentyFour)]
+}
+
 /// Two more, with everything otherwise that trades accuracy for hardware: as coarse as can be, and in between.
 pub fn knobs() -> [Config; 2] {
     let [bare, full, _] = configs();
@@ -106,7 +117,7 @@ pub fn knobs() -> [Config; 2] {
         kernel_fraction_bits: 0,
         division: Division::Newton,
         geometry: Format::F32,
-        rasterizer: Some(Format::F24.flushed()),
+        rasterizer: Some(Format::F24.flushed().into()),
         ..bare
     };
     let between = Config {
@@ -114,7 +125,7 @@ pub fn knobs() -> [Config; 2] {
         kernel_index_bits: 6,
         kernel_fraction_bits: 10,
         kernel_gamma: 3.0,
-        rasterizer: Some(Format::BF16.flushed()),
+        rasterizer: Some(Format::BF16.flushed().into()),
         division: Division::Newton,
         setup_interval: 3,
         ..full

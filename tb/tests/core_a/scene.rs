@@ -39,7 +39,8 @@ pub fn uniforms(config: &Config) -> Vec<(&'static str, u64)> {
     let viewport = [0.9 * width, 0.9 * width, width / 2.0, height / 2.0, 10.0 / 9.0, -10.0 / 9.0];
     let tests = [1.0, 0.7, 0.02, 0.9, 1.0 / (0.9 * 0.9)];
     let numbers = model_view.into_iter().chain(viewport).chain(tests);
-    let encoded = |(name, number)| (name, encode(config.uniform_format(name), number));
+    let word = |name, number| pointcore::number::encode_uniform(config.uniform_format(name), number).into();
+    let encoded = |(name, number)| (name, word(name, number));
     UNIFORMS.into_iter().zip(numbers).map(encoded).collect()
 }
 
