@@ -6,7 +6,8 @@ use pointcore_spec::core_a::{Config, records};
 use super::heap;
 use crate::rtl::Module;
 use crate::stream::fifo;
-use crate::units::records::{Record, half_in, half_out, width};
+use crate::units::records::{Record, half_in, half_out};
+use crate::units::sliced::Sliced;
 
 /// The unit; ports as in `spec::core_a::ports::reorder`.
 #[must_use]
@@ -47,10 +48,10 @@ pub fn module(config: &Config) -> Module {
     m.next(&free_valid, &free_valid.mux(&!&insert, &has_free));
     let take_end = m.wire("take_end", &(&open & &head_end));
     m.ready(&head, &(&insert | &take_end));
-    let payloads = m.memory("payloads", pointers, width(&payload));
-    m.write(&payloads, &offer, &free, &Record::from(&head).only(&payload).pack());
+    let word = Record::from(&head).only(&payload).pack();
+    let payloads = Sliced::new(&mut m, "payloads", &offer, &free, &word);
 
-    // The read stage. A deep memory is many block RAMs; what the choice among them leaves of a cycle just reaches the buffer behind it.
+    // The read stage.
     let stage_valid = m.reg_reset("stage_valid", 1, 0);
     let advance = m.wire("advance", &(!&stage_valid | &out.room));
     m.ready(&first, &advance);
@@ -58,7 +59,7 @@ pub fn module(config: &Config) -> Module {
     m.next_if(&stage_valid, &advance, &leaving);
     let stage_tile = m.reg("stage_tile", config.tile_bits() as usize);
     m.next_if(&stage_tile, &advance, &first.field("tile"));
-    let stage_payload = m.read_if(&payloads, "stage_payload", &advance, &first.field("pointer"));
+    let stage_payload = payloads.read_if(&mut m, "stage_payload", &advance, &first.field("pointer"));
     m.connect(&returned, "in_valid", &leaving);
     m.connect(&returned, "in_pointer", &first.field("pointer"));
     let returns = m.out(&returned, "in_ready");

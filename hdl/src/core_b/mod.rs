@@ -20,7 +20,6 @@ mod queue_readout;
 mod queue_row;
 mod radii;
 mod sets;
-mod sliced;
 
 #[cfg(test)]
 mod tests {

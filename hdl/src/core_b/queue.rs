@@ -260,15 +260,16 @@ pub fn module(config: &Config) -> Module {
     let near = near_lanes(config, &arrivals.head, &[(&bit(true), &limit), (&will_be_known, &farthest)]);
     m.next(&beat.pending, &take.mux(&near, &left));
 
-    // c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders.
-    let base = m.wire("base", &item.reads.mux(&stored, &working));
+    // c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders. Both rows are
+    // compared: to choose one of them first would take as much and come before the comparison.
     let is_nearer = |entry: &Record| candidate.get("distance2").lt(&entry.get("distance2"));
-    let nearer: Vec<_> = entries(config, &base).iter().map(is_nearer).collect();
+    let [nearer, nearer_stored] =
+        [&working.expr(), &stored].map(|row| entries(config, row).iter().map(is_nearer).collect::<Vec<_>>());
     let nearer_now = insert(&nearer, &insertion.nearer, &is_nearer(&insertion.neighbor), |here, a, b| here.mux(a, b));
     let nearer_now = set(&nearer_now);
     let placeholders = (0..config.neighbors).map(|number| !is_sentinel(config, &query.get("k"), number));
     let placeholders = set(&placeholders.collect::<Vec<_>>());
-    let nearer_read = item.fresh.mux(&placeholders, &set(&nearer));
+    let nearer_read = item.fresh.mux(&placeholders, &set(&nearer_stored));
     let nearer = m.wire("nearer_entries", &item.reads.mux(&nearer_read, &nearer_now));
     insertion.take(&mut m, config, &item, &nearer, &candidate);
     let read_row = item.fresh.mux(&initial, &stored);

@@ -2,6 +2,7 @@
 
 pub(crate) mod datapath;
 pub(crate) mod records;
+pub(crate) mod sliced;
 
 #[cfg(test)]
 pub(crate) mod testing;

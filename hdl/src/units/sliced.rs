@@ -1,13 +1,15 @@
 //! Large memories, cut into slices of a few bits that a block RAM holds all words of: none is chosen among behind their slow
-//! outputs. Nor is a word that is written chosen there instead, for none is read in the cycle of a write.
+//! outputs, and each bit that is written goes to one of them.
 
 use crate::rtl::{Expr, Memory, Module, cat};
 
-/// Bits that a block RAM holds.
-const BLOCK_BITS: usize = 1 << 14;
+/// Bits that a block RAM holds: words of nine bits and more have the parity's, too.
+const fn block_bits(words: usize) -> usize {
+    if words <= 1 << 11 { 9 << 11 } else { 1 << 14 }
+}
 
 /// A memory in slices, the lowest bits first.
-pub(super) struct Sliced {
+pub(crate) struct Sliced {
     slices: Vec<Slice>,
     written: Expr,
 }
@@ -21,7 +23,7 @@ impl Sliced {
     /// A memory of a word for each address, written where `enable` is set.
     pub fn new(m: &mut Module, name: &str, enable: &Expr, address: &Expr, word: &Expr) -> Self {
         let (address_bits, width) = (address.width(), word.width());
-        let bits = (BLOCK_BITS >> address_bits).clamp(1, width);
+        let bits = (block_bits(1 << address_bits) >> address_bits).clamp(1, width);
         let slice = |low: usize| {
             let high = width.min(low + bits) - 1;
             let memory = m.memory(&format!("{name}_{low}"), 1 << address_bits, high + 1 - low);
@@ -31,11 +33,15 @@ impl Sliced {
         Self { slices: (0..width).step_by(bits).map(slice).collect(), written: enable.clone() }
     }
 
-    /// A read port that keeps its word while `enable` is low or a word is written.
+    /// A read port that keeps its word while `enable` is low.
     pub fn read_if(&self, m: &mut Module, name: &str, enable: &Expr, address: &Expr) -> Expr {
-        let enable = enable & !&self.written;
-        let read = |slice: &Slice| m.read_if(&slice.memory, &format!("{name}_{}", slice.low), &enable, address);
+        let read = |slice: &Slice| m.read_if(&slice.memory, &format!("{name}_{}", slice.low), enable, address);
         let word: Vec<_> = self.slices.iter().map(read).collect();
         cat(&word.iter().rev().collect::<Vec<_>>())
+    }
+
+    /// A read port that keeps its word while a word is written, too: what is written never takes the place of what is read.
+    pub fn read_if_not_written(&self, m: &mut Module, name: &str, enable: &Expr, address: &Expr) -> Expr {
+        self.read_if(m, name, &(enable & !&self.written), address)
     }
 }
