@@ -5819,14 +5819,52 @@ module core_a_reorder (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    reg [347:0] payloads [0:1023];
+    reg [17:0] payloads_0 [0:1023];
+    reg [17:0] payloads_18 [0:1023];
+    reg [17:0] payloads_36 [0:1023];
+    reg [17:0] payloads_54 [0:1023];
+    reg [17:0] payloads_72 [0:1023];
+    reg [17:0] payloads_90 [0:1023];
+    reg [17:0] payloads_108 [0:1023];
+    reg [17:0] payloads_126 [0:1023];
+    reg [17:0] payloads_144 [0:1023];
+    reg [17:0] payloads_162 [0:1023];
+    reg [17:0] payloads_180 [0:1023];
+    reg [17:0] payloads_198 [0:1023];
+    reg [17:0] payloads_216 [0:1023];
+    reg [17:0] payloads_234 [0:1023];
+    reg [17:0] payloads_252 [0:1023];
+    reg [17:0] payloads_270 [0:1023];
+    reg [17:0] payloads_288 [0:1023];
+    reg [17:0] payloads_306 [0:1023];
+    reg [17:0] payloads_324 [0:1023];
+    reg [5:0] payloads_342 [0:1023];
     reg free_valid;
     reg [9:0] free;
     reg [10:0] fresh;
     reg draining;
     reg stage_valid;
     reg [11:0] stage_tile;
-    reg [347:0] stage_payload;
+    reg [17:0] stage_payload_0;
+    reg [17:0] stage_payload_18;
+    reg [17:0] stage_payload_36;
+    reg [17:0] stage_payload_54;
+    reg [17:0] stage_payload_72;
+    reg [17:0] stage_payload_90;
+    reg [17:0] stage_payload_108;
+    reg [17:0] stage_payload_126;
+    reg [17:0] stage_payload_144;
+    reg [17:0] stage_payload_162;
+    reg [17:0] stage_payload_180;
+    reg [17:0] stage_payload_198;
+    reg [17:0] stage_payload_216;
+    reg [17:0] stage_payload_234;
+    reg [17:0] stage_payload_252;
+    reg [17:0] stage_payload_270;
+    reg [17:0] stage_payload_288;
+    reg [17:0] stage_payload_306;
+    reg [17:0] stage_payload_324;
+    reg [5:0] stage_payload_342;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
@@ -5977,25 +6015,25 @@ module core_a_reorder (
         .in_valid(close | (stage_valid & out_queue_in_ready)),
         .in_ready(out_queue_in_ready),
         .in_end(close),
-        .in_center_x(stage_payload[347:324]),
-        .in_center_y(stage_payload[323:300]),
-        .in_ax(stage_payload[299:276]),
-        .in_bx(stage_payload[275:252]),
-        .in_ay(stage_payload[251:228]),
-        .in_by(stage_payload[227:204]),
-        .in_delta(stage_payload[203:180]),
-        .in_mx(stage_payload[179:156]),
-        .in_my(stage_payload[155:132]),
-        .in_depth(stage_payload[131:108]),
-        .in_depth_low(stage_payload[107:84]),
-        .in_depth_high(stage_payload[83:60]),
-        .in_attribute_0(stage_payload[59:44]),
-        .in_attribute_1(stage_payload[43:28]),
-        .in_attribute_2(stage_payload[27:12]),
-        .in_left(stage_payload[11:9]),
-        .in_right(stage_payload[8:6]),
-        .in_top(stage_payload[5:3]),
-        .in_bottom(stage_payload[2:0]),
+        .in_center_x({stage_payload_342, stage_payload_324}),
+        .in_center_y({stage_payload_306, stage_payload_288[17:12]}),
+        .in_ax({stage_payload_288[11:0], stage_payload_270[17:6]}),
+        .in_bx({stage_payload_270[5:0], stage_payload_252}),
+        .in_ay({stage_payload_234, stage_payload_216[17:12]}),
+        .in_by({stage_payload_216[11:0], stage_payload_198[17:6]}),
+        .in_delta({stage_payload_198[5:0], stage_payload_180}),
+        .in_mx({stage_payload_162, stage_payload_144[17:12]}),
+        .in_my({stage_payload_144[11:0], stage_payload_126[17:6]}),
+        .in_depth({stage_payload_126[5:0], stage_payload_108}),
+        .in_depth_low({stage_payload_90, stage_payload_72[17:12]}),
+        .in_depth_high({stage_payload_72[11:0], stage_payload_54[17:6]}),
+        .in_attribute_0({stage_payload_54[5:0], stage_payload_36[17:8]}),
+        .in_attribute_1({stage_payload_36[7:0], stage_payload_18[17:10]}),
+        .in_attribute_2({stage_payload_18[9:0], stage_payload_0[17:12]}),
+        .in_left(stage_payload_0[11:9]),
+        .in_right(stage_payload_0[8:6]),
+        .in_top(stage_payload_0[5:3]),
+        .in_bottom(stage_payload_0[2:0]),
         .in_tile(stage_tile),
         .out_valid(out_queue_out_valid),
         .out_ready(out_queue_out_ready),
@@ -6076,22 +6114,8 @@ module core_a_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads[free] <= {
-                in_queue_out_center_x,
-                in_queue_out_center_y,
-                in_queue_out_ax,
-                in_queue_out_bx,
-                in_queue_out_ay,
-                in_queue_out_by,
-                in_queue_out_delta,
-                in_queue_out_mx,
-                in_queue_out_my,
-                in_queue_out_depth,
-                in_queue_out_depth_low,
-                in_queue_out_depth_high,
-                in_queue_out_attribute_0,
-                in_queue_out_attribute_1,
-                in_queue_out_attribute_2,
+            payloads_0[free] <= {
+                in_queue_out_attribute_2[5:0],
                 in_queue_out_left,
                 in_queue_out_right,
                 in_queue_out_top,
@@ -6099,7 +6123,159 @@ module core_a_reorder (
             };
         end
         if (advance) begin
-            stage_payload <= payloads[heap_out_pointer];
+            stage_payload_0 <= payloads_0[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_18[free] <= {in_queue_out_attribute_1[7:0], in_queue_out_attribute_2[15:6]};
+        end
+        if (advance) begin
+            stage_payload_18 <= payloads_18[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_36[free] <= {in_queue_out_attribute_0[9:0], in_queue_out_attribute_1[15:8]};
+        end
+        if (advance) begin
+            stage_payload_36 <= payloads_36[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_54[free] <= {in_queue_out_depth_high[11:0], in_queue_out_attribute_0[15:10]};
+        end
+        if (advance) begin
+            stage_payload_54 <= payloads_54[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_72[free] <= {in_queue_out_depth_low[5:0], in_queue_out_depth_high[23:12]};
+        end
+        if (advance) begin
+            stage_payload_72 <= payloads_72[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_90[free] <= in_queue_out_depth_low[23:6];
+        end
+        if (advance) begin
+            stage_payload_90 <= payloads_90[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_108[free] <= in_queue_out_depth[17:0];
+        end
+        if (advance) begin
+            stage_payload_108 <= payloads_108[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_126[free] <= {in_queue_out_my[11:0], in_queue_out_depth[23:18]};
+        end
+        if (advance) begin
+            stage_payload_126 <= payloads_126[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_144[free] <= {in_queue_out_mx[5:0], in_queue_out_my[23:12]};
+        end
+        if (advance) begin
+            stage_payload_144 <= payloads_144[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_162[free] <= in_queue_out_mx[23:6];
+        end
+        if (advance) begin
+            stage_payload_162 <= payloads_162[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_180[free] <= in_queue_out_delta[17:0];
+        end
+        if (advance) begin
+            stage_payload_180 <= payloads_180[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_198[free] <= {in_queue_out_by[11:0], in_queue_out_delta[23:18]};
+        end
+        if (advance) begin
+            stage_payload_198 <= payloads_198[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_216[free] <= {in_queue_out_ay[5:0], in_queue_out_by[23:12]};
+        end
+        if (advance) begin
+            stage_payload_216 <= payloads_216[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_234[free] <= in_queue_out_ay[23:6];
+        end
+        if (advance) begin
+            stage_payload_234 <= payloads_234[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_252[free] <= in_queue_out_bx[17:0];
+        end
+        if (advance) begin
+            stage_payload_252 <= payloads_252[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_270[free] <= {in_queue_out_ax[11:0], in_queue_out_bx[23:18]};
+        end
+        if (advance) begin
+            stage_payload_270 <= payloads_270[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_288[free] <= {in_queue_out_center_y[5:0], in_queue_out_ax[23:12]};
+        end
+        if (advance) begin
+            stage_payload_288 <= payloads_288[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_306[free] <= in_queue_out_center_y[23:6];
+        end
+        if (advance) begin
+            stage_payload_306 <= payloads_306[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_324[free] <= in_queue_out_center_x[17:0];
+        end
+        if (advance) begin
+            stage_payload_324 <= payloads_324[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_342[free] <= in_queue_out_center_x[23:18];
+        end
+        if (advance) begin
+            stage_payload_342 <= payloads_342[heap_out_pointer];
         end
     end
 

@@ -1865,135 +1865,133 @@ module core_b_queue (
         ~term_74,
         ~term_75
     };
-    wire [1823:0] base = item_reads ? stored : working;
-    wire term_182 = item_distance2 < base[1798:1767];
-    wire term_183 = item_distance2 < base[1741:1710];
-    wire term_184 = item_distance2 < base[1684:1653];
-    wire term_185 = item_distance2 < base[1627:1596];
-    wire term_186 = item_distance2 < base[1570:1539];
-    wire term_187 = item_distance2 < base[1513:1482];
-    wire term_188 = item_distance2 < base[1456:1425];
-    wire term_189 = item_distance2 < base[1399:1368];
-    wire term_190 = item_distance2 < base[1342:1311];
-    wire term_191 = item_distance2 < base[1285:1254];
-    wire term_192 = item_distance2 < base[1228:1197];
-    wire term_193 = item_distance2 < base[1171:1140];
-    wire term_194 = item_distance2 < base[1114:1083];
-    wire term_195 = item_distance2 < base[1057:1026];
-    wire term_196 = item_distance2 < base[1000:969];
-    wire term_197 = item_distance2 < base[943:912];
-    wire term_198 = item_distance2 < base[886:855];
-    wire term_199 = item_distance2 < base[829:798];
-    wire term_200 = item_distance2 < base[772:741];
-    wire term_201 = item_distance2 < base[715:684];
-    wire term_202 = item_distance2 < base[658:627];
-    wire term_203 = item_distance2 < base[601:570];
-    wire term_204 = item_distance2 < base[544:513];
-    wire term_205 = item_distance2 < base[487:456];
-    wire term_206 = item_distance2 < base[430:399];
-    wire term_207 = item_distance2 < base[373:342];
-    wire term_208 = item_distance2 < base[316:285];
-    wire term_209 = item_distance2 < base[259:228];
-    wire term_210 = item_distance2 < base[202:171];
-    wire term_211 = item_distance2 < base[145:114];
-    wire term_212 = item_distance2 < base[88:57];
-    wire term_213 = item_distance2 < base[31:0];
-    wire [31:0] joined_214 = {
-        term_182,
-        term_183,
-        term_184,
-        term_185,
-        term_186,
-        term_187,
-        term_188,
-        term_189,
-        term_190,
-        term_191,
-        term_192,
-        term_193,
-        term_194,
-        term_195,
-        term_196,
-        term_197,
-        term_198,
-        term_199,
-        term_200,
-        term_201,
-        term_202,
-        term_203,
-        term_204,
-        term_205,
-        term_206,
-        term_207,
-        term_208,
-        term_209,
-        term_210,
-        term_211,
-        term_212,
-        term_213
+    wire [31:0] joined_182 = {
+        item_distance2 < stored[1798:1767],
+        item_distance2 < stored[1741:1710],
+        item_distance2 < stored[1684:1653],
+        item_distance2 < stored[1627:1596],
+        item_distance2 < stored[1570:1539],
+        item_distance2 < stored[1513:1482],
+        item_distance2 < stored[1456:1425],
+        item_distance2 < stored[1399:1368],
+        item_distance2 < stored[1342:1311],
+        item_distance2 < stored[1285:1254],
+        item_distance2 < stored[1228:1197],
+        item_distance2 < stored[1171:1140],
+        item_distance2 < stored[1114:1083],
+        item_distance2 < stored[1057:1026],
+        item_distance2 < stored[1000:969],
+        item_distance2 < stored[943:912],
+        item_distance2 < stored[886:855],
+        item_distance2 < stored[829:798],
+        item_distance2 < stored[772:741],
+        item_distance2 < stored[715:684],
+        item_distance2 < stored[658:627],
+        item_distance2 < stored[601:570],
+        item_distance2 < stored[544:513],
+        item_distance2 < stored[487:456],
+        item_distance2 < stored[430:399],
+        item_distance2 < stored[373:342],
+        item_distance2 < stored[316:285],
+        item_distance2 < stored[259:228],
+        item_distance2 < stored[202:171],
+        item_distance2 < stored[145:114],
+        item_distance2 < stored[88:57],
+        item_distance2 < stored[31:0]
     };
-    wire term_215 = item_distance2 < new_distance2;
-    wire choice_216 = nearer[31] ? (nearer[30] ? term_183 : term_215) : term_182;
-    wire choice_217 = nearer[30] ? (nearer[29] ? term_184 : term_215) : term_183;
-    wire choice_218 = nearer[29] ? (nearer[28] ? term_185 : term_215) : term_184;
-    wire choice_219 = nearer[28] ? (nearer[27] ? term_186 : term_215) : term_185;
-    wire choice_220 = nearer[27] ? (nearer[26] ? term_187 : term_215) : term_186;
-    wire choice_221 = nearer[26] ? (nearer[25] ? term_188 : term_215) : term_187;
-    wire choice_222 = nearer[25] ? (nearer[24] ? term_189 : term_215) : term_188;
-    wire choice_223 = nearer[24] ? (nearer[23] ? term_190 : term_215) : term_189;
-    wire choice_224 = nearer[23] ? (nearer[22] ? term_191 : term_215) : term_190;
-    wire choice_225 = nearer[22] ? (nearer[21] ? term_192 : term_215) : term_191;
-    wire choice_226 = nearer[21] ? (nearer[20] ? term_193 : term_215) : term_192;
-    wire choice_227 = nearer[20] ? (nearer[19] ? term_194 : term_215) : term_193;
-    wire choice_228 = nearer[19] ? (nearer[18] ? term_195 : term_215) : term_194;
-    wire choice_229 = nearer[18] ? (nearer[17] ? term_196 : term_215) : term_195;
-    wire choice_230 = nearer[17] ? (nearer[16] ? term_197 : term_215) : term_196;
-    wire choice_231 = nearer[16] ? (nearer[15] ? term_198 : term_215) : term_197;
-    wire choice_232 = nearer[15] ? (nearer[14] ? term_199 : term_215) : term_198;
-    wire choice_233 = nearer[14] ? (nearer[13] ? term_200 : term_215) : term_199;
-    wire choice_234 = nearer[13] ? (nearer[12] ? term_201 : term_215) : term_200;
-    wire choice_235 = nearer[12] ? (nearer[11] ? term_202 : term_215) : term_201;
-    wire choice_236 = nearer[11] ? (nearer[10] ? term_203 : term_215) : term_202;
-    wire choice_237 = nearer[10] ? (nearer[9] ? term_204 : term_215) : term_203;
-    wire [31:0] joined_238 = {
-        choice_216,
+    wire term_183 = item_distance2 < working[1741:1710];
+    wire term_184 = item_distance2 < new_distance2;
+    wire choice_185 = nearer[31] ? (nearer[30] ? term_183 : term_184) : (item_distance2 < working[1798:1767]);
+    wire term_186 = item_distance2 < working[1684:1653];
+    wire choice_187 = nearer[30] ? (nearer[29] ? term_186 : term_184) : term_183;
+    wire term_188 = item_distance2 < working[1627:1596];
+    wire choice_189 = nearer[29] ? (nearer[28] ? term_188 : term_184) : term_186;
+    wire term_190 = item_distance2 < working[1570:1539];
+    wire choice_191 = nearer[28] ? (nearer[27] ? term_190 : term_184) : term_188;
+    wire term_192 = item_distance2 < working[1513:1482];
+    wire choice_193 = nearer[27] ? (nearer[26] ? term_192 : term_184) : term_190;
+    wire term_194 = item_distance2 < working[1456:1425];
+    wire choice_195 = nearer[26] ? (nearer[25] ? term_194 : term_184) : term_192;
+    wire term_196 = item_distance2 < working[1399:1368];
+    wire choice_197 = nearer[25] ? (nearer[24] ? term_196 : term_184) : term_194;
+    wire term_198 = item_distance2 < working[1342:1311];
+    wire choice_199 = nearer[24] ? (nearer[23] ? term_198 : term_184) : term_196;
+    wire term_200 = item_distance2 < working[1285:1254];
+    wire choice_201 = nearer[23] ? (nearer[22] ? term_200 : term_184) : term_198;
+    wire term_202 = item_distance2 < working[1228:1197];
+    wire choice_203 = nearer[22] ? (nearer[21] ? term_202 : term_184) : term_200;
+    wire term_204 = item_distance2 < working[1171:1140];
+    wire choice_205 = nearer[21] ? (nearer[20] ? term_204 : term_184) : term_202;
+    wire term_206 = item_distance2 < working[1114:1083];
+    wire choice_207 = nearer[20] ? (nearer[19] ? term_206 : term_184) : term_204;
+    wire term_208 = item_distance2 < working[1057:1026];
+    wire choice_209 = nearer[19] ? (nearer[18] ? term_208 : term_184) : term_206;
+    wire term_210 = item_distance2 < working[1000:969];
+    wire choice_211 = nearer[18] ? (nearer[17] ? term_210 : term_184) : term_208;
+    wire term_212 = item_distance2 < working[943:912];
+    wire choice_213 = nearer[17] ? (nearer[16] ? term_212 : term_184) : term_210;
+    wire term_214 = item_distance2 < working[886:855];
+    wire choice_215 = nearer[16] ? (nearer[15] ? term_214 : term_184) : term_212;
+    wire term_216 = item_distance2 < working[829:798];
+    wire choice_217 = nearer[15] ? (nearer[14] ? term_216 : term_184) : term_214;
+    wire term_218 = item_distance2 < working[772:741];
+    wire choice_219 = nearer[14] ? (nearer[13] ? term_218 : term_184) : term_216;
+    wire term_220 = item_distance2 < working[715:684];
+    wire choice_221 = nearer[13] ? (nearer[12] ? term_220 : term_184) : term_218;
+    wire term_222 = item_distance2 < working[658:627];
+    wire choice_223 = nearer[12] ? (nearer[11] ? term_222 : term_184) : term_220;
+    wire term_224 = item_distance2 < working[601:570];
+    wire choice_225 = nearer[11] ? (nearer[10] ? term_224 : term_184) : term_222;
+    wire term_226 = item_distance2 < working[544:513];
+    wire choice_227 = nearer[10] ? (nearer[9] ? term_226 : term_184) : term_224;
+    wire term_228 = item_distance2 < working[487:456];
+    wire term_229 = item_distance2 < working[430:399];
+    wire term_230 = item_distance2 < working[373:342];
+    wire term_231 = item_distance2 < working[316:285];
+    wire term_232 = item_distance2 < working[259:228];
+    wire term_233 = item_distance2 < working[202:171];
+    wire term_234 = item_distance2 < working[145:114];
+    wire term_235 = item_distance2 < working[88:57];
+    wire term_236 = item_distance2 < working[31:0];
+    wire [31:0] joined_237 = {
+        choice_185,
+        choice_187,
+        choice_189,
+        choice_191,
+        choice_193,
+        choice_195,
+        choice_197,
+        choice_199,
+        choice_201,
+        choice_203,
+        choice_205,
+        choice_207,
+        choice_209,
+        choice_211,
+        choice_213,
+        choice_215,
         choice_217,
-        choice_218,
         choice_219,
-        choice_220,
         choice_221,
-        choice_222,
         choice_223,
-        choice_224,
         choice_225,
-        choice_226,
         choice_227,
-        choice_228,
-        choice_229,
-        choice_230,
-        choice_231,
-        choice_232,
-        choice_233,
-        choice_234,
-        choice_235,
-        choice_236,
-        choice_237,
-        nearer[9] ? (nearer[8] ? term_205 : term_215) : term_204,
-        nearer[8] ? (nearer[7] ? term_206 : term_215) : term_205,
-        nearer[7] ? (nearer[6] ? term_207 : term_215) : term_206,
-        nearer[6] ? (nearer[5] ? term_208 : term_215) : term_207,
-        nearer[5] ? (nearer[4] ? term_209 : term_215) : term_208,
-        nearer[4] ? (nearer[3] ? term_210 : term_215) : term_209,
-        nearer[3] ? (nearer[2] ? term_211 : term_215) : term_210,
-        nearer[2] ? (nearer[1] ? term_212 : term_215) : term_211,
-        nearer[1] ? (nearer[0] ? term_213 : term_215) : term_212,
-        nearer[0] ? term_215 : term_213
+        nearer[9] ? (nearer[8] ? term_228 : term_184) : term_226,
+        nearer[8] ? (nearer[7] ? term_229 : term_184) : term_228,
+        nearer[7] ? (nearer[6] ? term_230 : term_184) : term_229,
+        nearer[6] ? (nearer[5] ? term_231 : term_184) : term_230,
+        nearer[5] ? (nearer[4] ? term_232 : term_184) : term_231,
+        nearer[4] ? (nearer[3] ? term_233 : term_184) : term_232,
+        nearer[3] ? (nearer[2] ? term_234 : term_184) : term_233,
+        nearer[2] ? (nearer[1] ? term_235 : term_184) : term_234,
+        nearer[1] ? (nearer[0] ? term_236 : term_184) : term_235,
+        nearer[0] ? term_184 : term_236
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_181 : joined_214) : joined_238;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_181 : joined_182) : joined_237;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [15:0] shifted_239 = fresh >> finish_queue_out_thread;
-    wire [31:0] choice_240 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [15:0] shifted_238 = fresh >> finish_queue_out_thread;
+    wire [31:0] choice_239 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15),
         radius_valid & (radius_thread == 4'd14),
@@ -2012,7 +2010,7 @@ module core_b_queue (
         radius_valid & (radius_thread == 4'd1),
         radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_241 = from_leaf >> candidates_thread;
+    wire [15:0] shifted_240 = from_leaf >> candidates_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
     wire write_back = item_reads & owned;
@@ -2108,10 +2106,10 @@ module core_b_queue (
         farthest <= choice_78;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_239[0];
+        fetch_from_nothing <= shifted_238[0];
         item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : choice_240;
+        item_distance2 <= chosen[0] ? beat_distance0 : choice_239;
         released_thread <= readout_thread;
         if (beat_free) begin
             beat_thread <= arrivals_head[186:183];
@@ -2143,7 +2141,7 @@ module core_b_queue (
                 candidates_distance1,
                 candidates_distance2,
                 candidates_distance3,
-                shifted_241[0] ? leaf_radius2 : query_radius2
+                shifted_240[0] ? leaf_radius2 : query_radius2
             };
         end
     end
@@ -2172,54 +2170,22 @@ module core_b_queue (
 
     wire _unused = &{
         1'b0,
-        base[56:32],
-        base[113:89],
-        base[170:146],
-        base[227:203],
-        base[284:260],
-        base[341:317],
-        base[398:374],
-        base[455:431],
-        base[512:488],
-        base[569:545],
-        base[626:602],
-        base[683:659],
-        base[740:716],
-        base[797:773],
-        base[854:830],
-        base[911:887],
-        base[968:944],
-        base[1025:1001],
-        base[1082:1058],
-        base[1139:1115],
-        base[1196:1172],
-        base[1253:1229],
-        base[1310:1286],
-        base[1367:1343],
-        base[1424:1400],
-        base[1481:1457],
-        base[1538:1514],
-        base[1595:1571],
-        base[1652:1628],
-        base[1709:1685],
-        base[1766:1742],
-        base[1823:1799],
         shifted_170[15:1],
         shifted_180[15:1],
-        shifted_239[15:1],
-        shifted_241[15:1],
+        shifted_238[15:1],
+        shifted_240[15:1],
         start_x,
         start_y,
         start_z
     };
 
 `ifdef POINTCORE_ASSERT
-    wire term_242 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [15:0] shifted_243 = fresh >> readout_thread;
+    wire term_241 = fetch_from_working == (owned & (owner == readout_thread));
+    wire [15:0] shifted_242 = fresh >> readout_thread;
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~fetching | term_242)) begin
+            if (!(~fetching | term_241)) begin
 `ifdef FORMAL
                 a_fetched_row_stays_where_it_is: assert (0);
 `else
@@ -2227,7 +2193,7 @@ module core_b_queue (
                 $stop;
 `endif
             end
-            if (!(~fetching | (fetch_from_nothing == shifted_243[0]))) begin
+            if (!(~fetching | (fetch_from_nothing == shifted_242[0]))) begin
 `ifdef FORMAL
                 a_fetched_row_stays_fresh: assert (0);
 `else
@@ -2246,7 +2212,7 @@ module core_b_queue (
         end
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_243[15:1]};
+    wire _unused_by_checks = &{1'b0, shifted_242[15:1]};
 `endif
 endmodule
 

@@ -8425,14 +8425,310 @@ module core_a_reorder (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    reg [595:0] payloads [0:4095];
+    reg [3:0] payloads_0 [0:4095];
+    reg [3:0] payloads_4 [0:4095];
+    reg [3:0] payloads_8 [0:4095];
+    reg [3:0] payloads_12 [0:4095];
+    reg [3:0] payloads_16 [0:4095];
+    reg [3:0] payloads_20 [0:4095];
+    reg [3:0] payloads_24 [0:4095];
+    reg [3:0] payloads_28 [0:4095];
+    reg [3:0] payloads_32 [0:4095];
+    reg [3:0] payloads_36 [0:4095];
+    reg [3:0] payloads_40 [0:4095];
+    reg [3:0] payloads_44 [0:4095];
+    reg [3:0] payloads_48 [0:4095];
+    reg [3:0] payloads_52 [0:4095];
+    reg [3:0] payloads_56 [0:4095];
+    reg [3:0] payloads_60 [0:4095];
+    reg [3:0] payloads_64 [0:4095];
+    reg [3:0] payloads_68 [0:4095];
+    reg [3:0] payloads_72 [0:4095];
+    reg [3:0] payloads_76 [0:4095];
+    reg [3:0] payloads_80 [0:4095];
+    reg [3:0] payloads_84 [0:4095];
+    reg [3:0] payloads_88 [0:4095];
+    reg [3:0] payloads_92 [0:4095];
+    reg [3:0] payloads_96 [0:4095];
+    reg [3:0] payloads_100 [0:4095];
+    reg [3:0] payloads_104 [0:4095];
+    reg [3:0] payloads_108 [0:4095];
+    reg [3:0] payloads_112 [0:4095];
+    reg [3:0] payloads_116 [0:4095];
+    reg [3:0] payloads_120 [0:4095];
+    reg [3:0] payloads_124 [0:4095];
+    reg [3:0] payloads_128 [0:4095];
+    reg [3:0] payloads_132 [0:4095];
+    reg [3:0] payloads_136 [0:4095];
+    reg [3:0] payloads_140 [0:4095];
+    reg [3:0] payloads_144 [0:4095];
+    reg [3:0] payloads_148 [0:4095];
+    reg [3:0] payloads_152 [0:4095];
+    reg [3:0] payloads_156 [0:4095];
+    reg [3:0] payloads_160 [0:4095];
+    reg [3:0] payloads_164 [0:4095];
+    reg [3:0] payloads_168 [0:4095];
+    reg [3:0] payloads_172 [0:4095];
+    reg [3:0] payloads_176 [0:4095];
+    reg [3:0] payloads_180 [0:4095];
+    reg [3:0] payloads_184 [0:4095];
+    reg [3:0] payloads_188 [0:4095];
+    reg [3:0] payloads_192 [0:4095];
+    reg [3:0] payloads_196 [0:4095];
+    reg [3:0] payloads_200 [0:4095];
+    reg [3:0] payloads_204 [0:4095];
+    reg [3:0] payloads_208 [0:4095];
+    reg [3:0] payloads_212 [0:4095];
+    reg [3:0] payloads_216 [0:4095];
+    reg [3:0] payloads_220 [0:4095];
+    reg [3:0] payloads_224 [0:4095];
+    reg [3:0] payloads_228 [0:4095];
+    reg [3:0] payloads_232 [0:4095];
+    reg [3:0] payloads_236 [0:4095];
+    reg [3:0] payloads_240 [0:4095];
+    reg [3:0] payloads_244 [0:4095];
+    reg [3:0] payloads_248 [0:4095];
+    reg [3:0] payloads_252 [0:4095];
+    reg [3:0] payloads_256 [0:4095];
+    reg [3:0] payloads_260 [0:4095];
+    reg [3:0] payloads_264 [0:4095];
+    reg [3:0] payloads_268 [0:4095];
+    reg [3:0] payloads_272 [0:4095];
+    reg [3:0] payloads_276 [0:4095];
+    reg [3:0] payloads_280 [0:4095];
+    reg [3:0] payloads_284 [0:4095];
+    reg [3:0] payloads_288 [0:4095];
+    reg [3:0] payloads_292 [0:4095];
+    reg [3:0] payloads_296 [0:4095];
+    reg [3:0] payloads_300 [0:4095];
+    reg [3:0] payloads_304 [0:4095];
+    reg [3:0] payloads_308 [0:4095];
+    reg [3:0] payloads_312 [0:4095];
+    reg [3:0] payloads_316 [0:4095];
+    reg [3:0] payloads_320 [0:4095];
+    reg [3:0] payloads_324 [0:4095];
+    reg [3:0] payloads_328 [0:4095];
+    reg [3:0] payloads_332 [0:4095];
+    reg [3:0] payloads_336 [0:4095];
+    reg [3:0] payloads_340 [0:4095];
+    reg [3:0] payloads_344 [0:4095];
+    reg [3:0] payloads_348 [0:4095];
+    reg [3:0] payloads_352 [0:4095];
+    reg [3:0] payloads_356 [0:4095];
+    reg [3:0] payloads_360 [0:4095];
+    reg [3:0] payloads_364 [0:4095];
+    reg [3:0] payloads_368 [0:4095];
+    reg [3:0] payloads_372 [0:4095];
+    reg [3:0] payloads_376 [0:4095];
+    reg [3:0] payloads_380 [0:4095];
+    reg [3:0] payloads_384 [0:4095];
+    reg [3:0] payloads_388 [0:4095];
+    reg [3:0] payloads_392 [0:4095];
+    reg [3:0] payloads_396 [0:4095];
+    reg [3:0] payloads_400 [0:4095];
+    reg [3:0] payloads_404 [0:4095];
+    reg [3:0] payloads_408 [0:4095];
+    reg [3:0] payloads_412 [0:4095];
+    reg [3:0] payloads_416 [0:4095];
+    reg [3:0] payloads_420 [0:4095];
+    reg [3:0] payloads_424 [0:4095];
+    reg [3:0] payloads_428 [0:4095];
+    reg [3:0] payloads_432 [0:4095];
+    reg [3:0] payloads_436 [0:4095];
+    reg [3:0] payloads_440 [0:4095];
+    reg [3:0] payloads_444 [0:4095];
+    reg [3:0] payloads_448 [0:4095];
+    reg [3:0] payloads_452 [0:4095];
+    reg [3:0] payloads_456 [0:4095];
+    reg [3:0] payloads_460 [0:4095];
+    reg [3:0] payloads_464 [0:4095];
+    reg [3:0] payloads_468 [0:4095];
+    reg [3:0] payloads_472 [0:4095];
+    reg [3:0] payloads_476 [0:4095];
+    reg [3:0] payloads_480 [0:4095];
+    reg [3:0] payloads_484 [0:4095];
+    reg [3:0] payloads_488 [0:4095];
+    reg [3:0] payloads_492 [0:4095];
+    reg [3:0] payloads_496 [0:4095];
+    reg [3:0] payloads_500 [0:4095];
+    reg [3:0] payloads_504 [0:4095];
+    reg [3:0] payloads_508 [0:4095];
+    reg [3:0] payloads_512 [0:4095];
+    reg [3:0] payloads_516 [0:4095];
+    reg [3:0] payloads_520 [0:4095];
+    reg [3:0] payloads_524 [0:4095];
+    reg [3:0] payloads_528 [0:4095];
+    reg [3:0] payloads_532 [0:4095];
+    reg [3:0] payloads_536 [0:4095];
+    reg [3:0] payloads_540 [0:4095];
+    reg [3:0] payloads_544 [0:4095];
+    reg [3:0] payloads_548 [0:4095];
+    reg [3:0] payloads_552 [0:4095];
+    reg [3:0] payloads_556 [0:4095];
+    reg [3:0] payloads_560 [0:4095];
+    reg [3:0] payloads_564 [0:4095];
+    reg [3:0] payloads_568 [0:4095];
+    reg [3:0] payloads_572 [0:4095];
+    reg [3:0] payloads_576 [0:4095];
+    reg [3:0] payloads_580 [0:4095];
+    reg [3:0] payloads_584 [0:4095];
+    reg [3:0] payloads_588 [0:4095];
+    reg [3:0] payloads_592 [0:4095];
     reg free_valid;
     reg [11:0] free;
     reg [12:0] fresh;
     reg draining;
     reg stage_valid;
     reg [11:0] stage_tile;
-    reg [595:0] stage_payload;
+    reg [3:0] stage_payload_0;
+    reg [3:0] stage_payload_4;
+    reg [3:0] stage_payload_8;
+    reg [3:0] stage_payload_12;
+    reg [3:0] stage_payload_16;
+    reg [3:0] stage_payload_20;
+    reg [3:0] stage_payload_24;
+    reg [3:0] stage_payload_28;
+    reg [3:0] stage_payload_32;
+    reg [3:0] stage_payload_36;
+    reg [3:0] stage_payload_40;
+    reg [3:0] stage_payload_44;
+    reg [3:0] stage_payload_48;
+    reg [3:0] stage_payload_52;
+    reg [3:0] stage_payload_56;
+    reg [3:0] stage_payload_60;
+    reg [3:0] stage_payload_64;
+    reg [3:0] stage_payload_68;
+    reg [3:0] stage_payload_72;
+    reg [3:0] stage_payload_76;
+    reg [3:0] stage_payload_80;
+    reg [3:0] stage_payload_84;
+    reg [3:0] stage_payload_88;
+    reg [3:0] stage_payload_92;
+    reg [3:0] stage_payload_96;
+    reg [3:0] stage_payload_100;
+    reg [3:0] stage_payload_104;
+    reg [3:0] stage_payload_108;
+    reg [3:0] stage_payload_112;
+    reg [3:0] stage_payload_116;
+    reg [3:0] stage_payload_120;
+    reg [3:0] stage_payload_124;
+    reg [3:0] stage_payload_128;
+    reg [3:0] stage_payload_132;
+    reg [3:0] stage_payload_136;
+    reg [3:0] stage_payload_140;
+    reg [3:0] stage_payload_144;
+    reg [3:0] stage_payload_148;
+    reg [3:0] stage_payload_152;
+    reg [3:0] stage_payload_156;
+    reg [3:0] stage_payload_160;
+    reg [3:0] stage_payload_164;
+    reg [3:0] stage_payload_168;
+    reg [3:0] stage_payload_172;
+    reg [3:0] stage_payload_176;
+    reg [3:0] stage_payload_180;
+    reg [3:0] stage_payload_184;
+    reg [3:0] stage_payload_188;
+    reg [3:0] stage_payload_192;
+    reg [3:0] stage_payload_196;
+    reg [3:0] stage_payload_200;
+    reg [3:0] stage_payload_204;
+    reg [3:0] stage_payload_208;
+    reg [3:0] stage_payload_212;
+    reg [3:0] stage_payload_216;
+    reg [3:0] stage_payload_220;
+    reg [3:0] stage_payload_224;
+    reg [3:0] stage_payload_228;
+    reg [3:0] stage_payload_232;
+    reg [3:0] stage_payload_236;
+    reg [3:0] stage_payload_240;
+    reg [3:0] stage_payload_244;
+    reg [3:0] stage_payload_248;
+    reg [3:0] stage_payload_252;
+    reg [3:0] stage_payload_256;
+    reg [3:0] stage_payload_260;
+    reg [3:0] stage_payload_264;
+    reg [3:0] stage_payload_268;
+    reg [3:0] stage_payload_272;
+    reg [3:0] stage_payload_276;
+    reg [3:0] stage_payload_280;
+    reg [3:0] stage_payload_284;
+    reg [3:0] stage_payload_288;
+    reg [3:0] stage_payload_292;
+    reg [3:0] stage_payload_296;
+    reg [3:0] stage_payload_300;
+    reg [3:0] stage_payload_304;
+    reg [3:0] stage_payload_308;
+    reg [3:0] stage_payload_312;
+    reg [3:0] stage_payload_316;
+    reg [3:0] stage_payload_320;
+    reg [3:0] stage_payload_324;
+    reg [3:0] stage_payload_328;
+    reg [3:0] stage_payload_332;
+    reg [3:0] stage_payload_336;
+    reg [3:0] stage_payload_340;
+    reg [3:0] stage_payload_344;
+    reg [3:0] stage_payload_348;
+    reg [3:0] stage_payload_352;
+    reg [3:0] stage_payload_356;
+    reg [3:0] stage_payload_360;
+    reg [3:0] stage_payload_364;
+    reg [3:0] stage_payload_368;
+    reg [3:0] stage_payload_372;
+    reg [3:0] stage_payload_376;
+    reg [3:0] stage_payload_380;
+    reg [3:0] stage_payload_384;
+    reg [3:0] stage_payload_388;
+    reg [3:0] stage_payload_392;
+    reg [3:0] stage_payload_396;
+    reg [3:0] stage_payload_400;
+    reg [3:0] stage_payload_404;
+    reg [3:0] stage_payload_408;
+    reg [3:0] stage_payload_412;
+    reg [3:0] stage_payload_416;
+    reg [3:0] stage_payload_420;
+    reg [3:0] stage_payload_424;
+    reg [3:0] stage_payload_428;
+    reg [3:0] stage_payload_432;
+    reg [3:0] stage_payload_436;
+    reg [3:0] stage_payload_440;
+    reg [3:0] stage_payload_444;
+    reg [3:0] stage_payload_448;
+    reg [3:0] stage_payload_452;
+    reg [3:0] stage_payload_456;
+    reg [3:0] stage_payload_460;
+    reg [3:0] stage_payload_464;
+    reg [3:0] stage_payload_468;
+    reg [3:0] stage_payload_472;
+    reg [3:0] stage_payload_476;
+    reg [3:0] stage_payload_480;
+    reg [3:0] stage_payload_484;
+    reg [3:0] stage_payload_488;
+    reg [3:0] stage_payload_492;
+    reg [3:0] stage_payload_496;
+    reg [3:0] stage_payload_500;
+    reg [3:0] stage_payload_504;
+    reg [3:0] stage_payload_508;
+    reg [3:0] stage_payload_512;
+    reg [3:0] stage_payload_516;
+    reg [3:0] stage_payload_520;
+    reg [3:0] stage_payload_524;
+    reg [3:0] stage_payload_528;
+    reg [3:0] stage_payload_532;
+    reg [3:0] stage_payload_536;
+    reg [3:0] stage_payload_540;
+    reg [3:0] stage_payload_544;
+    reg [3:0] stage_payload_548;
+    reg [3:0] stage_payload_552;
+    reg [3:0] stage_payload_556;
+    reg [3:0] stage_payload_560;
+    reg [3:0] stage_payload_564;
+    reg [3:0] stage_payload_568;
+    reg [3:0] stage_payload_572;
+    reg [3:0] stage_payload_576;
+    reg [3:0] stage_payload_580;
+    reg [3:0] stage_payload_584;
+    reg [3:0] stage_payload_588;
+    reg [3:0] stage_payload_592;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
@@ -8638,36 +8934,138 @@ module core_a_reorder (
         .in_valid(close | (stage_valid & out_queue_in_ready)),
         .in_ready(out_queue_in_ready),
         .in_end(close),
-        .in_center_x(stage_payload[595:564]),
-        .in_center_y(stage_payload[563:532]),
-        .in_ax(stage_payload[531:500]),
-        .in_bx(stage_payload[499:468]),
-        .in_ay(stage_payload[467:436]),
-        .in_by(stage_payload[435:404]),
-        .in_delta(stage_payload[403:372]),
-        .in_mx(stage_payload[371:340]),
-        .in_my(stage_payload[339:308]),
-        .in_depth(stage_payload[307:284]),
-        .in_depth_low(stage_payload[283:260]),
-        .in_depth_high(stage_payload[259:236]),
-        .in_attribute_0(stage_payload[235:220]),
-        .in_attribute_1(stage_payload[219:204]),
-        .in_attribute_2(stage_payload[203:188]),
-        .in_attribute_3(stage_payload[187:172]),
-        .in_attribute_4(stage_payload[171:156]),
-        .in_attribute_5(stage_payload[155:140]),
-        .in_attribute_6(stage_payload[139:124]),
-        .in_attribute_7(stage_payload[123:108]),
-        .in_attribute_8(stage_payload[107:92]),
-        .in_attribute_9(stage_payload[91:76]),
-        .in_attribute_10(stage_payload[75:60]),
-        .in_attribute_11(stage_payload[59:44]),
-        .in_attribute_12(stage_payload[43:28]),
-        .in_cardinal_0(stage_payload[27:12]),
-        .in_left(stage_payload[11:9]),
-        .in_right(stage_payload[8:6]),
-        .in_top(stage_payload[5:3]),
-        .in_bottom(stage_payload[2:0]),
+        .in_center_x({
+            stage_payload_592,
+            stage_payload_588,
+            stage_payload_584,
+            stage_payload_580,
+            stage_payload_576,
+            stage_payload_572,
+            stage_payload_568,
+            stage_payload_564
+        }),
+        .in_center_y({
+            stage_payload_560,
+            stage_payload_556,
+            stage_payload_552,
+            stage_payload_548,
+            stage_payload_544,
+            stage_payload_540,
+            stage_payload_536,
+            stage_payload_532
+        }),
+        .in_ax({
+            stage_payload_528,
+            stage_payload_524,
+            stage_payload_520,
+            stage_payload_516,
+            stage_payload_512,
+            stage_payload_508,
+            stage_payload_504,
+            stage_payload_500
+        }),
+        .in_bx({
+            stage_payload_496,
+            stage_payload_492,
+            stage_payload_488,
+            stage_payload_484,
+            stage_payload_480,
+            stage_payload_476,
+            stage_payload_472,
+            stage_payload_468
+        }),
+        .in_ay({
+            stage_payload_464,
+            stage_payload_460,
+            stage_payload_456,
+            stage_payload_452,
+            stage_payload_448,
+            stage_payload_444,
+            stage_payload_440,
+            stage_payload_436
+        }),
+        .in_by({
+            stage_payload_432,
+            stage_payload_428,
+            stage_payload_424,
+            stage_payload_420,
+            stage_payload_416,
+            stage_payload_412,
+            stage_payload_408,
+            stage_payload_404
+        }),
+        .in_delta({
+            stage_payload_400,
+            stage_payload_396,
+            stage_payload_392,
+            stage_payload_388,
+            stage_payload_384,
+            stage_payload_380,
+            stage_payload_376,
+            stage_payload_372
+        }),
+        .in_mx({
+            stage_payload_368,
+            stage_payload_364,
+            stage_payload_360,
+            stage_payload_356,
+            stage_payload_352,
+            stage_payload_348,
+            stage_payload_344,
+            stage_payload_340
+        }),
+        .in_my({
+            stage_payload_336,
+            stage_payload_332,
+            stage_payload_328,
+            stage_payload_324,
+            stage_payload_320,
+            stage_payload_316,
+            stage_payload_312,
+            stage_payload_308
+        }),
+        .in_depth({
+            stage_payload_304,
+            stage_payload_300,
+            stage_payload_296,
+            stage_payload_292,
+            stage_payload_288,
+            stage_payload_284
+        }),
+        .in_depth_low({
+            stage_payload_280,
+            stage_payload_276,
+            stage_payload_272,
+            stage_payload_268,
+            stage_payload_264,
+            stage_payload_260
+        }),
+        .in_depth_high({
+            stage_payload_256,
+            stage_payload_252,
+            stage_payload_248,
+            stage_payload_244,
+            stage_payload_240,
+            stage_payload_236
+        }),
+        .in_attribute_0({stage_payload_232, stage_payload_228, stage_payload_224, stage_payload_220}),
+        .in_attribute_1({stage_payload_216, stage_payload_212, stage_payload_208, stage_payload_204}),
+        .in_attribute_2({stage_payload_200, stage_payload_196, stage_payload_192, stage_payload_188}),
+        .in_attribute_3({stage_payload_184, stage_payload_180, stage_payload_176, stage_payload_172}),
+        .in_attribute_4({stage_payload_168, stage_payload_164, stage_payload_160, stage_payload_156}),
+        .in_attribute_5({stage_payload_152, stage_payload_148, stage_payload_144, stage_payload_140}),
+        .in_attribute_6({stage_payload_136, stage_payload_132, stage_payload_128, stage_payload_124}),
+        .in_attribute_7({stage_payload_120, stage_payload_116, stage_payload_112, stage_payload_108}),
+        .in_attribute_8({stage_payload_104, stage_payload_100, stage_payload_96, stage_payload_92}),
+        .in_attribute_9({stage_payload_88, stage_payload_84, stage_payload_80, stage_payload_76}),
+        .in_attribute_10({stage_payload_72, stage_payload_68, stage_payload_64, stage_payload_60}),
+        .in_attribute_11({stage_payload_56, stage_payload_52, stage_payload_48, stage_payload_44}),
+        .in_attribute_12({stage_payload_40, stage_payload_36, stage_payload_32, stage_payload_28}),
+        .in_cardinal_0({stage_payload_24, stage_payload_20, stage_payload_16, stage_payload_12}),
+        .in_left(stage_payload_8[3:1]),
+        .in_right({stage_payload_8[0], stage_payload_4[3:2]}),
+        .in_top({stage_payload_4[1:0], stage_payload_0[3]}),
+        .in_bottom(stage_payload_0[2:0]),
         .in_tile(stage_tile),
         .out_valid(out_queue_out_valid),
         .out_ready(out_queue_out_ready),
@@ -8759,41 +9157,1194 @@ module core_a_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads[free] <= {
-                in_queue_out_center_x,
-                in_queue_out_center_y,
-                in_queue_out_ax,
-                in_queue_out_bx,
-                in_queue_out_ay,
-                in_queue_out_by,
-                in_queue_out_delta,
-                in_queue_out_mx,
-                in_queue_out_my,
-                in_queue_out_depth,
-                in_queue_out_depth_low,
-                in_queue_out_depth_high,
-                in_queue_out_attribute_0,
-                in_queue_out_attribute_1,
-                in_queue_out_attribute_2,
-                in_queue_out_attribute_3,
-                in_queue_out_attribute_4,
-                in_queue_out_attribute_5,
-                in_queue_out_attribute_6,
-                in_queue_out_attribute_7,
-                in_queue_out_attribute_8,
-                in_queue_out_attribute_9,
-                in_queue_out_attribute_10,
-                in_queue_out_attribute_11,
-                in_queue_out_attribute_12,
-                in_queue_out_cardinal_0,
-                in_queue_out_left,
-                in_queue_out_right,
-                in_queue_out_top,
-                in_queue_out_bottom
-            };
+            payloads_0[free] <= {in_queue_out_top[0], in_queue_out_bottom};
         end
         if (advance) begin
-            stage_payload <= payloads[heap_out_pointer];
+            stage_payload_0 <= payloads_0[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_4[free] <= {in_queue_out_right[1:0], in_queue_out_top[2:1]};
+        end
+        if (advance) begin
+            stage_payload_4 <= payloads_4[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_8[free] <= {in_queue_out_left, in_queue_out_right[2]};
+        end
+        if (advance) begin
+            stage_payload_8 <= payloads_8[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_12[free] <= in_queue_out_cardinal_0[3:0];
+        end
+        if (advance) begin
+            stage_payload_12 <= payloads_12[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_16[free] <= in_queue_out_cardinal_0[7:4];
+        end
+        if (advance) begin
+            stage_payload_16 <= payloads_16[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_20[free] <= in_queue_out_cardinal_0[11:8];
+        end
+        if (advance) begin
+            stage_payload_20 <= payloads_20[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_24[free] <= in_queue_out_cardinal_0[15:12];
+        end
+        if (advance) begin
+            stage_payload_24 <= payloads_24[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_28[free] <= in_queue_out_attribute_12[3:0];
+        end
+        if (advance) begin
+            stage_payload_28 <= payloads_28[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_32[free] <= in_queue_out_attribute_12[7:4];
+        end
+        if (advance) begin
+            stage_payload_32 <= payloads_32[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_36[free] <= in_queue_out_attribute_12[11:8];
+        end
+        if (advance) begin
+            stage_payload_36 <= payloads_36[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_40[free] <= in_queue_out_attribute_12[15:12];
+        end
+        if (advance) begin
+            stage_payload_40 <= payloads_40[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_44[free] <= in_queue_out_attribute_11[3:0];
+        end
+        if (advance) begin
+            stage_payload_44 <= payloads_44[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_48[free] <= in_queue_out_attribute_11[7:4];
+        end
+        if (advance) begin
+            stage_payload_48 <= payloads_48[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_52[free] <= in_queue_out_attribute_11[11:8];
+        end
+        if (advance) begin
+            stage_payload_52 <= payloads_52[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_56[free] <= in_queue_out_attribute_11[15:12];
+        end
+        if (advance) begin
+            stage_payload_56 <= payloads_56[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_60[free] <= in_queue_out_attribute_10[3:0];
+        end
+        if (advance) begin
+            stage_payload_60 <= payloads_60[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_64[free] <= in_queue_out_attribute_10[7:4];
+        end
+        if (advance) begin
+            stage_payload_64 <= payloads_64[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_68[free] <= in_queue_out_attribute_10[11:8];
+        end
+        if (advance) begin
+            stage_payload_68 <= payloads_68[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_72[free] <= in_queue_out_attribute_10[15:12];
+        end
+        if (advance) begin
+            stage_payload_72 <= payloads_72[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_76[free] <= in_queue_out_attribute_9[3:0];
+        end
+        if (advance) begin
+            stage_payload_76 <= payloads_76[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_80[free] <= in_queue_out_attribute_9[7:4];
+        end
+        if (advance) begin
+            stage_payload_80 <= payloads_80[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_84[free] <= in_queue_out_attribute_9[11:8];
+        end
+        if (advance) begin
+            stage_payload_84 <= payloads_84[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_88[free] <= in_queue_out_attribute_9[15:12];
+        end
+        if (advance) begin
+            stage_payload_88 <= payloads_88[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_92[free] <= in_queue_out_attribute_8[3:0];
+        end
+        if (advance) begin
+            stage_payload_92 <= payloads_92[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_96[free] <= in_queue_out_attribute_8[7:4];
+        end
+        if (advance) begin
+            stage_payload_96 <= payloads_96[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_100[free] <= in_queue_out_attribute_8[11:8];
+        end
+        if (advance) begin
+            stage_payload_100 <= payloads_100[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_104[free] <= in_queue_out_attribute_8[15:12];
+        end
+        if (advance) begin
+            stage_payload_104 <= payloads_104[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_108[free] <= in_queue_out_attribute_7[3:0];
+        end
+        if (advance) begin
+            stage_payload_108 <= payloads_108[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_112[free] <= in_queue_out_attribute_7[7:4];
+        end
+        if (advance) begin
+            stage_payload_112 <= payloads_112[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_116[free] <= in_queue_out_attribute_7[11:8];
+        end
+        if (advance) begin
+            stage_payload_116 <= payloads_116[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_120[free] <= in_queue_out_attribute_7[15:12];
+        end
+        if (advance) begin
+            stage_payload_120 <= payloads_120[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_124[free] <= in_queue_out_attribute_6[3:0];
+        end
+        if (advance) begin
+            stage_payload_124 <= payloads_124[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_128[free] <= in_queue_out_attribute_6[7:4];
+        end
+        if (advance) begin
+            stage_payload_128 <= payloads_128[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_132[free] <= in_queue_out_attribute_6[11:8];
+        end
+        if (advance) begin
+            stage_payload_132 <= payloads_132[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_136[free] <= in_queue_out_attribute_6[15:12];
+        end
+        if (advance) begin
+            stage_payload_136 <= payloads_136[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_140[free] <= in_queue_out_attribute_5[3:0];
+        end
+        if (advance) begin
+            stage_payload_140 <= payloads_140[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_144[free] <= in_queue_out_attribute_5[7:4];
+        end
+        if (advance) begin
+            stage_payload_144 <= payloads_144[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_148[free] <= in_queue_out_attribute_5[11:8];
+        end
+        if (advance) begin
+            stage_payload_148 <= payloads_148[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_152[free] <= in_queue_out_attribute_5[15:12];
+        end
+        if (advance) begin
+            stage_payload_152 <= payloads_152[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_156[free] <= in_queue_out_attribute_4[3:0];
+        end
+        if (advance) begin
+            stage_payload_156 <= payloads_156[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_160[free] <= in_queue_out_attribute_4[7:4];
+        end
+        if (advance) begin
+            stage_payload_160 <= payloads_160[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_164[free] <= in_queue_out_attribute_4[11:8];
+        end
+        if (advance) begin
+            stage_payload_164 <= payloads_164[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_168[free] <= in_queue_out_attribute_4[15:12];
+        end
+        if (advance) begin
+            stage_payload_168 <= payloads_168[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_172[free] <= in_queue_out_attribute_3[3:0];
+        end
+        if (advance) begin
+            stage_payload_172 <= payloads_172[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_176[free] <= in_queue_out_attribute_3[7:4];
+        end
+        if (advance) begin
+            stage_payload_176 <= payloads_176[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_180[free] <= in_queue_out_attribute_3[11:8];
+        end
+        if (advance) begin
+            stage_payload_180 <= payloads_180[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_184[free] <= in_queue_out_attribute_3[15:12];
+        end
+        if (advance) begin
+            stage_payload_184 <= payloads_184[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_188[free] <= in_queue_out_attribute_2[3:0];
+        end
+        if (advance) begin
+            stage_payload_188 <= payloads_188[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_192[free] <= in_queue_out_attribute_2[7:4];
+        end
+        if (advance) begin
+            stage_payload_192 <= payloads_192[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_196[free] <= in_queue_out_attribute_2[11:8];
+        end
+        if (advance) begin
+            stage_payload_196 <= payloads_196[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_200[free] <= in_queue_out_attribute_2[15:12];
+        end
+        if (advance) begin
+            stage_payload_200 <= payloads_200[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_204[free] <= in_queue_out_attribute_1[3:0];
+        end
+        if (advance) begin
+            stage_payload_204 <= payloads_204[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_208[free] <= in_queue_out_attribute_1[7:4];
+        end
+        if (advance) begin
+            stage_payload_208 <= payloads_208[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_212[free] <= in_queue_out_attribute_1[11:8];
+        end
+        if (advance) begin
+            stage_payload_212 <= payloads_212[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_216[free] <= in_queue_out_attribute_1[15:12];
+        end
+        if (advance) begin
+            stage_payload_216 <= payloads_216[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_220[free] <= in_queue_out_attribute_0[3:0];
+        end
+        if (advance) begin
+            stage_payload_220 <= payloads_220[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_224[free] <= in_queue_out_attribute_0[7:4];
+        end
+        if (advance) begin
+            stage_payload_224 <= payloads_224[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_228[free] <= in_queue_out_attribute_0[11:8];
+        end
+        if (advance) begin
+            stage_payload_228 <= payloads_228[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_232[free] <= in_queue_out_attribute_0[15:12];
+        end
+        if (advance) begin
+            stage_payload_232 <= payloads_232[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_236[free] <= in_queue_out_depth_high[3:0];
+        end
+        if (advance) begin
+            stage_payload_236 <= payloads_236[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_240[free] <= in_queue_out_depth_high[7:4];
+        end
+        if (advance) begin
+            stage_payload_240 <= payloads_240[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_244[free] <= in_queue_out_depth_high[11:8];
+        end
+        if (advance) begin
+            stage_payload_244 <= payloads_244[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_248[free] <= in_queue_out_depth_high[15:12];
+        end
+        if (advance) begin
+            stage_payload_248 <= payloads_248[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_252[free] <= in_queue_out_depth_high[19:16];
+        end
+        if (advance) begin
+            stage_payload_252 <= payloads_252[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_256[free] <= in_queue_out_depth_high[23:20];
+        end
+        if (advance) begin
+            stage_payload_256 <= payloads_256[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_260[free] <= in_queue_out_depth_low[3:0];
+        end
+        if (advance) begin
+            stage_payload_260 <= payloads_260[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_264[free] <= in_queue_out_depth_low[7:4];
+        end
+        if (advance) begin
+            stage_payload_264 <= payloads_264[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_268[free] <= in_queue_out_depth_low[11:8];
+        end
+        if (advance) begin
+            stage_payload_268 <= payloads_268[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_272[free] <= in_queue_out_depth_low[15:12];
+        end
+        if (advance) begin
+            stage_payload_272 <= payloads_272[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_276[free] <= in_queue_out_depth_low[19:16];
+        end
+        if (advance) begin
+            stage_payload_276 <= payloads_276[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_280[free] <= in_queue_out_depth_low[23:20];
+        end
+        if (advance) begin
+            stage_payload_280 <= payloads_280[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_284[free] <= in_queue_out_depth[3:0];
+        end
+        if (advance) begin
+            stage_payload_284 <= payloads_284[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_288[free] <= in_queue_out_depth[7:4];
+        end
+        if (advance) begin
+            stage_payload_288 <= payloads_288[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_292[free] <= in_queue_out_depth[11:8];
+        end
+        if (advance) begin
+            stage_payload_292 <= payloads_292[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_296[free] <= in_queue_out_depth[15:12];
+        end
+        if (advance) begin
+            stage_payload_296 <= payloads_296[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_300[free] <= in_queue_out_depth[19:16];
+        end
+        if (advance) begin
+            stage_payload_300 <= payloads_300[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_304[free] <= in_queue_out_depth[23:20];
+        end
+        if (advance) begin
+            stage_payload_304 <= payloads_304[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_308[free] <= in_queue_out_my[3:0];
+        end
+        if (advance) begin
+            stage_payload_308 <= payloads_308[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_312[free] <= in_queue_out_my[7:4];
+        end
+        if (advance) begin
+            stage_payload_312 <= payloads_312[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_316[free] <= in_queue_out_my[11:8];
+        end
+        if (advance) begin
+            stage_payload_316 <= payloads_316[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_320[free] <= in_queue_out_my[15:12];
+        end
+        if (advance) begin
+            stage_payload_320 <= payloads_320[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_324[free] <= in_queue_out_my[19:16];
+        end
+        if (advance) begin
+            stage_payload_324 <= payloads_324[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_328[free] <= in_queue_out_my[23:20];
+        end
+        if (advance) begin
+            stage_payload_328 <= payloads_328[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_332[free] <= in_queue_out_my[27:24];
+        end
+        if (advance) begin
+            stage_payload_332 <= payloads_332[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_336[free] <= in_queue_out_my[31:28];
+        end
+        if (advance) begin
+            stage_payload_336 <= payloads_336[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_340[free] <= in_queue_out_mx[3:0];
+        end
+        if (advance) begin
+            stage_payload_340 <= payloads_340[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_344[free] <= in_queue_out_mx[7:4];
+        end
+        if (advance) begin
+            stage_payload_344 <= payloads_344[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_348[free] <= in_queue_out_mx[11:8];
+        end
+        if (advance) begin
+            stage_payload_348 <= payloads_348[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_352[free] <= in_queue_out_mx[15:12];
+        end
+        if (advance) begin
+            stage_payload_352 <= payloads_352[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_356[free] <= in_queue_out_mx[19:16];
+        end
+        if (advance) begin
+            stage_payload_356 <= payloads_356[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_360[free] <= in_queue_out_mx[23:20];
+        end
+        if (advance) begin
+            stage_payload_360 <= payloads_360[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_364[free] <= in_queue_out_mx[27:24];
+        end
+        if (advance) begin
+            stage_payload_364 <= payloads_364[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_368[free] <= in_queue_out_mx[31:28];
+        end
+        if (advance) begin
+            stage_payload_368 <= payloads_368[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_372[free] <= in_queue_out_delta[3:0];
+        end
+        if (advance) begin
+            stage_payload_372 <= payloads_372[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_376[free] <= in_queue_out_delta[7:4];
+        end
+        if (advance) begin
+            stage_payload_376 <= payloads_376[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_380[free] <= in_queue_out_delta[11:8];
+        end
+        if (advance) begin
+            stage_payload_380 <= payloads_380[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_384[free] <= in_queue_out_delta[15:12];
+        end
+        if (advance) begin
+            stage_payload_384 <= payloads_384[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_388[free] <= in_queue_out_delta[19:16];
+        end
+        if (advance) begin
+            stage_payload_388 <= payloads_388[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_392[free] <= in_queue_out_delta[23:20];
+        end
+        if (advance) begin
+            stage_payload_392 <= payloads_392[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_396[free] <= in_queue_out_delta[27:24];
+        end
+        if (advance) begin
+            stage_payload_396 <= payloads_396[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_400[free] <= in_queue_out_delta[31:28];
+        end
+        if (advance) begin
+            stage_payload_400 <= payloads_400[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_404[free] <= in_queue_out_by[3:0];
+        end
+        if (advance) begin
+            stage_payload_404 <= payloads_404[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_408[free] <= in_queue_out_by[7:4];
+        end
+        if (advance) begin
+            stage_payload_408 <= payloads_408[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_412[free] <= in_queue_out_by[11:8];
+        end
+        if (advance) begin
+            stage_payload_412 <= payloads_412[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_416[free] <= in_queue_out_by[15:12];
+        end
+        if (advance) begin
+            stage_payload_416 <= payloads_416[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_420[free] <= in_queue_out_by[19:16];
+        end
+        if (advance) begin
+            stage_payload_420 <= payloads_420[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_424[free] <= in_queue_out_by[23:20];
+        end
+        if (advance) begin
+            stage_payload_424 <= payloads_424[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_428[free] <= in_queue_out_by[27:24];
+        end
+        if (advance) begin
+            stage_payload_428 <= payloads_428[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_432[free] <= in_queue_out_by[31:28];
+        end
+        if (advance) begin
+            stage_payload_432 <= payloads_432[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_436[free] <= in_queue_out_ay[3:0];
+        end
+        if (advance) begin
+            stage_payload_436 <= payloads_436[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_440[free] <= in_queue_out_ay[7:4];
+        end
+        if (advance) begin
+            stage_payload_440 <= payloads_440[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_444[free] <= in_queue_out_ay[11:8];
+        end
+        if (advance) begin
+            stage_payload_444 <= payloads_444[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_448[free] <= in_queue_out_ay[15:12];
+        end
+        if (advance) begin
+            stage_payload_448 <= payloads_448[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_452[free] <= in_queue_out_ay[19:16];
+        end
+        if (advance) begin
+            stage_payload_452 <= payloads_452[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_456[free] <= in_queue_out_ay[23:20];
+        end
+        if (advance) begin
+            stage_payload_456 <= payloads_456[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_460[free] <= in_queue_out_ay[27:24];
+        end
+        if (advance) begin
+            stage_payload_460 <= payloads_460[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_464[free] <= in_queue_out_ay[31:28];
+        end
+        if (advance) begin
+            stage_payload_464 <= payloads_464[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_468[free] <= in_queue_out_bx[3:0];
+        end
+        if (advance) begin
+            stage_payload_468 <= payloads_468[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_472[free] <= in_queue_out_bx[7:4];
+        end
+        if (advance) begin
+            stage_payload_472 <= payloads_472[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_476[free] <= in_queue_out_bx[11:8];
+        end
+        if (advance) begin
+            stage_payload_476 <= payloads_476[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_480[free] <= in_queue_out_bx[15:12];
+        end
+        if (advance) begin
+            stage_payload_480 <= payloads_480[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_484[free] <= in_queue_out_bx[19:16];
+        end
+        if (advance) begin
+            stage_payload_484 <= payloads_484[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_488[free] <= in_queue_out_bx[23:20];
+        end
+        if (advance) begin
+            stage_payload_488 <= payloads_488[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_492[free] <= in_queue_out_bx[27:24];
+        end
+        if (advance) begin
+            stage_payload_492 <= payloads_492[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_496[free] <= in_queue_out_bx[31:28];
+        end
+        if (advance) begin
+            stage_payload_496 <= payloads_496[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_500[free] <= in_queue_out_ax[3:0];
+        end
+        if (advance) begin
+            stage_payload_500 <= payloads_500[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_504[free] <= in_queue_out_ax[7:4];
+        end
+        if (advance) begin
+            stage_payload_504 <= payloads_504[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_508[free] <= in_queue_out_ax[11:8];
+        end
+        if (advance) begin
+            stage_payload_508 <= payloads_508[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_512[free] <= in_queue_out_ax[15:12];
+        end
+        if (advance) begin
+            stage_payload_512 <= payloads_512[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_516[free] <= in_queue_out_ax[19:16];
+        end
+        if (advance) begin
+            stage_payload_516 <= payloads_516[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_520[free] <= in_queue_out_ax[23:20];
+        end
+        if (advance) begin
+            stage_payload_520 <= payloads_520[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_524[free] <= in_queue_out_ax[27:24];
+        end
+        if (advance) begin
+            stage_payload_524 <= payloads_524[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_528[free] <= in_queue_out_ax[31:28];
+        end
+        if (advance) begin
+            stage_payload_528 <= payloads_528[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_532[free] <= in_queue_out_center_y[3:0];
+        end
+        if (advance) begin
+            stage_payload_532 <= payloads_532[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_536[free] <= in_queue_out_center_y[7:4];
+        end
+        if (advance) begin
+            stage_payload_536 <= payloads_536[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_540[free] <= in_queue_out_center_y[11:8];
+        end
+        if (advance) begin
+            stage_payload_540 <= payloads_540[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_544[free] <= in_queue_out_center_y[15:12];
+        end
+        if (advance) begin
+            stage_payload_544 <= payloads_544[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_548[free] <= in_queue_out_center_y[19:16];
+        end
+        if (advance) begin
+            stage_payload_548 <= payloads_548[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_552[free] <= in_queue_out_center_y[23:20];
+        end
+        if (advance) begin
+            stage_payload_552 <= payloads_552[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_556[free] <= in_queue_out_center_y[27:24];
+        end
+        if (advance) begin
+            stage_payload_556 <= payloads_556[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_560[free] <= in_queue_out_center_y[31:28];
+        end
+        if (advance) begin
+            stage_payload_560 <= payloads_560[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_564[free] <= in_queue_out_center_x[3:0];
+        end
+        if (advance) begin
+            stage_payload_564 <= payloads_564[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_568[free] <= in_queue_out_center_x[7:4];
+        end
+        if (advance) begin
+            stage_payload_568 <= payloads_568[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_572[free] <= in_queue_out_center_x[11:8];
+        end
+        if (advance) begin
+            stage_payload_572 <= payloads_572[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_576[free] <= in_queue_out_center_x[15:12];
+        end
+        if (advance) begin
+            stage_payload_576 <= payloads_576[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_580[free] <= in_queue_out_center_x[19:16];
+        end
+        if (advance) begin
+            stage_payload_580 <= payloads_580[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_584[free] <= in_queue_out_center_x[23:20];
+        end
+        if (advance) begin
+            stage_payload_584 <= payloads_584[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_588[free] <= in_queue_out_center_x[27:24];
+        end
+        if (advance) begin
+            stage_payload_588 <= payloads_588[heap_out_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_592[free] <= in_queue_out_center_x[31:28];
+        end
+        if (advance) begin
+            stage_payload_592 <= payloads_592[heap_out_pointer];
         end
     end
 

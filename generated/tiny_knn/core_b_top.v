@@ -617,28 +617,36 @@ module core_b_queue (
     wire left = waits ? beat_pending : term_44;
     wire [3:0] shifted_45 = fresh >> beat_thread;
     wire [7:0] joined_46 = {~term_11, ~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18};
-    wire [327:0] base = item_reads ? stored : working;
-    wire term_47 = item_distance2 < base[310:287];
-    wire term_48 = item_distance2 < base[269:246];
-    wire term_49 = item_distance2 < base[228:205];
-    wire term_50 = item_distance2 < base[187:164];
-    wire term_51 = item_distance2 < base[146:123];
-    wire term_52 = item_distance2 < base[105:82];
-    wire term_53 = item_distance2 < base[64:41];
-    wire term_54 = item_distance2 < base[23:0];
-    wire [7:0] joined_55 = {term_47, term_48, term_49, term_50, term_51, term_52, term_53, term_54};
-    wire term_56 = item_distance2 < new_distance2;
-    wire [7:0] joined_57 = {
-        nearer[7] ? (nearer[6] ? term_48 : term_56) : term_47,
-        nearer[6] ? (nearer[5] ? term_49 : term_56) : term_48,
-        nearer[5] ? (nearer[4] ? term_50 : term_56) : term_49,
-        nearer[4] ? (nearer[3] ? term_51 : term_56) : term_50,
-        nearer[3] ? (nearer[2] ? term_52 : term_56) : term_51,
-        nearer[2] ? (nearer[1] ? term_53 : term_56) : term_52,
-        nearer[1] ? (nearer[0] ? term_54 : term_56) : term_53,
-        nearer[0] ? term_56 : term_54
+    wire [7:0] joined_47 = {
+        item_distance2 < stored[310:287],
+        item_distance2 < stored[269:246],
+        item_distance2 < stored[228:205],
+        item_distance2 < stored[187:164],
+        item_distance2 < stored[146:123],
+        item_distance2 < stored[105:82],
+        item_distance2 < stored[64:41],
+        item_distance2 < stored[23:0]
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_46 : joined_55) : joined_57;
+    wire term_48 = item_distance2 < working[269:246];
+    wire term_49 = item_distance2 < new_distance2;
+    wire choice_50 = nearer[7] ? (nearer[6] ? term_48 : term_49) : (item_distance2 < working[310:287]);
+    wire term_51 = item_distance2 < working[228:205];
+    wire term_52 = item_distance2 < working[187:164];
+    wire term_53 = item_distance2 < working[146:123];
+    wire term_54 = item_distance2 < working[105:82];
+    wire term_55 = item_distance2 < working[64:41];
+    wire term_56 = item_distance2 < working[23:0];
+    wire [7:0] joined_57 = {
+        choice_50,
+        nearer[6] ? (nearer[5] ? term_51 : term_49) : term_48,
+        nearer[5] ? (nearer[4] ? term_52 : term_49) : term_51,
+        nearer[4] ? (nearer[3] ? term_53 : term_49) : term_52,
+        nearer[3] ? (nearer[2] ? term_54 : term_49) : term_53,
+        nearer[2] ? (nearer[1] ? term_55 : term_49) : term_54,
+        nearer[1] ? (nearer[0] ? term_56 : term_49) : term_55,
+        nearer[0] ? term_49 : term_56
+    };
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_46 : joined_47) : joined_57;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
     wire [3:0] shifted_58 = fresh >> finish_queue_out_thread;
@@ -802,14 +810,6 @@ module core_b_queue (
 
     wire _unused = &{
         1'b0,
-        base[40:24],
-        base[81:65],
-        base[122:106],
-        base[163:147],
-        base[204:188],
-        base[245:229],
-        base[286:270],
-        base[327:311],
         shifted_41[3:1],
         shifted_45[3:1],
         shifted_58[3:1],
