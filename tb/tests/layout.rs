@@ -33,7 +33,6 @@ const HELPERS: &[&str] = &[
     "core_b/queue_row",
     "core_b/radii",
     "core_b/sets",
-    "core_b/sliced",
     "float/delay",
     "float/newton",
     "float/operand",
