@@ -1,6 +1,6 @@
 //! Rasterizer: intersects the viewing ray of every pixel in a copy's bounds with the splat's plane (thesis 5.4.2, table 5.2).
 //!
-//! A pixel a cycle, in the rasterizer's format, floating or [fixed](super::fixed_distance) point; samples outside the splat are dropped, but for a copy's last. Depth band and
+//! A pixel a cycle, in the rasterizer's format, floating or fixed point; samples outside the splat are dropped, but for a copy's last. Depth band and
 //! attributes wait in a queue beside the datapath and meet each of their samples at its end.
 
 use super::division::squared_ratio;
