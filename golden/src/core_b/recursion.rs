@@ -1,7 +1,7 @@
 //! Stack recursion: pops paths until one leads nearer than the thread's radius (thesis 6.6.2).
 //!
 //! A path is taken if its squared distance is below the thread's squared radius, compared as unsigned integers; equal is not
-//! nearer. Two stages; a thread whose path is too far goes back to the first.
+//! nearer. Three stages: a pop, its path, the comparison; a thread whose path is too far goes back to the first.
 
 use super::records::{Descent, Path, Radius, Shape, Start, Thread};
 use super::stack::visit_top;
@@ -39,10 +39,11 @@ pub struct Out {
     pub event_pop: bool,
 }
 
-/// A thread with its radius as of the pop.
+/// A thread with its last path, `None` when its stack was empty, and its radius as of the cycle in which the path came.
 #[derive(Clone, Copy, Debug)]
 struct Popped {
     thread: Thread,
+    path: Option<Path>,
     radius2: u32,
 }
 
@@ -52,8 +53,9 @@ pub struct Recursion {
     shape: Shape,
     radii2: Vec<u32>,
     input: Skid<Thread>,
-    /// The stages r0 and r1.
+    /// The stages r0, r1 and r2.
     popping: Option<Thread>,
+    waiting: Option<Thread>,
     popped: Option<Popped>,
     resume: Skid<Descent>,
     empty: Option<Thread>,
@@ -69,6 +71,7 @@ impl Recursion {
             radii2: vec![0; config.threads as usize],
             input: Skid::default(),
             popping: None,
+            waiting: None,
             popped: None,
             resume: Skid::default(),
             empty: None,
@@ -105,9 +108,9 @@ impl Model for Recursion {
         let (mut resumed, mut back) = (None, None);
         self.empty = None;
         self.event_pop = false;
-        if let Some(Popped { thread, radius2 }) = self.popped.filter(|_| advances) {
-            self.event_pop = inputs.top.is_some();
-            match inputs.top {
+        if let Some(Popped { thread, path, radius2 }) = self.popped.filter(|_| advances) {
+            self.event_pop = path.is_some();
+            match path {
                 None => self.empty = Some(thread),
                 Some(path) if path.distance2 < radius2 => resumed = Some(Descent { thread, node: path.node }),
                 Some(_) => back = Some(thread),
@@ -115,7 +118,9 @@ impl Model for Recursion {
         }
         let takes_input = advances && back.is_none();
         if advances {
-            self.popped = self.popping.map(|thread| Popped { thread, radius2: self.radii2[thread.index()] });
+            let radius2 = |thread: Thread| self.radii2[thread.index()];
+            self.popped = self.waiting.map(|thread| Popped { thread, path: inputs.top, radius2: radius2(thread) });
+            self.waiting = self.popping;
             self.popping = back.or(self.input.out().copied());
         }
         self.input.step(inputs.input, takes_input);
@@ -205,11 +210,11 @@ mod tests {
 
     #[test]
     fn a_new_radius_counts_from_the_next_cycle_on() {
-        for (delay, expected) in [(2, Some(7)), (3, None)] {
+        for (delay, expected) in [(1, Some(7)), (2, None)] {
             let mut bench = Bench::new(10, 1);
             bench.push(0, 7, 9);
             let mut resumed = None;
-            // The thread is in the input queue after cycle 0 and in r0 after cycle 1; cycle 2 reads its radius.
+            // The thread is in the input queue after cycle 0, in r0 after cycle 1 and in r1 after cycle 2; cycle 3 reads its radius.
             for cycle in 0..10 {
                 let radius = (cycle == 4 - delay).then_some(Radius { radius2: 5, ..Radius::default() });
                 let input = (cycle == 0).then(Thread::default);
@@ -232,7 +237,7 @@ mod tests {
             let out = bench.clock(In { input, resume_ready, ..In::default() });
             next += u8::from(out.in_ready && next < 8);
             resumed.extend(out.resume.filter(|_| resume_ready).map(|descent| descent.node));
-            assert!(cycle != 29 || next == 6, "two in each queue and one in each stage, not {next}");
+            assert!(cycle != 29 || next == 7, "two in each queue and one in each stage, not {next}");
         }
         assert_eq!(resumed, [20, 21, 22, 23, 24, 25, 26, 27]);
     }
