@@ -11,7 +11,7 @@ use pointcore_spec::core_b::{Config, records};
 
 use super::head_queue::HeadQueue;
 use super::queue_readout::{Readout, Rows, Whose};
-use super::queue_row::{entries, entry_fields, initial, insert, is_sentinel, row, row_bits};
+use super::queue_row::{entries, entry_fields, initial, insert, row, row_bits, sentinels};
 use super::radii::radii_now;
 use super::sets::{contains, decode, index_of, lowest, set, several};
 use crate::rtl::{Expr, Module, Reg, bit, cat};
@@ -134,17 +134,22 @@ impl Insertion {
     }
 }
 
-/// What `start` says of a thread's query, in the order of the word that holds it.
+/// What is kept of a thread's query, in the order of the word that holds it: what `start` says, and what follows for its row.
 fn query_fields(config: &Config) -> Vec<Field> {
     let kept = |(name, _): &Field| ["number", "k", "radius2"].contains(&name.as_str());
-    records::start(config).into_iter().filter(kept).collect()
+    let sentinels = ("sentinels".to_owned(), config.neighbors);
+    records::start(config).into_iter().filter(kept).chain([sentinels]).collect()
 }
 
 /// A memory of the queries: written at their start, read as the rows are.
 fn queries(m: &mut Module, config: &Config, start: &Pulse, thread: &Expr) -> Record {
     let fields = query_fields(config);
     let memory = m.memory("queries", 1 << config.thread_bits(), width(&fields));
-    m.write(&memory, &start.valid, &start.record.get("thread"), &start.record.only(&fields).pack());
+    let query = Record::new(&fields, |name| match name {
+        "sentinels" => sentinels(config, &start.record.get("k")),
+        field => start.record.get(field),
+    });
+    m.write(&memory, &start.valid, &start.record.get("thread"), &query.pack());
     let word = m.read(&memory, "query", thread);
     Record::unpack(&fields, &word)
 }
@@ -219,7 +224,7 @@ pub fn module(config: &Config) -> Module {
     m.write(&rows, &write_back, &owner, &inserted_row);
     let stored = m.read(&rows, "stored", &read_thread);
     let query = queries(&mut m, config, &start, &read_thread);
-    let initial = m.wire("initial_row", &initial(config, &query.get("k"), &query.get("radius2")));
+    let initial = m.wire("initial_row", &initial(config, &query.get("sentinels"), &query.get("radius2")));
 
     // b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
     let choice = Choice::new(&mut m, config, &beat);
@@ -267,9 +272,7 @@ pub fn module(config: &Config) -> Module {
         [&working.expr(), &stored].map(|row| entries(config, row).iter().map(is_nearer).collect::<Vec<_>>());
     let nearer_now = insert(&nearer, &insertion.nearer, &is_nearer(&insertion.neighbor), |here, a, b| here.mux(a, b));
     let nearer_now = set(&nearer_now);
-    let placeholders = (0..config.neighbors).map(|number| !is_sentinel(config, &query.get("k"), number));
-    let placeholders = set(&placeholders.collect::<Vec<_>>());
-    let nearer_read = item.fresh.mux(&placeholders, &set(&nearer_stored));
+    let nearer_read = item.fresh.mux(&!query.get("sentinels"), &set(&nearer_stored));
     let nearer = m.wire("nearer_entries", &item.reads.mux(&nearer_read, &nearer_now));
     insertion.take(&mut m, config, &item, &nearer, &candidate);
     let read_row = item.fresh.mux(&initial, &stored);

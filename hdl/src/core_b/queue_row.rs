@@ -3,6 +3,7 @@
 use pointcore_spec::core_a::Field;
 use pointcore_spec::core_b::Config;
 
+use super::sets::set;
 use crate::rtl::{Expr, cat, lit};
 use crate::units::records::{Record, width};
 
@@ -34,17 +35,17 @@ pub(super) fn row(entries: &[Record]) -> Expr {
     cat(&words.iter().collect::<Vec<_>>())
 }
 
-/// Whether an entry stays empty in a row for `k` neighbors.
-pub(super) fn is_sentinel(config: &Config, k: &Expr, number: u32) -> Expr {
-    k.lt_lit((config.neighbors - number).into())
+/// The entries that stay empty in a row for `k` neighbors, a bit each.
+pub(super) fn sentinels(config: &Config, k: &Expr) -> Expr {
+    set(&(0..config.neighbors).map(|number| k.lt_lit((config.neighbors - number).into())).collect::<Vec<_>>())
 }
 
 /// The row of a query that has met no point: sentinels of distance 0 that leave `k` entries, then placeholders at the
 /// radius.
-pub(super) fn initial(config: &Config, k: &Expr, radius2: &Expr) -> Expr {
+pub(super) fn initial(config: &Config, sentinels: &Expr, radius2: &Expr) -> Expr {
     let nothing = Record::zeros(&entry_fields(config));
     let entry = |number: u32| {
-        let is_sentinel = is_sentinel(config, k, number);
+        let is_sentinel = sentinels.bit(number as usize);
         Record::new(&entry_fields(config), |name| match name {
             "distance2" => is_sentinel.mux(&lit(radius2.width(), 0), radius2),
             field => nothing.get(field),
