@@ -156,7 +156,7 @@ fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses
     let pixel_bits = width(&records::pixel(config));
     let mut slot = |number: u32| {
         let is = |slot: &Expr| slot.eq_lit(number.into());
-        let memory = m.memory(&format!("slot_{number}_pixels"), TILE_PIXELS as usize, pixel_bits);
+        let memory = m.memory_unordered(&format!("slot_{number}_pixels"), TILE_PIXELS as usize, pixel_bits);
         let filling = m.wire(&format!("filling_{number}"), &(&ports.fill_valid & is(&ports.fill_slot)));
         let write = &filling | (accesses.write & is(accesses.write_slot));
         let address = filling.mux(&ports.fill_pixel, accesses.write_pixel);

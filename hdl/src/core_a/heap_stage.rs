@@ -234,7 +234,7 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settleme
             let memory = if is_late {
                 m.memory_distributed(&name_of_nodes, depth, node.width())
             } else {
-                m.memory(&name_of_nodes, depth, node.width())
+                m.memory_unordered(&name_of_nodes, depth, node.width())
             };
             m.write(&memory, write, address, node);
             m.read(&memory, &format!("{name}_shown"), row)

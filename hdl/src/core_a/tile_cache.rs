@@ -214,7 +214,7 @@ pub fn module(config: &Config) -> Module {
     let retire_slot = m.input("retire_slot", slot_bits);
     let frame_end = m.input("frame_end", 1);
 
-    let touched_tiles = m.memory("touched_tiles", 1 << tile_bits, 1);
+    let touched_tiles = m.memory_unordered("touched_tiles", 1 << tile_bits, 1);
     let look_at = state.is(Mode::Look).mux(&state.code, &tile);
     let stored = m.read(&touched_tiles, "stored_touched", &look_at);
     let touched = m.reg("touched", 1);

@@ -54,7 +54,7 @@ fn request_points(m: &mut Module, config: &Config) {
     m.next_if(&f1_valid, &advance, &f0_valid);
     m.next_if(&f0_thread, &advance, &leaf.field("thread"));
     m.next_if(&f1_thread, &advance, &f0_thread);
-    let found = table.read_if_not_written(m, "f0_found", &advance, &leaf.field("leaf"));
+    let found = table.read_if(m, "f0_found", &advance, &leaf.field("leaf"));
     let found = Record::unpack(&entry, &found).register(m, "f1_", &advance);
     let request = &f1_valid & &fetch.room;
     fetch.push(m, &request, |name| match name {

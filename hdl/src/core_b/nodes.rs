@@ -101,7 +101,7 @@ impl Nodes {
             Self::Memories(memories) => {
                 let address = pair(config, next);
                 let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
-                    Record::unpack(&fields, &memory.read_if_not_written(m, &format!("{name}_node"), advance, &address))
+                    Record::unpack(&fields, &memory.read_if(m, &format!("{name}_node"), advance, &address))
                 });
                 // The split is chosen behind registers: in one cycle a block RAM only gets as far as these. The few bits that
                 // choose the coordinate, and so are needed early, are chosen in front of them.

@@ -37,7 +37,7 @@ pub fn module(config: &Config) -> Module {
     }
 
     let level_bits = address_width(depth as usize);
-    let paths = m.memory("paths", 1 << (config.thread_bits() as usize + level_bits), width(&path));
+    let paths = m.memory_unordered("paths", 1 << (config.thread_bits() as usize + level_bits), width(&path));
     let write_address = cat(&[&pushing, &push_depth.trunc(level_bits)]);
     m.write(&paths, &push.valid, &write_address, &push.record.only(&path).pack());
     let read_address = cat(&[&popping, &pop_depth.sub_lit(1).trunc(level_bits)]);

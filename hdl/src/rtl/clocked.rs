@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::canonical::Need;
 use super::expression::Expr;
-use super::memory::Content;
+use super::memory::{Content, Style};
 use super::module::Source;
 use super::text::literal;
 use super::writer::Writer;
@@ -65,11 +65,11 @@ impl Writer<'_> {
             self.read_all("rst");
             write_reset_block(resets, &running, &mut out);
         }
-        write_block(&free, &mut out);
+        write_block(&free, &[], &mut out);
         for index in 0..module.stores.len() {
             if self.graph.stores[index] == need {
-                let groups = self.store_ports(index);
-                write_block(&groups, &mut out);
+                let (groups, collisions) = self.store_ports(index);
+                write_block(&groups, &collisions, &mut out);
             }
         }
         out
@@ -80,17 +80,21 @@ impl Writer<'_> {
         (enable.literal_value() != Some(1)).then(|| self.expression(enable))
     }
 
-    /// Write and registered reads of a memory, in the shape that synthesis recognizes.
-    fn store_ports(&mut self, index: usize) -> Vec<Guarded> {
+    /// Write and registered reads of a memory, in the shape that synthesis recognizes, and what is read besides where both meet.
+    fn store_ports(&mut self, index: usize) -> (Vec<Guarded>, Vec<Guarded>) {
         let module = self.graph.module;
         let store = &module.stores[index];
         let mut groups = vec![];
+        let mut written = None;
         if let Content::Written(Some(port)) = &store.content {
             let enable = self.condition(&port.enable);
             let (address, data) = (self.expression(&port.address), self.expression(&port.data));
+            if store.style == Style::Unordered {
+                written = Some((enable.clone(), address.clone()));
+            }
             groups.push(Guarded { enable, lines: vec![format!("{}[{address}] <= {data};", store.name)] });
         }
-        let mut reads = vec![];
+        let (mut reads, mut collisions) = (vec![], vec![]);
         for (signal, record) in module.signals.iter().enumerate() {
             match &record.source {
                 Source::Read { store: read, enable, address }
@@ -98,20 +102,32 @@ impl Writer<'_> {
                 {
                     let enable = enable.as_ref().and_then(|enable| self.condition(enable));
                     let address = self.expression(address);
+                    if let Some((written, write_address)) = &written {
+                        let enables = written.iter().chain(&enable).map(|enable| format!("({enable}) && "));
+                        let meet = enables.collect::<String>() + &format!("({write_address}) == ({address})");
+                        let line = format!("{} <= ~{}[{address}];", record.name, store.name);
+                        collisions.push(Guarded { enable: Some(meet), lines: vec![line] });
+                    }
                     add_guarded(&mut reads, enable, format!("{} <= {}[{address}];", record.name, store.name));
                 }
                 _ => {}
             }
         }
         groups.extend(reads);
-        groups
+        (groups, collisions)
     }
 }
 
-fn write_block(groups: &[Guarded], out: &mut String) {
+/// A clocked block; with assertions, `checked` comes last in it.
+fn write_block(groups: &[Guarded], checked: &[Guarded], out: &mut String) {
     if !groups.is_empty() {
         out.push_str("always @(posedge clk) begin\n");
         write_guarded(groups, "    ", out);
+        if !checked.is_empty() {
+            out.push_str("`ifdef POINTCORE_ASSERT\n");
+            write_guarded(checked, "    ", out);
+            out.push_str("`endif\n");
+        }
         out.push_str("end\n");
     }
 }

@@ -217,9 +217,11 @@ impl Emitter<'_> {
 }
 
 fn declare_store(store: &Store, out: &mut String) {
-    if store.style == Style::Distributed {
-        out.push_str("(* ram_style = \"distributed\" *)\n");
-    }
+    out.push_str(match store.style {
+        Style::Inferred => "",
+        Style::Unordered => "(* no_rw_check *)\n",
+        Style::Distributed => "(* ram_style = \"distributed\" *)\n",
+    });
     let _ = writeln!(out, "reg {}{} [0:{}];", range(store.width), store.name, store.depth - 1);
     if let Content::Constant(values) = &store.content {
         out.push_str("initial begin\n");

@@ -17,6 +17,8 @@ pub struct Memory {
 pub(super) enum Style {
     /// As the synthesis tool sees fit: block RAM where it is large.
     Inferred,
+    /// Likewise, without order between the reads and the write of a cycle.
+    Unordered,
     /// Look-up-table RAM.
     Distributed,
 }
@@ -55,6 +57,12 @@ impl Module {
     /// Addresses have [`address_width`] bits; words past `depth` do not exist and read as anything.
     pub fn memory(&mut self, name: &str, depth: usize, width: usize) -> Memory {
         self.store(name, depth, width, Style::Inferred, Content::Written(None))
+    }
+
+    /// A memory as [`Module::memory`] where a word that is read in the cycle in which it is written reads as anything, in simulation
+    /// with assertions as the old word inverted. A block RAM that is to show the old one needs registers and a choice behind its outputs.
+    pub fn memory_unordered(&mut self, name: &str, depth: usize, width: usize) -> Memory {
+        self.store(name, depth, width, Style::Unordered, Content::Written(None))
     }
 
     /// A memory as [`Module::memory`], built from look-up tables; also read without a register.

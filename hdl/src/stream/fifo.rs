@@ -47,7 +47,7 @@ fn queue(depth: usize, layout: &[(impl AsRef<str>, usize)], storage: &Storage) -
     m.ready(&input, &has_room);
     let push = m.wire("push", &input.transfer());
     let entries = match storage {
-        Storage::Inferred => m.memory("entries", depth, width),
+        Storage::Inferred => m.memory_unordered("entries", depth, width),
         Storage::Distributed => m.memory_distributed("entries", depth, width),
     };
     m.write(&entries, &push, &write_address, &packed(&input));

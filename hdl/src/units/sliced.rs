@@ -11,7 +11,6 @@ const fn block_bits(words: usize) -> usize {
 /// A memory in slices, the lowest bits first.
 pub(crate) struct Sliced {
     slices: Vec<Slice>,
-    written: Expr,
 }
 
 struct Slice {
@@ -20,17 +19,17 @@ struct Slice {
 }
 
 impl Sliced {
-    /// A memory of a word for each address, written where `enable` is set.
+    /// A memory of a word for each address, written where `enable` is set; one that is read in that cycle reads as anything.
     pub fn new(m: &mut Module, name: &str, enable: &Expr, address: &Expr, word: &Expr) -> Self {
         let (address_bits, width) = (address.width(), word.width());
         let bits = (block_bits(1 << address_bits) >> address_bits).clamp(1, width);
         let slice = |low: usize| {
             let high = width.min(low + bits) - 1;
-            let memory = m.memory(&format!("{name}_{low}"), 1 << address_bits, high + 1 - low);
+            let memory = m.memory_unordered(&format!("{name}_{low}"), 1 << address_bits, high + 1 - low);
             m.write(&memory, enable, address, &word.bits(high, low));
             Slice { memory, low }
         };
-        Self { slices: (0..width).step_by(bits).map(slice).collect(), written: enable.clone() }
+        Self { slices: (0..width).step_by(bits).map(slice).collect() }
     }
 
     /// A read port that keeps its word while `enable` is low.
@@ -38,10 +37,5 @@ impl Sliced {
         let read = |slice: &Slice| m.read_if(&slice.memory, &format!("{name}_{}", slice.low), enable, address);
         let word: Vec<_> = self.slices.iter().map(read).collect();
         cat(&word.iter().rev().collect::<Vec<_>>())
-    }
-
-    /// A read port that keeps its word while a word is written, too: what is written never takes the place of what is read.
-    pub fn read_if_not_written(&self, m: &mut Module, name: &str, enable: &Expr, address: &Expr) -> Expr {
-        self.read_if(m, name, &(enable & !&self.written), address)
     }
 }

@@ -72,11 +72,15 @@ fn everything() -> Module {
     let memory = m.memory("entries", 12, 8);
     m.write(&memory, &select_bit, &a.bits(3, 0), &data);
     let q = m.read_if(&memory, "q", &a.bit(7), &b.bits(3, 0));
+    let unordered = m.memory_unordered("unordered_entries", 16, 8);
+    m.write(&unordered, &bit(true), &count, &b);
+    let any = m.read(&unordered, "any", &(&count ^ &a.bits(3, 0)));
+    let any_if = m.read_if(&unordered, "any_if", &(&select_bit | &a.bit(0)), &b.bits(3, 0));
     let local = m.memory_distributed("local_entries", 16, 8);
     m.write(&local, &bit(true), &count, &a);
     let now = m.read_now(&local, "now", &b.bits(7, 4));
     let later = m.read(&local, "later", &b.bits(7, 4));
-    m.output("read", &cat(&[&q, &now, &later.bits(6, 2)]));
+    m.output("read", &cat(&[&q, &now, &later.bits(6, 2), &any, &any_if]));
     let sine = m.rom("sine", &[0, 3, 7, 9, 10], 4, &a.bits(2, 0));
     let held = m.rom_if("cosine", &[10, 9, 7, 3], 4, &select_bit, &a.bits(1, 0));
     let code = m.lookup("code", &[1, 2, 4, 8], 4, &a.bits(7, 6));
@@ -117,6 +121,43 @@ fn tools_take_every_construct_without_warnings() {
     assert!(design.verilog().lines().all(|line| line.len() <= 200), "{}", design.verilog());
 }
 
+/// Two memories, both read where they are written, stepped by a test bench in Verilog: what each shows in the last of its cycles.
+fn read_where_written(defines: &[&str]) -> String {
+    let mut m = Module::new("collide", "Reads where it writes.");
+    let data = m.input("data", 4);
+    let address = lit(1, 0);
+    for (name, ordered) in [("ordered", true), ("unordered", false)] {
+        let entries = format!("{name}_entries");
+        let memory = if ordered { m.memory(&entries, 2, 4) } else { m.memory_unordered(&entries, 2, 4) };
+        m.write(&memory, &bit(true), &address, &data);
+        let shown = m.read(&memory, name, &address);
+        m.output(&format!("{name}_out"), &shown);
+    }
+    let design = elaborate(&m).expect("the module has no fault");
+    let bench = "module bench;
+        reg clk = 0;
+        reg [3:0] data = 4'b0011;
+        wire [3:0] ordered, unordered;
+        collide dut(.clk(clk), .rst(1'b0), .data(data), .ordered_out(ordered), .unordered_out(unordered));
+        initial begin
+            #1 clk = 1; #1 clk = 0; data = 4'b0101; #1 clk = 1;
+            #1 $display(\"%b %b\", ordered, unordered);
+        end
+        endmodule";
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let text = format!("{}{bench}", design.verilog());
+    std::fs::write(folder.path().join("bench.v"), text).expect("a temporary folder can be written");
+    let built = run("iverilog", &[defines, &["-o", "bench", "bench.v"]].concat(), folder.path());
+    assert!(built.status.success(), "{built:?}");
+    String::from_utf8_lossy(&run("vvp", &["-n", "bench"], folder.path()).stdout).trim().to_owned()
+}
+
+#[test]
+fn an_unordered_memory_shows_another_word_where_it_is_written_under_assertions_only() {
+    assert_eq!(read_where_written(&[]), "0011 0011");
+    assert_eq!(read_where_written(&["-DPOINTCORE_ASSERT"]), "0011 1100");
+}
+
 #[test]
 fn two_builds_give_the_same_bytes() {
     let texts = [(); 2].map(|()| elaborate(&everything()).expect("the module has no fault").verilog().to_string());
@@ -132,7 +173,7 @@ fn identical_modules_are_one_and_others_are_told_apart() {
     assert_eq!(design.modules()[0].area.register_bits, 8);
     let top = design.modules()[2].area;
     assert_eq!((top.multipliers, top.multiplier_bits), (2, 32));
-    assert_eq!(top.memory_bits, 12 * 8 + 16 * 8 + 8 * 4 + 4 * 4);
+    assert_eq!(top.memory_bits, 12 * 8 + 2 * 16 * 8 + 8 * 4 + 4 * 4);
 }
 
 #[test]
