@@ -30,6 +30,7 @@ pub struct Reorder {
     /// An end record waits for the copies before it.
     draining: bool,
     read: Option<SplatCopy>,
+    caught: HalfBuffer<SplatCopy>,
     out: HalfBuffer<SplatCopy>,
 }
 
@@ -48,6 +49,7 @@ impl Reorder {
             free: None,
             draining: false,
             read: None,
+            caught: HalfBuffer::default(),
             out: HalfBuffer::default(),
         }
     }
@@ -76,10 +78,10 @@ impl Model for Reorder {
         });
 
         // The output side, as the registers stand before this cycle.
-        let out_has_room = self.out.in_ready();
-        let advances = self.read.is_none() || out_has_room;
-        let drained = self.draining && heap.empty && self.read.is_none() && out_has_room;
-        let out = if drained { Some(SplatCopy { end: true, ..SplatCopy::default() }) } else { self.read };
+        let has_room = self.caught.in_ready();
+        let advances = self.read.is_none() || has_room;
+        let drained = self.draining && heap.empty && self.read.is_none() && has_room;
+        let pushed = if drained { Some(SplatCopy { end: true, ..SplatCopy::default() }) } else { self.read };
         let leaving = heap.out.filter(|_| advances);
         if advances {
             self.read = leaving.map(|entry| self.payloads[usize::from(entry.pointer)]);
@@ -105,7 +107,9 @@ impl Model for Reorder {
         self.draining = ends || (self.draining && !drained);
         self.heap.clock(&heap::In { input: offer.map(|(entry, _)| entry), out_ready: advances });
         self.input.step(inputs.input, ends || inserted.is_some());
-        self.out.step(out, inputs.out_ready);
+        let out_has_room = self.out.in_ready();
+        self.out.step(self.caught.out().copied(), inputs.out_ready);
+        self.caught.step(pushed, out_has_room);
     }
 }
 

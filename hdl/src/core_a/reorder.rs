@@ -5,8 +5,8 @@ use pointcore_spec::core_a::{Config, records};
 
 use super::heap;
 use crate::rtl::Module;
-use crate::stream::fifo;
-use crate::units::records::{Record, half_in, half_out};
+use crate::stream::{fifo, half_buffer};
+use crate::units::records::{Record, half_in, half_out, layout};
 use crate::units::sliced::Sliced;
 
 /// The unit; ports as in `spec::core_a::ports::reorder`.
@@ -17,8 +17,10 @@ pub fn module(config: &Config) -> Module {
     let payload = records::payload(config);
     let mut m = Module::new("core_a_reorder", "Orders splat copies by tile; their payloads wait in a memory.");
     m.parameter("levels", pointer_bits);
-    let head = half_in(&mut m, "in", &records::copy(config));
-    let out = half_out(&mut m, "out", &records::copy(config));
+    let copy = records::copy(config);
+    let head = half_in(&mut m, "in", &copy);
+    let out = half_out(&mut m, "out", &copy);
+    let caught = m.instance("caught", half_buffer(&layout(&copy)));
     let heap = m.instance("heap", heap::module(config));
     let returned = m.instance("returned", fifo(pointers, &[("pointer", pointer_bits)]));
 
@@ -51,9 +53,10 @@ pub fn module(config: &Config) -> Module {
     let word = Record::from(&head).only(&payload).pack();
     let payloads = Sliced::new(&mut m, "payloads", &offer, &free, &word);
 
-    // The read stage.
+    // The read stage. Its memory is spread over the whole device, so that what it shows is caught before it travels.
     let stage_valid = m.reg_reset("stage_valid", 1, 0);
-    let advance = m.wire("advance", &(!&stage_valid | &out.room));
+    let room = m.out(&caught, "in_ready");
+    let advance = m.wire("advance", &(!&stage_valid | &room));
     m.ready(&first, &advance);
     let leaving = m.wire("leaving", &first.transfer());
     m.next_if(&stage_valid, &advance, &leaving);
@@ -67,14 +70,18 @@ pub fn module(config: &Config) -> Module {
 
     // The end record follows when everything before it has left.
     let drained = empty & !&stage_valid;
-    let close = m.wire("close", &(&draining & (&drained & &out.room)));
+    let close = m.wire("close", &(&draining & (&drained & &room)));
     m.next_if(&draining, &(&take_end | &close), &take_end);
     let stored = Record::unpack(&payload, &stage_payload);
-    let push = &close | (&stage_valid & &out.room);
-    out.push(&mut m, &push, |name| match name {
+    m.connect(&caught, "in_valid", &(&close | (&stage_valid & &room)));
+    let pushed = Record::new(&copy, |name| match name {
         "end" => close.clone(),
         "tile" => stage_tile.expr(),
         passed => stored.get(passed),
     });
+    pushed.connect(&mut m, &caught, "in_");
+    let shown = m.stream_from(&caught, "out");
+    m.ready(&shown, &out.room);
+    out.push(&mut m, &shown.transfer(), |name| shown.field(name));
     m
 }
