@@ -1551,7 +1551,9 @@ module core_a_accumulator (
     output reg  event_hazard,
     output reg  event_slot_wait
 );
+    (* no_rw_check *)
     reg [127:0] slot_0_pixels [0:63];
+    (* no_rw_check *)
     reg [127:0] slot_1_pixels [0:63];
     reg valid_1;
     reg inside_1;
@@ -2012,6 +2014,11 @@ module core_a_accumulator (
         if (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_0 | (writes & ~slot_8)) && (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) && (filling_0 ? fill_pixel : pixel_8) == (slot_ready[0] ? head_pixel : drain_pixel)) begin
+            slot_0_read <= ~slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (filling_1 | (writes & slot_8)) begin
@@ -2020,6 +2027,11 @@ module core_a_accumulator (
         if (slot_ready[1] ? (issue_inside & head_slot) : term_15) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_1 | (writes & slot_8)) && (slot_ready[1] ? (issue_inside & head_slot) : term_15) && (filling_1 ? fill_pixel : pixel_8) == (slot_ready[1] ? head_pixel : drain_pixel)) begin
+            slot_1_read <= ~slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[1], shifted_13[1]};
@@ -2231,6 +2243,7 @@ module stream_fifo_d64_w152 (
     output wire [15:0] out_attribute_1,
     output wire [15:0] out_attribute_2
 );
+    (* no_rw_check *)
     reg [151:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
@@ -2287,6 +2300,11 @@ module stream_fifo_d64_w152 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -3214,6 +3232,7 @@ module stream_fifo_d64_w120 (
     output wire [15:0] out_attribute_1,
     output wire [15:0] out_attribute_2
 );
+    (* no_rw_check *)
     reg [119:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
@@ -3261,6 +3280,11 @@ module stream_fifo_d64_w120 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -4944,6 +4968,7 @@ module core_a_tile_cache (
     input  wire [15:0] drain_attribute_1,
     input  wire [15:0] drain_attribute_2
 );
+    (* no_rw_check *)
     reg touched_tiles [0:4095];
     reg head_valid;
     reg head_end;
@@ -5464,6 +5489,11 @@ module core_a_tile_cache (
             touched_tiles[looked ? read_tile : code] <= looked;
         end
         stored_touched <= touched_tiles[term_12 ? code : head_tile];
+`ifdef POINTCORE_ASSERT
+        if ((looked | (term_10 | (term_15 & touched))) && (looked ? read_tile : code) == (term_12 ? code : head_tile)) begin
+            stored_touched <= ~touched_tiles[term_12 ? code : head_tile];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -5819,25 +5849,45 @@ module core_a_reorder (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
+    (* no_rw_check *)
     reg [17:0] payloads_0 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_18 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_36 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_54 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_72 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_90 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_108 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_126 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_144 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_162 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_180 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_198 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_216 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_234 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_252 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_270 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_288 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_306 [0:1023];
+    (* no_rw_check *)
     reg [17:0] payloads_324 [0:1023];
+    (* no_rw_check *)
     reg [5:0] payloads_342 [0:1023];
     reg free_valid;
     reg [9:0] free;
@@ -5912,6 +5962,29 @@ module core_a_reorder (
     wire [2:0] out_queue_out_top;
     wire [2:0] out_queue_out_bottom;
     wire [11:0] out_queue_out_tile;
+    wire caught_in_ready;
+    wire caught_out_valid;
+    wire caught_out_end;
+    wire [23:0] caught_out_center_x;
+    wire [23:0] caught_out_center_y;
+    wire [23:0] caught_out_ax;
+    wire [23:0] caught_out_bx;
+    wire [23:0] caught_out_ay;
+    wire [23:0] caught_out_by;
+    wire [23:0] caught_out_delta;
+    wire [23:0] caught_out_mx;
+    wire [23:0] caught_out_my;
+    wire [23:0] caught_out_depth;
+    wire [23:0] caught_out_depth_low;
+    wire [23:0] caught_out_depth_high;
+    wire [15:0] caught_out_attribute_0;
+    wire [15:0] caught_out_attribute_1;
+    wire [15:0] caught_out_attribute_2;
+    wire [2:0] caught_out_left;
+    wire [2:0] caught_out_right;
+    wire [2:0] caught_out_top;
+    wire [2:0] caught_out_bottom;
+    wire [11:0] caught_out_tile;
     wire heap_in_ready;
     wire heap_out_valid;
     wire [11:0] heap_out_tile;
@@ -5927,9 +6000,10 @@ module core_a_reorder (
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
+    wire caught_out_ready = out_queue_in_ready;
     wire out_queue_out_ready = out_ready;
-    wire advance = ~stage_valid | out_queue_in_ready;
+    wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
+    wire advance = ~stage_valid | caught_in_ready;
     wire heap_out_ready = advance;
     wire leaving = heap_out_valid & heap_out_ready;
     wire all_used = fresh[10];
@@ -6012,29 +6086,29 @@ module core_a_reorder (
     stream_half_buffer_w361 out_queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(close | (stage_valid & out_queue_in_ready)),
+        .in_valid(caught_out_valid & caught_out_ready),
         .in_ready(out_queue_in_ready),
-        .in_end(close),
-        .in_center_x({stage_payload_342, stage_payload_324}),
-        .in_center_y({stage_payload_306, stage_payload_288[17:12]}),
-        .in_ax({stage_payload_288[11:0], stage_payload_270[17:6]}),
-        .in_bx({stage_payload_270[5:0], stage_payload_252}),
-        .in_ay({stage_payload_234, stage_payload_216[17:12]}),
-        .in_by({stage_payload_216[11:0], stage_payload_198[17:6]}),
-        .in_delta({stage_payload_198[5:0], stage_payload_180}),
-        .in_mx({stage_payload_162, stage_payload_144[17:12]}),
-        .in_my({stage_payload_144[11:0], stage_payload_126[17:6]}),
-        .in_depth({stage_payload_126[5:0], stage_payload_108}),
-        .in_depth_low({stage_payload_90, stage_payload_72[17:12]}),
-        .in_depth_high({stage_payload_72[11:0], stage_payload_54[17:6]}),
-        .in_attribute_0({stage_payload_54[5:0], stage_payload_36[17:8]}),
-        .in_attribute_1({stage_payload_36[7:0], stage_payload_18[17:10]}),
-        .in_attribute_2({stage_payload_18[9:0], stage_payload_0[17:12]}),
-        .in_left(stage_payload_0[11:9]),
-        .in_right(stage_payload_0[8:6]),
-        .in_top(stage_payload_0[5:3]),
-        .in_bottom(stage_payload_0[2:0]),
-        .in_tile(stage_tile),
+        .in_end(caught_out_end),
+        .in_center_x(caught_out_center_x),
+        .in_center_y(caught_out_center_y),
+        .in_ax(caught_out_ax),
+        .in_bx(caught_out_bx),
+        .in_ay(caught_out_ay),
+        .in_by(caught_out_by),
+        .in_delta(caught_out_delta),
+        .in_mx(caught_out_mx),
+        .in_my(caught_out_my),
+        .in_depth(caught_out_depth),
+        .in_depth_low(caught_out_depth_low),
+        .in_depth_high(caught_out_depth_high),
+        .in_attribute_0(caught_out_attribute_0),
+        .in_attribute_1(caught_out_attribute_1),
+        .in_attribute_2(caught_out_attribute_2),
+        .in_left(caught_out_left),
+        .in_right(caught_out_right),
+        .in_top(caught_out_top),
+        .in_bottom(caught_out_bottom),
+        .in_tile(caught_out_tile),
         .out_valid(out_queue_out_valid),
         .out_ready(out_queue_out_ready),
         .out_end(out_queue_out_end),
@@ -6058,6 +6132,57 @@ module core_a_reorder (
         .out_top(out_queue_out_top),
         .out_bottom(out_queue_out_bottom),
         .out_tile(out_queue_out_tile)
+    );
+
+    stream_half_buffer_w361 caught (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(close | (stage_valid & caught_in_ready)),
+        .in_ready(caught_in_ready),
+        .in_end(close),
+        .in_center_x({stage_payload_342, stage_payload_324}),
+        .in_center_y({stage_payload_306, stage_payload_288[17:12]}),
+        .in_ax({stage_payload_288[11:0], stage_payload_270[17:6]}),
+        .in_bx({stage_payload_270[5:0], stage_payload_252}),
+        .in_ay({stage_payload_234, stage_payload_216[17:12]}),
+        .in_by({stage_payload_216[11:0], stage_payload_198[17:6]}),
+        .in_delta({stage_payload_198[5:0], stage_payload_180}),
+        .in_mx({stage_payload_162, stage_payload_144[17:12]}),
+        .in_my({stage_payload_144[11:0], stage_payload_126[17:6]}),
+        .in_depth({stage_payload_126[5:0], stage_payload_108}),
+        .in_depth_low({stage_payload_90, stage_payload_72[17:12]}),
+        .in_depth_high({stage_payload_72[11:0], stage_payload_54[17:6]}),
+        .in_attribute_0({stage_payload_54[5:0], stage_payload_36[17:8]}),
+        .in_attribute_1({stage_payload_36[7:0], stage_payload_18[17:10]}),
+        .in_attribute_2({stage_payload_18[9:0], stage_payload_0[17:12]}),
+        .in_left(stage_payload_0[11:9]),
+        .in_right(stage_payload_0[8:6]),
+        .in_top(stage_payload_0[5:3]),
+        .in_bottom(stage_payload_0[2:0]),
+        .in_tile(stage_tile),
+        .out_valid(caught_out_valid),
+        .out_ready(caught_out_ready),
+        .out_end(caught_out_end),
+        .out_center_x(caught_out_center_x),
+        .out_center_y(caught_out_center_y),
+        .out_ax(caught_out_ax),
+        .out_bx(caught_out_bx),
+        .out_ay(caught_out_ay),
+        .out_by(caught_out_by),
+        .out_delta(caught_out_delta),
+        .out_mx(caught_out_mx),
+        .out_my(caught_out_my),
+        .out_depth(caught_out_depth),
+        .out_depth_low(caught_out_depth_low),
+        .out_depth_high(caught_out_depth_high),
+        .out_attribute_0(caught_out_attribute_0),
+        .out_attribute_1(caught_out_attribute_1),
+        .out_attribute_2(caught_out_attribute_2),
+        .out_left(caught_out_left),
+        .out_right(caught_out_right),
+        .out_top(caught_out_top),
+        .out_bottom(caught_out_bottom),
+        .out_tile(caught_out_tile)
     );
 
     core_a_heap heap (
@@ -6125,6 +6250,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_0 <= payloads_0[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_0 <= ~payloads_0[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6133,6 +6263,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_18 <= payloads_18[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_18 <= ~payloads_18[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6141,6 +6276,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_36 <= payloads_36[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_36 <= ~payloads_36[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6149,6 +6289,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_54 <= payloads_54[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_54 <= ~payloads_54[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6157,6 +6302,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_72 <= payloads_72[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_72 <= ~payloads_72[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6165,6 +6315,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_90 <= payloads_90[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_90 <= ~payloads_90[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6173,6 +6328,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_108 <= payloads_108[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_108 <= ~payloads_108[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6181,6 +6341,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_126 <= payloads_126[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_126 <= ~payloads_126[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6189,6 +6354,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_144 <= payloads_144[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_144 <= ~payloads_144[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6197,6 +6367,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_162 <= payloads_162[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_162 <= ~payloads_162[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6205,6 +6380,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_180 <= payloads_180[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_180 <= ~payloads_180[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6213,6 +6393,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_198 <= payloads_198[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_198 <= ~payloads_198[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6221,6 +6406,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_216 <= payloads_216[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_216 <= ~payloads_216[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6229,6 +6419,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_234 <= payloads_234[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_234 <= ~payloads_234[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6237,6 +6432,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_252 <= payloads_252[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_252 <= ~payloads_252[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6245,6 +6445,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_270 <= payloads_270[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_270 <= ~payloads_270[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6253,6 +6458,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_288 <= payloads_288[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_288 <= ~payloads_288[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6261,6 +6471,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_306 <= payloads_306[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_306 <= ~payloads_306[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6269,6 +6484,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_324 <= payloads_324[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_324 <= ~payloads_324[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -6277,6 +6497,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_342 <= payloads_342[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_342 <= ~payloads_342[heap_out_pointer];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -6310,6 +6535,7 @@ module stream_fifo_d1024_w10 (
     input  wire out_ready,
     output wire [9:0] out_pointer
 );
+    (* no_rw_check *)
     reg [9:0] entries [0:1023];
     reg [10:0] held;
     reg [10:0] waiting;
@@ -6352,6 +6578,11 @@ module stream_fifo_d1024_w10 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -6751,7 +6982,9 @@ module core_a_heap_stage_level8 (
     output wire rise_childless,
     output wire [7:0] rise_node
 );
+    (* no_rw_check *)
     reg [41:0] left_nodes [0:511];
+    (* no_rw_check *)
     reg [41:0] right_nodes [0:511];
     reg lower;
     reg compared_valid;
@@ -6892,12 +7125,22 @@ module core_a_heap_stage_level8 (
             left_nodes[choice_11[9:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_24];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_11[9:1]) == (choice_24)) begin
+            left_shown <= ~left_nodes[choice_24];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_11[9:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_24];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_11[9:1]) == (choice_24)) begin
+            right_shown <= ~right_nodes[choice_24];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_15[9:0]};
@@ -6945,7 +7188,9 @@ module core_a_heap_stage_level6 (
     output wire [28:0] below_rival,
     output wire [7:0] below_row
 );
+    (* no_rw_check *)
     reg [43:0] left_nodes [0:127];
+    (* no_rw_check *)
     reg [43:0] right_nodes [0:127];
     reg lower;
     reg compared_valid;
@@ -7096,12 +7341,22 @@ module core_a_heap_stage_level6 (
             left_nodes[choice_14[7:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_14[7:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_14[7:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_14[7:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_18[9:0]};
@@ -7149,7 +7404,9 @@ module core_a_heap_stage_level4 (
     output wire [28:0] below_rival,
     output wire [5:0] below_row
 );
+    (* no_rw_check *)
     reg [45:0] left_nodes [0:31];
+    (* no_rw_check *)
     reg [45:0] right_nodes [0:31];
     reg lower;
     reg compared_valid;
@@ -7300,12 +7557,22 @@ module core_a_heap_stage_level4 (
             left_nodes[choice_14[5:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_14[5:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_14[5:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_14[5:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_18[9:0]};
@@ -7353,7 +7620,9 @@ module core_a_heap_stage_level2 (
     output wire [28:0] below_rival,
     output wire [3:0] below_row
 );
+    (* no_rw_check *)
     reg [47:0] left_nodes [0:7];
+    (* no_rw_check *)
     reg [47:0] right_nodes [0:7];
     reg lower;
     reg compared_valid;
@@ -7504,12 +7773,22 @@ module core_a_heap_stage_level2 (
             left_nodes[choice_14[3:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_14[3:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_14[3:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_14[3:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_18[9:0]};
@@ -7552,7 +7831,9 @@ module core_a_heap_stage_level0 (
     output wire [28:0] below_rival,
     output wire [1:0] below_row
 );
+    (* no_rw_check *)
     reg [49:0] left_nodes [0:1];
+    (* no_rw_check *)
     reg [49:0] right_nodes [0:1];
     reg lower;
     reg compared_valid;
@@ -7695,12 +7976,22 @@ module core_a_heap_stage_level0 (
             left_nodes[choice_13[1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_30];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_13[1]) == (choice_30)) begin
+            left_shown <= ~left_nodes[choice_30];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_13[1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_30];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_13[1]) == (choice_30)) begin
+            right_shown <= ~right_nodes[choice_30];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_19[9:0]};

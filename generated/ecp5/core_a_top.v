@@ -2479,7 +2479,9 @@ module core_a_accumulator (
     output reg  event_hazard,
     output reg  event_slot_wait
 );
+    (* no_rw_check *)
     reg [319:0] slot_0_pixels [0:63];
+    (* no_rw_check *)
     reg [319:0] slot_1_pixels [0:63];
     reg valid_1;
     reg inside_1;
@@ -3374,6 +3376,11 @@ module core_a_accumulator (
         if (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_0 | (writes & ~slot_8)) && (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) && (filling_0 ? fill_pixel : pixel_8) == (slot_ready[0] ? head_pixel : drain_pixel)) begin
+            slot_0_read <= ~slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (filling_1 | (writes & slot_8)) begin
@@ -3382,6 +3389,11 @@ module core_a_accumulator (
         if (slot_ready[1] ? (issue_inside & head_slot) : term_15) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_1 | (writes & slot_8)) && (slot_ready[1] ? (issue_inside & head_slot) : term_15) && (filling_1 ? fill_pixel : pixel_8) == (slot_ready[1] ? head_pixel : drain_pixel)) begin
+            slot_1_read <= ~slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[1], shifted_13[1]};
@@ -3615,6 +3627,7 @@ module stream_fifo_d64_w328 (
     output wire [15:0] out_attribute_12,
     output wire [15:0] out_cardinal_0
 );
+    (* no_rw_check *)
     reg [327:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
@@ -3693,6 +3706,11 @@ module stream_fifo_d64_w328 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -4998,6 +5016,7 @@ module stream_fifo_d64_w296 (
     output wire [15:0] out_attribute_12,
     output wire [15:0] out_cardinal_0
 );
+    (* no_rw_check *)
     reg [295:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
@@ -5074,6 +5093,11 @@ module stream_fifo_d64_w296 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -6839,6 +6863,7 @@ module core_a_tile_cache (
     input  wire [15:0] drain_attribute_12,
     input  wire [15:0] drain_cardinal_0
 );
+    (* no_rw_check *)
     reg touched_tiles [0:4095];
     reg head_valid;
     reg head_end;
@@ -7566,6 +7591,11 @@ module core_a_tile_cache (
             touched_tiles[looked ? read_tile : code] <= looked;
         end
         stored_touched <= touched_tiles[term_12 ? code : head_tile];
+`ifdef POINTCORE_ASSERT
+        if ((looked | (term_10 | (term_15 & touched))) && (looked ? read_tile : code) == (term_12 ? code : head_tile)) begin
+            stored_touched <= ~touched_tiles[term_12 ? code : head_tile];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -8100,136 +8130,267 @@ module core_a_reorder (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
+    (* no_rw_check *)
     reg [3:0] payloads_0 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_4 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_8 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_12 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_16 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_20 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_24 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_28 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_32 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_36 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_40 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_44 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_48 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_52 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_56 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_60 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_64 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_68 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_72 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_76 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_80 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_84 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_88 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_92 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_96 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_100 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_104 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_108 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_112 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_116 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_120 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_124 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_128 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_132 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_136 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_140 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_144 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_148 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_152 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_156 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_160 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_164 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_168 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_172 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_176 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_180 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_184 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_188 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_192 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_196 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_200 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_204 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_208 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_212 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_216 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_220 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_224 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_228 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_232 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_236 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_240 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_244 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_248 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_252 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_256 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_260 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_264 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_268 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_272 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_276 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_280 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_284 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_288 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_292 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_296 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_300 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_304 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_308 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_312 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_316 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_320 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_324 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_328 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_332 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_336 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_340 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_344 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_348 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_352 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_356 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_360 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_364 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_368 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_372 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_376 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_380 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_384 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_388 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_392 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_396 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_400 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_404 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_408 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_412 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_416 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_420 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_424 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_428 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_432 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_436 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_440 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_444 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_448 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_452 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_456 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_460 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_464 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_468 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_472 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_476 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_480 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_484 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_488 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_492 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_496 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_500 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_504 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_508 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_512 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_516 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_520 [0:4095];
     reg free_valid;
     reg [11:0] free;
@@ -8437,6 +8598,40 @@ module core_a_reorder (
     wire [2:0] out_queue_out_top;
     wire [2:0] out_queue_out_bottom;
     wire [11:0] out_queue_out_tile;
+    wire caught_in_ready;
+    wire caught_out_valid;
+    wire caught_out_end;
+    wire [23:0] caught_out_center_x;
+    wire [23:0] caught_out_center_y;
+    wire [23:0] caught_out_ax;
+    wire [23:0] caught_out_bx;
+    wire [23:0] caught_out_ay;
+    wire [23:0] caught_out_by;
+    wire [23:0] caught_out_delta;
+    wire [23:0] caught_out_mx;
+    wire [23:0] caught_out_my;
+    wire [23:0] caught_out_depth;
+    wire [23:0] caught_out_depth_low;
+    wire [23:0] caught_out_depth_high;
+    wire [15:0] caught_out_attribute_0;
+    wire [15:0] caught_out_attribute_1;
+    wire [15:0] caught_out_attribute_2;
+    wire [15:0] caught_out_attribute_3;
+    wire [15:0] caught_out_attribute_4;
+    wire [15:0] caught_out_attribute_5;
+    wire [15:0] caught_out_attribute_6;
+    wire [15:0] caught_out_attribute_7;
+    wire [15:0] caught_out_attribute_8;
+    wire [15:0] caught_out_attribute_9;
+    wire [15:0] caught_out_attribute_10;
+    wire [15:0] caught_out_attribute_11;
+    wire [15:0] caught_out_attribute_12;
+    wire [15:0] caught_out_cardinal_0;
+    wire [2:0] caught_out_left;
+    wire [2:0] caught_out_right;
+    wire [2:0] caught_out_top;
+    wire [2:0] caught_out_bottom;
+    wire [11:0] caught_out_tile;
     wire heap_in_ready;
     wire heap_out_valid;
     wire [11:0] heap_out_tile;
@@ -8452,9 +8647,10 @@ module core_a_reorder (
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
+    wire caught_out_ready = out_queue_in_ready;
     wire out_queue_out_ready = out_ready;
-    wire advance = ~stage_valid | out_queue_in_ready;
+    wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
+    wire advance = ~stage_valid | caught_in_ready;
     wire heap_out_ready = advance;
     wire leaving = heap_out_valid & heap_out_ready;
     wire all_used = fresh[12];
@@ -8570,8 +8766,81 @@ module core_a_reorder (
     stream_half_buffer_w537 out_queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(close | (stage_valid & out_queue_in_ready)),
+        .in_valid(caught_out_valid & caught_out_ready),
         .in_ready(out_queue_in_ready),
+        .in_end(caught_out_end),
+        .in_center_x(caught_out_center_x),
+        .in_center_y(caught_out_center_y),
+        .in_ax(caught_out_ax),
+        .in_bx(caught_out_bx),
+        .in_ay(caught_out_ay),
+        .in_by(caught_out_by),
+        .in_delta(caught_out_delta),
+        .in_mx(caught_out_mx),
+        .in_my(caught_out_my),
+        .in_depth(caught_out_depth),
+        .in_depth_low(caught_out_depth_low),
+        .in_depth_high(caught_out_depth_high),
+        .in_attribute_0(caught_out_attribute_0),
+        .in_attribute_1(caught_out_attribute_1),
+        .in_attribute_2(caught_out_attribute_2),
+        .in_attribute_3(caught_out_attribute_3),
+        .in_attribute_4(caught_out_attribute_4),
+        .in_attribute_5(caught_out_attribute_5),
+        .in_attribute_6(caught_out_attribute_6),
+        .in_attribute_7(caught_out_attribute_7),
+        .in_attribute_8(caught_out_attribute_8),
+        .in_attribute_9(caught_out_attribute_9),
+        .in_attribute_10(caught_out_attribute_10),
+        .in_attribute_11(caught_out_attribute_11),
+        .in_attribute_12(caught_out_attribute_12),
+        .in_cardinal_0(caught_out_cardinal_0),
+        .in_left(caught_out_left),
+        .in_right(caught_out_right),
+        .in_top(caught_out_top),
+        .in_bottom(caught_out_bottom),
+        .in_tile(caught_out_tile),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_attribute_3(out_queue_out_attribute_3),
+        .out_attribute_4(out_queue_out_attribute_4),
+        .out_attribute_5(out_queue_out_attribute_5),
+        .out_attribute_6(out_queue_out_attribute_6),
+        .out_attribute_7(out_queue_out_attribute_7),
+        .out_attribute_8(out_queue_out_attribute_8),
+        .out_attribute_9(out_queue_out_attribute_9),
+        .out_attribute_10(out_queue_out_attribute_10),
+        .out_attribute_11(out_queue_out_attribute_11),
+        .out_attribute_12(out_queue_out_attribute_12),
+        .out_cardinal_0(out_queue_out_cardinal_0),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile)
+    );
+
+    stream_half_buffer_w537 caught (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(close | (stage_valid & caught_in_ready)),
+        .in_ready(caught_in_ready),
         .in_end(close),
         .in_center_x({
             stage_payload_520,
@@ -8688,40 +8957,40 @@ module core_a_reorder (
         .in_top({stage_payload_4[1:0], stage_payload_0[3]}),
         .in_bottom(stage_payload_0[2:0]),
         .in_tile(stage_tile),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_attribute_3(out_queue_out_attribute_3),
-        .out_attribute_4(out_queue_out_attribute_4),
-        .out_attribute_5(out_queue_out_attribute_5),
-        .out_attribute_6(out_queue_out_attribute_6),
-        .out_attribute_7(out_queue_out_attribute_7),
-        .out_attribute_8(out_queue_out_attribute_8),
-        .out_attribute_9(out_queue_out_attribute_9),
-        .out_attribute_10(out_queue_out_attribute_10),
-        .out_attribute_11(out_queue_out_attribute_11),
-        .out_attribute_12(out_queue_out_attribute_12),
-        .out_cardinal_0(out_queue_out_cardinal_0),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile)
+        .out_valid(caught_out_valid),
+        .out_ready(caught_out_ready),
+        .out_end(caught_out_end),
+        .out_center_x(caught_out_center_x),
+        .out_center_y(caught_out_center_y),
+        .out_ax(caught_out_ax),
+        .out_bx(caught_out_bx),
+        .out_ay(caught_out_ay),
+        .out_by(caught_out_by),
+        .out_delta(caught_out_delta),
+        .out_mx(caught_out_mx),
+        .out_my(caught_out_my),
+        .out_depth(caught_out_depth),
+        .out_depth_low(caught_out_depth_low),
+        .out_depth_high(caught_out_depth_high),
+        .out_attribute_0(caught_out_attribute_0),
+        .out_attribute_1(caught_out_attribute_1),
+        .out_attribute_2(caught_out_attribute_2),
+        .out_attribute_3(caught_out_attribute_3),
+        .out_attribute_4(caught_out_attribute_4),
+        .out_attribute_5(caught_out_attribute_5),
+        .out_attribute_6(caught_out_attribute_6),
+        .out_attribute_7(caught_out_attribute_7),
+        .out_attribute_8(caught_out_attribute_8),
+        .out_attribute_9(caught_out_attribute_9),
+        .out_attribute_10(caught_out_attribute_10),
+        .out_attribute_11(caught_out_attribute_11),
+        .out_attribute_12(caught_out_attribute_12),
+        .out_cardinal_0(caught_out_cardinal_0),
+        .out_left(caught_out_left),
+        .out_right(caught_out_right),
+        .out_top(caught_out_top),
+        .out_bottom(caught_out_bottom),
+        .out_tile(caught_out_tile)
     );
 
     core_a_heap heap (
@@ -8783,6 +9052,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_0 <= payloads_0[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_0 <= ~payloads_0[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8791,6 +9065,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_4 <= payloads_4[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_4 <= ~payloads_4[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8799,6 +9078,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_8 <= payloads_8[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_8 <= ~payloads_8[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8807,6 +9091,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_12 <= payloads_12[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_12 <= ~payloads_12[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8815,6 +9104,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_16 <= payloads_16[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_16 <= ~payloads_16[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8823,6 +9117,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_20 <= payloads_20[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_20 <= ~payloads_20[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8831,6 +9130,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_24 <= payloads_24[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_24 <= ~payloads_24[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8839,6 +9143,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_28 <= payloads_28[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_28 <= ~payloads_28[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8847,6 +9156,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_32 <= payloads_32[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_32 <= ~payloads_32[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8855,6 +9169,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_36 <= payloads_36[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_36 <= ~payloads_36[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8863,6 +9182,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_40 <= payloads_40[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_40 <= ~payloads_40[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8871,6 +9195,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_44 <= payloads_44[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_44 <= ~payloads_44[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8879,6 +9208,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_48 <= payloads_48[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_48 <= ~payloads_48[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8887,6 +9221,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_52 <= payloads_52[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_52 <= ~payloads_52[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8895,6 +9234,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_56 <= payloads_56[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_56 <= ~payloads_56[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8903,6 +9247,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_60 <= payloads_60[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_60 <= ~payloads_60[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8911,6 +9260,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_64 <= payloads_64[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_64 <= ~payloads_64[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8919,6 +9273,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_68 <= payloads_68[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_68 <= ~payloads_68[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8927,6 +9286,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_72 <= payloads_72[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_72 <= ~payloads_72[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8935,6 +9299,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_76 <= payloads_76[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_76 <= ~payloads_76[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8943,6 +9312,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_80 <= payloads_80[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_80 <= ~payloads_80[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8951,6 +9325,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_84 <= payloads_84[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_84 <= ~payloads_84[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8959,6 +9338,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_88 <= payloads_88[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_88 <= ~payloads_88[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8967,6 +9351,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_92 <= payloads_92[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_92 <= ~payloads_92[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8975,6 +9364,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_96 <= payloads_96[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_96 <= ~payloads_96[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8983,6 +9377,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_100 <= payloads_100[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_100 <= ~payloads_100[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8991,6 +9390,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_104 <= payloads_104[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_104 <= ~payloads_104[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -8999,6 +9403,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_108 <= payloads_108[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_108 <= ~payloads_108[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9007,6 +9416,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_112 <= payloads_112[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_112 <= ~payloads_112[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9015,6 +9429,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_116 <= payloads_116[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_116 <= ~payloads_116[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9023,6 +9442,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_120 <= payloads_120[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_120 <= ~payloads_120[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9031,6 +9455,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_124 <= payloads_124[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_124 <= ~payloads_124[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9039,6 +9468,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_128 <= payloads_128[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_128 <= ~payloads_128[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9047,6 +9481,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_132 <= payloads_132[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_132 <= ~payloads_132[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9055,6 +9494,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_136 <= payloads_136[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_136 <= ~payloads_136[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9063,6 +9507,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_140 <= payloads_140[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_140 <= ~payloads_140[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9071,6 +9520,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_144 <= payloads_144[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_144 <= ~payloads_144[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9079,6 +9533,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_148 <= payloads_148[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_148 <= ~payloads_148[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9087,6 +9546,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_152 <= payloads_152[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_152 <= ~payloads_152[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9095,6 +9559,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_156 <= payloads_156[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_156 <= ~payloads_156[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9103,6 +9572,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_160 <= payloads_160[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_160 <= ~payloads_160[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9111,6 +9585,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_164 <= payloads_164[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_164 <= ~payloads_164[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9119,6 +9598,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_168 <= payloads_168[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_168 <= ~payloads_168[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9127,6 +9611,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_172 <= payloads_172[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_172 <= ~payloads_172[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9135,6 +9624,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_176 <= payloads_176[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_176 <= ~payloads_176[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9143,6 +9637,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_180 <= payloads_180[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_180 <= ~payloads_180[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9151,6 +9650,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_184 <= payloads_184[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_184 <= ~payloads_184[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9159,6 +9663,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_188 <= payloads_188[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_188 <= ~payloads_188[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9167,6 +9676,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_192 <= payloads_192[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_192 <= ~payloads_192[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9175,6 +9689,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_196 <= payloads_196[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_196 <= ~payloads_196[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9183,6 +9702,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_200 <= payloads_200[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_200 <= ~payloads_200[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9191,6 +9715,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_204 <= payloads_204[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_204 <= ~payloads_204[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9199,6 +9728,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_208 <= payloads_208[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_208 <= ~payloads_208[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9207,6 +9741,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_212 <= payloads_212[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_212 <= ~payloads_212[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9215,6 +9754,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_216 <= payloads_216[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_216 <= ~payloads_216[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9223,6 +9767,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_220 <= payloads_220[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_220 <= ~payloads_220[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9231,6 +9780,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_224 <= payloads_224[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_224 <= ~payloads_224[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9239,6 +9793,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_228 <= payloads_228[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_228 <= ~payloads_228[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9247,6 +9806,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_232 <= payloads_232[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_232 <= ~payloads_232[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9255,6 +9819,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_236 <= payloads_236[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_236 <= ~payloads_236[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9263,6 +9832,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_240 <= payloads_240[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_240 <= ~payloads_240[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9271,6 +9845,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_244 <= payloads_244[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_244 <= ~payloads_244[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9279,6 +9858,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_248 <= payloads_248[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_248 <= ~payloads_248[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9287,6 +9871,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_252 <= payloads_252[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_252 <= ~payloads_252[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9295,6 +9884,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_256 <= payloads_256[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_256 <= ~payloads_256[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9303,6 +9897,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_260 <= payloads_260[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_260 <= ~payloads_260[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9311,6 +9910,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_264 <= payloads_264[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_264 <= ~payloads_264[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9319,6 +9923,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_268 <= payloads_268[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_268 <= ~payloads_268[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9327,6 +9936,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_272 <= payloads_272[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_272 <= ~payloads_272[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9335,6 +9949,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_276 <= payloads_276[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_276 <= ~payloads_276[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9343,6 +9962,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_280 <= payloads_280[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_280 <= ~payloads_280[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9351,6 +9975,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_284 <= payloads_284[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_284 <= ~payloads_284[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9359,6 +9988,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_288 <= payloads_288[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_288 <= ~payloads_288[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9367,6 +10001,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_292 <= payloads_292[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_292 <= ~payloads_292[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9375,6 +10014,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_296 <= payloads_296[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_296 <= ~payloads_296[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9383,6 +10027,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_300 <= payloads_300[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_300 <= ~payloads_300[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9391,6 +10040,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_304 <= payloads_304[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_304 <= ~payloads_304[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9399,6 +10053,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_308 <= payloads_308[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_308 <= ~payloads_308[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9407,6 +10066,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_312 <= payloads_312[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_312 <= ~payloads_312[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9415,6 +10079,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_316 <= payloads_316[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_316 <= ~payloads_316[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9423,6 +10092,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_320 <= payloads_320[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_320 <= ~payloads_320[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9431,6 +10105,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_324 <= payloads_324[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_324 <= ~payloads_324[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9439,6 +10118,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_328 <= payloads_328[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_328 <= ~payloads_328[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9447,6 +10131,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_332 <= payloads_332[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_332 <= ~payloads_332[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9455,6 +10144,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_336 <= payloads_336[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_336 <= ~payloads_336[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9463,6 +10157,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_340 <= payloads_340[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_340 <= ~payloads_340[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9471,6 +10170,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_344 <= payloads_344[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_344 <= ~payloads_344[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9479,6 +10183,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_348 <= payloads_348[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_348 <= ~payloads_348[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9487,6 +10196,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_352 <= payloads_352[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_352 <= ~payloads_352[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9495,6 +10209,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_356 <= payloads_356[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_356 <= ~payloads_356[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9503,6 +10222,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_360 <= payloads_360[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_360 <= ~payloads_360[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9511,6 +10235,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_364 <= payloads_364[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_364 <= ~payloads_364[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9519,6 +10248,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_368 <= payloads_368[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_368 <= ~payloads_368[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9527,6 +10261,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_372 <= payloads_372[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_372 <= ~payloads_372[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9535,6 +10274,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_376 <= payloads_376[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_376 <= ~payloads_376[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9543,6 +10287,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_380 <= payloads_380[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_380 <= ~payloads_380[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9551,6 +10300,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_384 <= payloads_384[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_384 <= ~payloads_384[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9559,6 +10313,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_388 <= payloads_388[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_388 <= ~payloads_388[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9567,6 +10326,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_392 <= payloads_392[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_392 <= ~payloads_392[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9575,6 +10339,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_396 <= payloads_396[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_396 <= ~payloads_396[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9583,6 +10352,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_400 <= payloads_400[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_400 <= ~payloads_400[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9591,6 +10365,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_404 <= payloads_404[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_404 <= ~payloads_404[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9599,6 +10378,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_408 <= payloads_408[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_408 <= ~payloads_408[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9607,6 +10391,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_412 <= payloads_412[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_412 <= ~payloads_412[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9615,6 +10404,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_416 <= payloads_416[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_416 <= ~payloads_416[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9623,6 +10417,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_420 <= payloads_420[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_420 <= ~payloads_420[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9631,6 +10430,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_424 <= payloads_424[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_424 <= ~payloads_424[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9639,6 +10443,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_428 <= payloads_428[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_428 <= ~payloads_428[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9647,6 +10456,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_432 <= payloads_432[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_432 <= ~payloads_432[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9655,6 +10469,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_436 <= payloads_436[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_436 <= ~payloads_436[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9663,6 +10482,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_440 <= payloads_440[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_440 <= ~payloads_440[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9671,6 +10495,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_444 <= payloads_444[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_444 <= ~payloads_444[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9679,6 +10508,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_448 <= payloads_448[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_448 <= ~payloads_448[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9687,6 +10521,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_452 <= payloads_452[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_452 <= ~payloads_452[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9695,6 +10534,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_456 <= payloads_456[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_456 <= ~payloads_456[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9703,6 +10547,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_460 <= payloads_460[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_460 <= ~payloads_460[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9711,6 +10560,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_464 <= payloads_464[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_464 <= ~payloads_464[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9719,6 +10573,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_468 <= payloads_468[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_468 <= ~payloads_468[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9727,6 +10586,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_472 <= payloads_472[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_472 <= ~payloads_472[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9735,6 +10599,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_476 <= payloads_476[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_476 <= ~payloads_476[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9743,6 +10612,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_480 <= payloads_480[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_480 <= ~payloads_480[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9751,6 +10625,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_484 <= payloads_484[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_484 <= ~payloads_484[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9759,6 +10638,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_488 <= payloads_488[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_488 <= ~payloads_488[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9767,6 +10651,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_492 <= payloads_492[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_492 <= ~payloads_492[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9775,6 +10664,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_496 <= payloads_496[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_496 <= ~payloads_496[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9783,6 +10677,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_500 <= payloads_500[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_500 <= ~payloads_500[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9791,6 +10690,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_504 <= payloads_504[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_504 <= ~payloads_504[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9799,6 +10703,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_508 <= payloads_508[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_508 <= ~payloads_508[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9807,6 +10716,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_512 <= payloads_512[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_512 <= ~payloads_512[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9815,6 +10729,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_516 <= payloads_516[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_516 <= ~payloads_516[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9823,6 +10742,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_520 <= payloads_520[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_520 <= ~payloads_520[heap_out_pointer];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -9856,6 +10780,7 @@ module stream_fifo_d4096_w12 (
     input  wire out_ready,
     output wire [11:0] out_pointer
 );
+    (* no_rw_check *)
     reg [11:0] entries [0:4095];
     reg [12:0] held;
     reg [12:0] waiting;
@@ -9898,6 +10823,11 @@ module stream_fifo_d4096_w12 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -10359,9 +11289,13 @@ module core_a_heap_stage_level10 (
     output wire rise_childless,
     output wire [9:0] rise_node
 );
+    (* no_rw_check *)
     reg [43:0] left_even_nodes [0:1023];
+    (* no_rw_check *)
     reg [43:0] left_odd_nodes [0:1023];
+    (* no_rw_check *)
     reg [43:0] right_even_nodes [0:1023];
+    (* no_rw_check *)
     reg [43:0] right_odd_nodes [0:1023];
     reg ends;
     reg lower;
@@ -10537,24 +11471,44 @@ module core_a_heap_stage_level10 (
             left_even_nodes[choice_7[11:2]] <= node_to_store;
         end
         left_even_shown <= left_even_nodes[choice_21[10:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_27 & ~choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
+            left_even_shown <= ~left_even_nodes[choice_21[10:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (term_27 & choice_7[1]) begin
             left_odd_nodes[choice_7[11:2]] <= node_to_store;
         end
         left_odd_shown <= left_odd_nodes[choice_21[10:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_27 & choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
+            left_odd_shown <= ~left_odd_nodes[choice_21[10:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (term_28 & ~choice_7[1]) begin
             right_even_nodes[choice_7[11:2]] <= node_to_store;
         end
         right_even_shown <= right_even_nodes[choice_21[10:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_28 & ~choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
+            right_even_shown <= ~right_even_nodes[choice_21[10:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (term_28 & choice_7[1]) begin
             right_odd_nodes[choice_7[11:2]] <= node_to_store;
         end
         right_odd_shown <= right_odd_nodes[choice_21[10:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_28 & choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
+            right_odd_shown <= ~right_odd_nodes[choice_21[10:1]];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_13[11:0]};
@@ -10602,9 +11556,13 @@ module core_a_heap_stage_level8 (
     output wire [28:0] below_rival,
     output wire [9:0] below_row
 );
+    (* no_rw_check *)
     reg [45:0] left_even_nodes [0:255];
+    (* no_rw_check *)
     reg [45:0] left_odd_nodes [0:255];
+    (* no_rw_check *)
     reg [45:0] right_even_nodes [0:255];
+    (* no_rw_check *)
     reg [45:0] right_odd_nodes [0:255];
     reg ends;
     reg lower;
@@ -10789,24 +11747,44 @@ module core_a_heap_stage_level8 (
             left_even_nodes[choice_9[9:2]] <= node_to_store;
         end
         left_even_shown <= left_even_nodes[choice_24[8:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_30 & ~choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
+            left_even_shown <= ~left_even_nodes[choice_24[8:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (term_30 & choice_9[1]) begin
             left_odd_nodes[choice_9[9:2]] <= node_to_store;
         end
         left_odd_shown <= left_odd_nodes[choice_24[8:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_30 & choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
+            left_odd_shown <= ~left_odd_nodes[choice_24[8:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (term_31 & ~choice_9[1]) begin
             right_even_nodes[choice_9[9:2]] <= node_to_store;
         end
         right_even_shown <= right_even_nodes[choice_24[8:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_31 & ~choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
+            right_even_shown <= ~right_even_nodes[choice_24[8:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (term_31 & choice_9[1]) begin
             right_odd_nodes[choice_9[9:2]] <= node_to_store;
         end
         right_odd_shown <= right_odd_nodes[choice_24[8:1]];
+`ifdef POINTCORE_ASSERT
+        if ((term_31 & choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
+            right_odd_shown <= ~right_odd_nodes[choice_24[8:1]];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_15[11:0]};

@@ -620,6 +620,7 @@ module stream_fifo_w29 (
     output wire [21:0] out_address,
     output wire [2:0] out_beats
 );
+    (* no_rw_check *)
     reg [28:0] entries [0:15];
     reg [4:0] held;
     reg [4:0] waiting;
@@ -664,6 +665,11 @@ module stream_fifo_w29 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -913,6 +919,7 @@ module stream_fifo_w8 (
     input  wire out_ready,
     output wire [7:0] out_length
 );
+    (* no_rw_check *)
     reg [7:0] entries [0:15];
     reg [4:0] held;
     reg [4:0] waiting;
@@ -955,6 +962,11 @@ module stream_fifo_w8 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT

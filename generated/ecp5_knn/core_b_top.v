@@ -563,7 +563,9 @@ module core_b_point_cache (
     output reg  event_point_hit,
     output reg  event_point_miss
 );
+    (* no_rw_check *)
     reg [383:0] points [0:255];
+    (* no_rw_check *)
     reg [21:0] tags [0:63];
     reg fill_under_way;
     reg [5:0] fill_slot_before;
@@ -1092,6 +1094,11 @@ module core_b_point_cache (
         if (run_step) begin
             read <= points[{run_slot, run_count[1:0]}];
         end
+`ifdef POINTCORE_ASSERT
+        if ((store) && (run_step) && ({fill_slot, fill_count[1:0]}) == ({run_slot, run_count[1:0]})) begin
+            read <= ~points[{run_slot, run_count[1:0]}];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (term_6) begin
@@ -1100,6 +1107,11 @@ module core_b_point_cache (
         if (advance_l) begin
             tag <= tags[fetch_queue_out_slot];
         end
+`ifdef POINTCORE_ASSERT
+        if ((term_6) && (advance_l) && (fill_slot) == (fetch_queue_out_slot)) begin
+            tag <= ~tags[fetch_queue_out_slot];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, shifted_2[63:1]};
@@ -1359,7 +1371,7 @@ module core_b_queue (
     (* ram_style = "distributed" *)
     reg [186:0] arrivals [0:1];
     reg [1823:0] rows [0:15];
-    reg [61:0] queries [0:15];
+    reg [93:0] queries [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
     (* ram_style = "distributed" *)
@@ -1403,7 +1415,7 @@ module core_b_queue (
     reg fetch_from_working;
     reg fetch_from_nothing;
     reg [1823:0] stored;
-    reg [61:0] query;
+    reg [93:0] query;
     reg item_found;
     reg [23:0] item_index;
     reg [31:0] item_distance2;
@@ -1477,198 +1489,198 @@ module core_b_queue (
     wire follows_beat = beat_thread == arrivals_head[186:183];
     wire term_43 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
     wire take = |arrivals_count & term_43;
-    wire term_44 = query[37:32] < 6'd1;
-    wire term_45 = query[37:32] < 6'd2;
-    wire term_46 = query[37:32] < 6'd3;
-    wire term_47 = query[37:32] < 6'd4;
-    wire term_48 = query[37:32] < 6'd5;
-    wire term_49 = query[37:32] < 6'd6;
-    wire term_50 = query[37:32] < 6'd7;
-    wire term_51 = query[37:32] < 6'd8;
-    wire term_52 = query[37:32] < 6'd9;
-    wire term_53 = query[37:32] < 6'd10;
-    wire term_54 = query[37:32] < 6'd11;
-    wire term_55 = query[37:32] < 6'd12;
-    wire term_56 = query[37:32] < 6'd13;
-    wire term_57 = query[37:32] < 6'd14;
-    wire term_58 = query[37:32] < 6'd15;
-    wire term_59 = query[37:32] < 6'd16;
-    wire term_60 = query[37:32] < 6'd17;
-    wire term_61 = query[37:32] < 6'd18;
-    wire term_62 = query[37:32] < 6'd19;
-    wire term_63 = query[37:32] < 6'd20;
-    wire term_64 = query[37:32] < 6'd21;
-    wire term_65 = query[37:32] < 6'd22;
-    wire term_66 = query[37:32] < 6'd23;
-    wire term_67 = query[37:32] < 6'd24;
-    wire term_68 = query[37:32] < 6'd25;
-    wire term_69 = query[37:32] < 6'd26;
-    wire term_70 = query[37:32] < 6'd27;
-    wire term_71 = query[37:32] < 6'd28;
-    wire term_72 = query[37:32] < 6'd29;
-    wire term_73 = query[37:32] < 6'd30;
-    wire term_74 = query[37:32] < 6'd31;
-    wire term_75 = query[37:32] < 6'd32;
     wire [1823:0] initial_row = {
         25'd0,
-        term_44 ? 32'd0 : query[31:0],
+        query[31] ? 32'd0 : query[63:32],
         25'd0,
-        term_45 ? 32'd0 : query[31:0],
+        query[30] ? 32'd0 : query[63:32],
         25'd0,
-        term_46 ? 32'd0 : query[31:0],
+        query[29] ? 32'd0 : query[63:32],
         25'd0,
-        term_47 ? 32'd0 : query[31:0],
+        query[28] ? 32'd0 : query[63:32],
         25'd0,
-        term_48 ? 32'd0 : query[31:0],
+        query[27] ? 32'd0 : query[63:32],
         25'd0,
-        term_49 ? 32'd0 : query[31:0],
+        query[26] ? 32'd0 : query[63:32],
         25'd0,
-        term_50 ? 32'd0 : query[31:0],
+        query[25] ? 32'd0 : query[63:32],
         25'd0,
-        term_51 ? 32'd0 : query[31:0],
+        query[24] ? 32'd0 : query[63:32],
         25'd0,
-        term_52 ? 32'd0 : query[31:0],
+        query[23] ? 32'd0 : query[63:32],
         25'd0,
-        term_53 ? 32'd0 : query[31:0],
+        query[22] ? 32'd0 : query[63:32],
         25'd0,
-        term_54 ? 32'd0 : query[31:0],
+        query[21] ? 32'd0 : query[63:32],
         25'd0,
-        term_55 ? 32'd0 : query[31:0],
+        query[20] ? 32'd0 : query[63:32],
         25'd0,
-        term_56 ? 32'd0 : query[31:0],
+        query[19] ? 32'd0 : query[63:32],
         25'd0,
-        term_57 ? 32'd0 : query[31:0],
+        query[18] ? 32'd0 : query[63:32],
         25'd0,
-        term_58 ? 32'd0 : query[31:0],
+        query[17] ? 32'd0 : query[63:32],
         25'd0,
-        term_59 ? 32'd0 : query[31:0],
+        query[16] ? 32'd0 : query[63:32],
         25'd0,
-        term_60 ? 32'd0 : query[31:0],
+        query[15] ? 32'd0 : query[63:32],
         25'd0,
-        term_61 ? 32'd0 : query[31:0],
+        query[14] ? 32'd0 : query[63:32],
         25'd0,
-        term_62 ? 32'd0 : query[31:0],
+        query[13] ? 32'd0 : query[63:32],
         25'd0,
-        term_63 ? 32'd0 : query[31:0],
+        query[12] ? 32'd0 : query[63:32],
         25'd0,
-        term_64 ? 32'd0 : query[31:0],
+        query[11] ? 32'd0 : query[63:32],
         25'd0,
-        term_65 ? 32'd0 : query[31:0],
+        query[10] ? 32'd0 : query[63:32],
         25'd0,
-        term_66 ? 32'd0 : query[31:0],
+        query[9] ? 32'd0 : query[63:32],
         25'd0,
-        term_67 ? 32'd0 : query[31:0],
+        query[8] ? 32'd0 : query[63:32],
         25'd0,
-        term_68 ? 32'd0 : query[31:0],
+        query[7] ? 32'd0 : query[63:32],
         25'd0,
-        term_69 ? 32'd0 : query[31:0],
+        query[6] ? 32'd0 : query[63:32],
         25'd0,
-        term_70 ? 32'd0 : query[31:0],
+        query[5] ? 32'd0 : query[63:32],
         25'd0,
-        term_71 ? 32'd0 : query[31:0],
+        query[4] ? 32'd0 : query[63:32],
         25'd0,
-        term_72 ? 32'd0 : query[31:0],
+        query[3] ? 32'd0 : query[63:32],
         25'd0,
-        term_73 ? 32'd0 : query[31:0],
+        query[2] ? 32'd0 : query[63:32],
         25'd0,
-        term_74 ? 32'd0 : query[31:0],
+        query[1] ? 32'd0 : query[63:32],
         25'd0,
-        term_75 ? 32'd0 : query[31:0]
+        query[0] ? 32'd0 : query[63:32]
     };
-    wire choice_76 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
-    wire [23:0] choice_77 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] choice_78 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire choice_79 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
-    wire [23:0] choice_80 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] choice_81 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire choice_82 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
-    wire [23:0] choice_83 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] choice_84 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire choice_85 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
-    wire [23:0] choice_86 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] choice_87 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire choice_88 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
-    wire [23:0] choice_89 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] choice_90 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire choice_91 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
-    wire [23:0] choice_92 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] choice_93 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire choice_94 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
-    wire [23:0] choice_95 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] choice_96 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire choice_97 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
-    wire [23:0] choice_98 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] choice_99 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire choice_100 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
-    wire [23:0] choice_101 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] choice_102 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire choice_103 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
-    wire [23:0] choice_104 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] choice_105 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire choice_106 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
-    wire [23:0] choice_107 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] choice_108 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire choice_109 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
-    wire [23:0] choice_110 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] choice_111 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire choice_112 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
-    wire [23:0] choice_113 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] choice_114 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire choice_115 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
-    wire [23:0] choice_116 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] choice_117 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire choice_118 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
-    wire [23:0] choice_119 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] choice_120 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire choice_121 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
-    wire [23:0] choice_122 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] choice_123 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire choice_124 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
-    wire [23:0] choice_125 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] choice_126 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire choice_127 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
-    wire [23:0] choice_128 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] choice_129 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire choice_130 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
-    wire [23:0] choice_131 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] choice_132 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire choice_133 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
-    wire [23:0] choice_134 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] choice_135 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire choice_136 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
-    wire [23:0] choice_137 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] choice_138 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire choice_139 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
-    wire [23:0] choice_140 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] choice_141 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire choice_142 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
-    wire [23:0] choice_143 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] choice_144 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire choice_145 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
-    wire [23:0] choice_146 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] choice_147 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire choice_148 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
-    wire [23:0] choice_149 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] choice_150 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire choice_151 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
-    wire [23:0] choice_152 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] choice_153 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire choice_154 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
-    wire [23:0] choice_155 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] choice_156 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire choice_157 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
-    wire [23:0] choice_158 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] choice_159 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire choice_160 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
-    wire [23:0] choice_161 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] choice_162 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire choice_163 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
-    wire [23:0] choice_164 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] choice_165 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire choice_166 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
-    wire [23:0] choice_167 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] choice_168 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
+    wire choice_44 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
+    wire [23:0] choice_45 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
+    wire [31:0] choice_46 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
+    wire choice_47 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
+    wire [23:0] choice_48 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
+    wire [31:0] choice_49 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
+    wire choice_50 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
+    wire [23:0] choice_51 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
+    wire [31:0] choice_52 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
+    wire choice_53 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
+    wire [23:0] choice_54 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
+    wire [31:0] choice_55 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
+    wire choice_56 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
+    wire [23:0] choice_57 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
+    wire [31:0] choice_58 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
+    wire choice_59 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
+    wire [23:0] choice_60 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
+    wire [31:0] choice_61 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
+    wire choice_62 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
+    wire [23:0] choice_63 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
+    wire [31:0] choice_64 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
+    wire choice_65 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
+    wire [23:0] choice_66 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
+    wire [31:0] choice_67 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
+    wire choice_68 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
+    wire [23:0] choice_69 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
+    wire [31:0] choice_70 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
+    wire choice_71 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
+    wire [23:0] choice_72 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
+    wire [31:0] choice_73 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
+    wire choice_74 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
+    wire [23:0] choice_75 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
+    wire [31:0] choice_76 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
+    wire choice_77 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
+    wire [23:0] choice_78 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
+    wire [31:0] choice_79 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
+    wire choice_80 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
+    wire [23:0] choice_81 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
+    wire [31:0] choice_82 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
+    wire choice_83 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
+    wire [23:0] choice_84 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
+    wire [31:0] choice_85 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
+    wire choice_86 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
+    wire [23:0] choice_87 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
+    wire [31:0] choice_88 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
+    wire choice_89 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
+    wire [23:0] choice_90 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
+    wire [31:0] choice_91 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
+    wire choice_92 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
+    wire [23:0] choice_93 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
+    wire [31:0] choice_94 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
+    wire choice_95 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
+    wire [23:0] choice_96 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
+    wire [31:0] choice_97 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
+    wire choice_98 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
+    wire [23:0] choice_99 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
+    wire [31:0] choice_100 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
+    wire choice_101 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
+    wire [23:0] choice_102 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
+    wire [31:0] choice_103 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
+    wire choice_104 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
+    wire [23:0] choice_105 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
+    wire [31:0] choice_106 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
+    wire choice_107 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
+    wire [23:0] choice_108 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
+    wire [31:0] choice_109 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
+    wire choice_110 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
+    wire [23:0] choice_111 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
+    wire [31:0] choice_112 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
+    wire choice_113 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
+    wire [23:0] choice_114 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
+    wire [31:0] choice_115 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
+    wire choice_116 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
+    wire [23:0] choice_117 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
+    wire [31:0] choice_118 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
+    wire choice_119 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
+    wire [23:0] choice_120 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
+    wire [31:0] choice_121 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
+    wire choice_122 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
+    wire [23:0] choice_123 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
+    wire [31:0] choice_124 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
+    wire choice_125 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
+    wire [23:0] choice_126 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
+    wire [31:0] choice_127 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
+    wire choice_128 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
+    wire [23:0] choice_129 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
+    wire [31:0] choice_130 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
+    wire choice_131 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
+    wire [23:0] choice_132 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
+    wire [31:0] choice_133 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
+    wire choice_134 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
+    wire [23:0] choice_135 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
+    wire [31:0] choice_136 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
     wire [1823:0] inserted_row = {
+        choice_44,
+        choice_45,
+        choice_46,
+        choice_47,
+        choice_48,
+        choice_49,
+        choice_50,
+        choice_51,
+        choice_52,
+        choice_53,
+        choice_54,
+        choice_55,
+        choice_56,
+        choice_57,
+        choice_58,
+        choice_59,
+        choice_60,
+        choice_61,
+        choice_62,
+        choice_63,
+        choice_64,
+        choice_65,
+        choice_66,
+        choice_67,
+        choice_68,
+        choice_69,
+        choice_70,
+        choice_71,
+        choice_72,
+        choice_73,
+        choice_74,
+        choice_75,
         choice_76,
         choice_77,
         choice_78,
@@ -1730,44 +1742,12 @@ module core_b_queue (
         choice_134,
         choice_135,
         choice_136,
-        choice_137,
-        choice_138,
-        choice_139,
-        choice_140,
-        choice_141,
-        choice_142,
-        choice_143,
-        choice_144,
-        choice_145,
-        choice_146,
-        choice_147,
-        choice_148,
-        choice_149,
-        choice_150,
-        choice_151,
-        choice_152,
-        choice_153,
-        choice_154,
-        choice_155,
-        choice_156,
-        choice_157,
-        choice_158,
-        choice_159,
-        choice_160,
-        choice_161,
-        choice_162,
-        choice_163,
-        choice_164,
-        choice_165,
-        choice_166,
-        choice_167,
-        choice_168,
         nearer[0] ? new_found : working[56],
         nearer[0] ? new_index : working[55:32],
         nearer[0] ? new_distance2 : working[31:0]
     };
     wire reads = moves & beat_reads;
-    wire [15:0] joined_169 = {
+    wire [15:0] joined_137 = {
         reads & (beat_thread == 4'd15),
         reads & (beat_thread == 4'd14),
         reads & (beat_thread == 4'd13),
@@ -1803,69 +1783,35 @@ module core_b_queue (
         start_valid & (start_thread == 4'd1),
         start_valid & (start_thread == 4'd0)
     };
-    wire [15:0] shifted_170 = fresh >> arrivals_head[186:183];
-    wire is_fresh = shifted_170[0];
-    wire choice_171 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire [15:0] shifted_138 = fresh >> arrivals_head[186:183];
+    wire is_fresh = shifted_138[0];
+    wire choice_139 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire term_172 = (farthest_thread == arrivals_head[186:183]) & ~choice_171;
-    wire farthest_will_be_known = farthest_is_current & term_172;
-    wire term_173 = ~farthest_will_be_known | (arrivals_head[63:32] < farthest);
-    wire term_174 = ~farthest_will_be_known | (arrivals_head[95:64] < farthest);
-    wire term_175 = ~farthest_will_be_known | (arrivals_head[127:96] < farthest);
-    wire term_176 = ~farthest_will_be_known | (arrivals_head[159:128] < farthest);
-    wire term_177 = (arrivals_head[159:128] < arrivals_head[31:0]) & term_176;
-    wire [3:0] joined_178 = {
-        (arrivals_head[63:32] < arrivals_head[31:0]) & term_173,
-        (arrivals_head[95:64] < arrivals_head[31:0]) & term_174,
-        (arrivals_head[127:96] < arrivals_head[31:0]) & term_175,
-        term_177
+    wire term_140 = (farthest_thread == arrivals_head[186:183]) & ~choice_139;
+    wire farthest_will_be_known = farthest_is_current & term_140;
+    wire term_141 = ~farthest_will_be_known | (arrivals_head[63:32] < farthest);
+    wire term_142 = ~farthest_will_be_known | (arrivals_head[95:64] < farthest);
+    wire term_143 = ~farthest_will_be_known | (arrivals_head[127:96] < farthest);
+    wire term_144 = ~farthest_will_be_known | (arrivals_head[159:128] < farthest);
+    wire term_145 = (arrivals_head[159:128] < arrivals_head[31:0]) & term_144;
+    wire [3:0] joined_146 = {
+        (arrivals_head[63:32] < arrivals_head[31:0]) & term_141,
+        (arrivals_head[95:64] < arrivals_head[31:0]) & term_142,
+        (arrivals_head[127:96] < arrivals_head[31:0]) & term_143,
+        term_145
     };
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire [3:0] joined_179 = {
+    wire [3:0] joined_147 = {
         ~farthest_is_known | (beat_distance3 < farthest),
         ~farthest_is_known | (beat_distance2 < farthest),
         ~farthest_is_known | (beat_distance1 < farthest),
         ~farthest_is_known | (beat_distance0 < farthest)
     };
-    wire [3:0] left = waits ? beat_pending : (rest & joined_179);
-    wire [15:0] shifted_180 = fresh >> beat_thread;
-    wire [31:0] joined_181 = {
-        ~term_44,
-        ~term_45,
-        ~term_46,
-        ~term_47,
-        ~term_48,
-        ~term_49,
-        ~term_50,
-        ~term_51,
-        ~term_52,
-        ~term_53,
-        ~term_54,
-        ~term_55,
-        ~term_56,
-        ~term_57,
-        ~term_58,
-        ~term_59,
-        ~term_60,
-        ~term_61,
-        ~term_62,
-        ~term_63,
-        ~term_64,
-        ~term_65,
-        ~term_66,
-        ~term_67,
-        ~term_68,
-        ~term_69,
-        ~term_70,
-        ~term_71,
-        ~term_72,
-        ~term_73,
-        ~term_74,
-        ~term_75
-    };
-    wire [31:0] joined_182 = {
+    wire [3:0] left = waits ? beat_pending : (rest & joined_147);
+    wire [15:0] shifted_148 = fresh >> beat_thread;
+    wire [31:0] joined_149 = {
         item_distance2 < stored[1798:1767],
         item_distance2 < stored[1741:1710],
         item_distance2 < stored[1684:1653],
@@ -1899,99 +1845,99 @@ module core_b_queue (
         item_distance2 < stored[88:57],
         item_distance2 < stored[31:0]
     };
-    wire term_183 = item_distance2 < working[1741:1710];
-    wire term_184 = item_distance2 < new_distance2;
-    wire choice_185 = nearer[31] ? (nearer[30] ? term_183 : term_184) : (item_distance2 < working[1798:1767]);
-    wire term_186 = item_distance2 < working[1684:1653];
-    wire choice_187 = nearer[30] ? (nearer[29] ? term_186 : term_184) : term_183;
-    wire term_188 = item_distance2 < working[1627:1596];
-    wire choice_189 = nearer[29] ? (nearer[28] ? term_188 : term_184) : term_186;
-    wire term_190 = item_distance2 < working[1570:1539];
-    wire choice_191 = nearer[28] ? (nearer[27] ? term_190 : term_184) : term_188;
-    wire term_192 = item_distance2 < working[1513:1482];
-    wire choice_193 = nearer[27] ? (nearer[26] ? term_192 : term_184) : term_190;
-    wire term_194 = item_distance2 < working[1456:1425];
-    wire choice_195 = nearer[26] ? (nearer[25] ? term_194 : term_184) : term_192;
-    wire term_196 = item_distance2 < working[1399:1368];
-    wire choice_197 = nearer[25] ? (nearer[24] ? term_196 : term_184) : term_194;
-    wire term_198 = item_distance2 < working[1342:1311];
-    wire choice_199 = nearer[24] ? (nearer[23] ? term_198 : term_184) : term_196;
-    wire term_200 = item_distance2 < working[1285:1254];
-    wire choice_201 = nearer[23] ? (nearer[22] ? term_200 : term_184) : term_198;
-    wire term_202 = item_distance2 < working[1228:1197];
-    wire choice_203 = nearer[22] ? (nearer[21] ? term_202 : term_184) : term_200;
-    wire term_204 = item_distance2 < working[1171:1140];
-    wire choice_205 = nearer[21] ? (nearer[20] ? term_204 : term_184) : term_202;
-    wire term_206 = item_distance2 < working[1114:1083];
-    wire choice_207 = nearer[20] ? (nearer[19] ? term_206 : term_184) : term_204;
-    wire term_208 = item_distance2 < working[1057:1026];
-    wire choice_209 = nearer[19] ? (nearer[18] ? term_208 : term_184) : term_206;
-    wire term_210 = item_distance2 < working[1000:969];
-    wire choice_211 = nearer[18] ? (nearer[17] ? term_210 : term_184) : term_208;
-    wire term_212 = item_distance2 < working[943:912];
-    wire choice_213 = nearer[17] ? (nearer[16] ? term_212 : term_184) : term_210;
-    wire term_214 = item_distance2 < working[886:855];
-    wire choice_215 = nearer[16] ? (nearer[15] ? term_214 : term_184) : term_212;
-    wire term_216 = item_distance2 < working[829:798];
-    wire choice_217 = nearer[15] ? (nearer[14] ? term_216 : term_184) : term_214;
-    wire term_218 = item_distance2 < working[772:741];
-    wire choice_219 = nearer[14] ? (nearer[13] ? term_218 : term_184) : term_216;
-    wire term_220 = item_distance2 < working[715:684];
-    wire choice_221 = nearer[13] ? (nearer[12] ? term_220 : term_184) : term_218;
-    wire term_222 = item_distance2 < working[658:627];
-    wire choice_223 = nearer[12] ? (nearer[11] ? term_222 : term_184) : term_220;
-    wire term_224 = item_distance2 < working[601:570];
-    wire choice_225 = nearer[11] ? (nearer[10] ? term_224 : term_184) : term_222;
-    wire term_226 = item_distance2 < working[544:513];
-    wire choice_227 = nearer[10] ? (nearer[9] ? term_226 : term_184) : term_224;
-    wire term_228 = item_distance2 < working[487:456];
-    wire term_229 = item_distance2 < working[430:399];
-    wire term_230 = item_distance2 < working[373:342];
-    wire term_231 = item_distance2 < working[316:285];
-    wire term_232 = item_distance2 < working[259:228];
-    wire term_233 = item_distance2 < working[202:171];
-    wire term_234 = item_distance2 < working[145:114];
-    wire term_235 = item_distance2 < working[88:57];
-    wire term_236 = item_distance2 < working[31:0];
-    wire [31:0] joined_237 = {
-        choice_185,
-        choice_187,
-        choice_189,
-        choice_191,
-        choice_193,
-        choice_195,
-        choice_197,
-        choice_199,
-        choice_201,
-        choice_203,
-        choice_205,
-        choice_207,
-        choice_209,
-        choice_211,
-        choice_213,
-        choice_215,
-        choice_217,
-        choice_219,
-        choice_221,
-        choice_223,
-        choice_225,
-        choice_227,
-        nearer[9] ? (nearer[8] ? term_228 : term_184) : term_226,
-        nearer[8] ? (nearer[7] ? term_229 : term_184) : term_228,
-        nearer[7] ? (nearer[6] ? term_230 : term_184) : term_229,
-        nearer[6] ? (nearer[5] ? term_231 : term_184) : term_230,
-        nearer[5] ? (nearer[4] ? term_232 : term_184) : term_231,
-        nearer[4] ? (nearer[3] ? term_233 : term_184) : term_232,
-        nearer[3] ? (nearer[2] ? term_234 : term_184) : term_233,
-        nearer[2] ? (nearer[1] ? term_235 : term_184) : term_234,
-        nearer[1] ? (nearer[0] ? term_236 : term_184) : term_235,
-        nearer[0] ? term_184 : term_236
+    wire term_150 = item_distance2 < working[1741:1710];
+    wire term_151 = item_distance2 < new_distance2;
+    wire choice_152 = nearer[31] ? (nearer[30] ? term_150 : term_151) : (item_distance2 < working[1798:1767]);
+    wire term_153 = item_distance2 < working[1684:1653];
+    wire choice_154 = nearer[30] ? (nearer[29] ? term_153 : term_151) : term_150;
+    wire term_155 = item_distance2 < working[1627:1596];
+    wire choice_156 = nearer[29] ? (nearer[28] ? term_155 : term_151) : term_153;
+    wire term_157 = item_distance2 < working[1570:1539];
+    wire choice_158 = nearer[28] ? (nearer[27] ? term_157 : term_151) : term_155;
+    wire term_159 = item_distance2 < working[1513:1482];
+    wire choice_160 = nearer[27] ? (nearer[26] ? term_159 : term_151) : term_157;
+    wire term_161 = item_distance2 < working[1456:1425];
+    wire choice_162 = nearer[26] ? (nearer[25] ? term_161 : term_151) : term_159;
+    wire term_163 = item_distance2 < working[1399:1368];
+    wire choice_164 = nearer[25] ? (nearer[24] ? term_163 : term_151) : term_161;
+    wire term_165 = item_distance2 < working[1342:1311];
+    wire choice_166 = nearer[24] ? (nearer[23] ? term_165 : term_151) : term_163;
+    wire term_167 = item_distance2 < working[1285:1254];
+    wire choice_168 = nearer[23] ? (nearer[22] ? term_167 : term_151) : term_165;
+    wire term_169 = item_distance2 < working[1228:1197];
+    wire choice_170 = nearer[22] ? (nearer[21] ? term_169 : term_151) : term_167;
+    wire term_171 = item_distance2 < working[1171:1140];
+    wire choice_172 = nearer[21] ? (nearer[20] ? term_171 : term_151) : term_169;
+    wire term_173 = item_distance2 < working[1114:1083];
+    wire choice_174 = nearer[20] ? (nearer[19] ? term_173 : term_151) : term_171;
+    wire term_175 = item_distance2 < working[1057:1026];
+    wire choice_176 = nearer[19] ? (nearer[18] ? term_175 : term_151) : term_173;
+    wire term_177 = item_distance2 < working[1000:969];
+    wire choice_178 = nearer[18] ? (nearer[17] ? term_177 : term_151) : term_175;
+    wire term_179 = item_distance2 < working[943:912];
+    wire choice_180 = nearer[17] ? (nearer[16] ? term_179 : term_151) : term_177;
+    wire term_181 = item_distance2 < working[886:855];
+    wire choice_182 = nearer[16] ? (nearer[15] ? term_181 : term_151) : term_179;
+    wire term_183 = item_distance2 < working[829:798];
+    wire choice_184 = nearer[15] ? (nearer[14] ? term_183 : term_151) : term_181;
+    wire term_185 = item_distance2 < working[772:741];
+    wire choice_186 = nearer[14] ? (nearer[13] ? term_185 : term_151) : term_183;
+    wire term_187 = item_distance2 < working[715:684];
+    wire choice_188 = nearer[13] ? (nearer[12] ? term_187 : term_151) : term_185;
+    wire term_189 = item_distance2 < working[658:627];
+    wire choice_190 = nearer[12] ? (nearer[11] ? term_189 : term_151) : term_187;
+    wire term_191 = item_distance2 < working[601:570];
+    wire choice_192 = nearer[11] ? (nearer[10] ? term_191 : term_151) : term_189;
+    wire term_193 = item_distance2 < working[544:513];
+    wire choice_194 = nearer[10] ? (nearer[9] ? term_193 : term_151) : term_191;
+    wire term_195 = item_distance2 < working[487:456];
+    wire term_196 = item_distance2 < working[430:399];
+    wire term_197 = item_distance2 < working[373:342];
+    wire term_198 = item_distance2 < working[316:285];
+    wire term_199 = item_distance2 < working[259:228];
+    wire term_200 = item_distance2 < working[202:171];
+    wire term_201 = item_distance2 < working[145:114];
+    wire term_202 = item_distance2 < working[88:57];
+    wire term_203 = item_distance2 < working[31:0];
+    wire [31:0] joined_204 = {
+        choice_152,
+        choice_154,
+        choice_156,
+        choice_158,
+        choice_160,
+        choice_162,
+        choice_164,
+        choice_166,
+        choice_168,
+        choice_170,
+        choice_172,
+        choice_174,
+        choice_176,
+        choice_178,
+        choice_180,
+        choice_182,
+        choice_184,
+        choice_186,
+        choice_188,
+        choice_190,
+        choice_192,
+        choice_194,
+        nearer[9] ? (nearer[8] ? term_195 : term_151) : term_193,
+        nearer[8] ? (nearer[7] ? term_196 : term_151) : term_195,
+        nearer[7] ? (nearer[6] ? term_197 : term_151) : term_196,
+        nearer[6] ? (nearer[5] ? term_198 : term_151) : term_197,
+        nearer[5] ? (nearer[4] ? term_199 : term_151) : term_198,
+        nearer[4] ? (nearer[3] ? term_200 : term_151) : term_199,
+        nearer[3] ? (nearer[2] ? term_201 : term_151) : term_200,
+        nearer[2] ? (nearer[1] ? term_202 : term_151) : term_201,
+        nearer[1] ? (nearer[0] ? term_203 : term_151) : term_202,
+        nearer[0] ? term_151 : term_203
     };
-    wire [31:0] nearer_entries = item_reads ? (item_fresh ? joined_181 : joined_182) : joined_237;
+    wire [31:0] nearer_entries = item_reads ? (item_fresh ? ~query[31:0] : joined_149) : joined_204;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [15:0] shifted_238 = fresh >> finish_queue_out_thread;
-    wire [31:0] choice_239 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
+    wire [15:0] shifted_205 = fresh >> finish_queue_out_thread;
+    wire [31:0] choice_206 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
         radius_valid & (radius_thread == 4'd15),
         radius_valid & (radius_thread == 4'd14),
@@ -2010,7 +1956,7 @@ module core_b_queue (
         radius_valid & (radius_thread == 4'd1),
         radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_240 = from_leaf >> candidates_thread;
+    wire [15:0] shifted_207 = from_leaf >> candidates_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
     wire write_back = item_reads & owned;
@@ -2062,9 +2008,9 @@ module core_b_queue (
         end else begin
             arrivals_count <= (arrivals_count + {1'd0, term_41}) - {1'd0, take};
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_169) | query_set;
+            fresh <= (fresh & ~joined_137) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? choice_171 : (beat_reads & waits);
+            beat_reads <= take ? choice_139 : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & |beat_pending;
@@ -2094,22 +2040,22 @@ module core_b_queue (
             owner <= item_thread;
         end
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? joined_178 : left;
+        beat_pending <= take ? joined_146 : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_180[0];
+        item_fresh <= shifted_148[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_78;
-        farthest <= choice_78;
+        radius_radius2 <= choice_46;
+        farthest <= choice_46;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_238[0];
+        fetch_from_nothing <= shifted_205[0];
         item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
-        item_distance2 <= chosen[0] ? beat_distance0 : choice_239;
+        item_distance2 <= chosen[0] ? beat_distance0 : choice_206;
         released_thread <= readout_thread;
         if (beat_free) begin
             beat_thread <= arrivals_head[186:183];
@@ -2125,10 +2071,10 @@ module core_b_queue (
         end
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
-            sent_number <= query[61:38];
+            sent_number <= query[93:70];
         end
         if (fetching | result_transfer) begin
-            position <= fetching ? (6'd32 - query[37:32]) : next_position;
+            position <= fetching ? (6'd32 - query[69:64]) : next_position;
         end
     end
     always @(posedge clk) begin
@@ -2141,7 +2087,7 @@ module core_b_queue (
                 candidates_distance1,
                 candidates_distance2,
                 candidates_distance3,
-                shifted_240[0] ? leaf_radius2 : query_radius2
+                shifted_207[0] ? leaf_radius2 : query_radius2
             };
         end
     end
@@ -2153,7 +2099,43 @@ module core_b_queue (
     end
     always @(posedge clk) begin
         if (start_valid) begin
-            queries[start_thread] <= {start_number, start_k, start_radius2};
+            queries[start_thread] <= {
+                start_number,
+                start_k,
+                start_radius2,
+                start_k < 6'd1,
+                start_k < 6'd2,
+                start_k < 6'd3,
+                start_k < 6'd4,
+                start_k < 6'd5,
+                start_k < 6'd6,
+                start_k < 6'd7,
+                start_k < 6'd8,
+                start_k < 6'd9,
+                start_k < 6'd10,
+                start_k < 6'd11,
+                start_k < 6'd12,
+                start_k < 6'd13,
+                start_k < 6'd14,
+                start_k < 6'd15,
+                start_k < 6'd16,
+                start_k < 6'd17,
+                start_k < 6'd18,
+                start_k < 6'd19,
+                start_k < 6'd20,
+                start_k < 6'd21,
+                start_k < 6'd22,
+                start_k < 6'd23,
+                start_k < 6'd24,
+                start_k < 6'd25,
+                start_k < 6'd26,
+                start_k < 6'd27,
+                start_k < 6'd28,
+                start_k < 6'd29,
+                start_k < 6'd30,
+                start_k < 6'd31,
+                start_k < 6'd32
+            };
         end
         query <= queries[read_thread];
     end
@@ -2170,22 +2152,22 @@ module core_b_queue (
 
     wire _unused = &{
         1'b0,
-        shifted_170[15:1],
-        shifted_180[15:1],
-        shifted_238[15:1],
-        shifted_240[15:1],
+        shifted_138[15:1],
+        shifted_148[15:1],
+        shifted_205[15:1],
+        shifted_207[15:1],
         start_x,
         start_y,
         start_z
     };
 
 `ifdef POINTCORE_ASSERT
-    wire term_241 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [15:0] shifted_242 = fresh >> readout_thread;
+    wire term_208 = fetch_from_working == (owned & (owner == readout_thread));
+    wire [15:0] shifted_209 = fresh >> readout_thread;
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~fetching | term_241)) begin
+            if (!(~fetching | term_208)) begin
 `ifdef FORMAL
                 a_fetched_row_stays_where_it_is: assert (0);
 `else
@@ -2193,7 +2175,7 @@ module core_b_queue (
                 $stop;
 `endif
             end
-            if (!(~fetching | (fetch_from_nothing == shifted_242[0]))) begin
+            if (!(~fetching | (fetch_from_nothing == shifted_209[0]))) begin
 `ifdef FORMAL
                 a_fetched_row_stays_fresh: assert (0);
 `else
@@ -2212,7 +2194,7 @@ module core_b_queue (
         end
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_242[15:1]};
+    wire _unused_by_checks = &{1'b0, shifted_209[15:1]};
 `endif
 endmodule
 
@@ -2507,6 +2489,7 @@ module stream_fifo (
     output wire [31:0] out_distance2,
     output wire [31:0] out_distance3
 );
+    (* no_rw_check *)
     reg [154:0] entries [0:15];
     reg [4:0] held;
     reg [4:0] waiting;
@@ -2555,6 +2538,11 @@ module stream_fifo (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -2639,30 +2627,55 @@ module core_b_leaf (
     output wire [31:0] candidates_distance2,
     output wire [31:0] candidates_distance3
 );
+    (* no_rw_check *)
     reg leaves_0 [0:16383];
+    (* no_rw_check *)
     reg leaves_1 [0:16383];
+    (* no_rw_check *)
     reg leaves_2 [0:16383];
+    (* no_rw_check *)
     reg leaves_3 [0:16383];
+    (* no_rw_check *)
     reg leaves_4 [0:16383];
+    (* no_rw_check *)
     reg leaves_5 [0:16383];
+    (* no_rw_check *)
     reg leaves_6 [0:16383];
+    (* no_rw_check *)
     reg leaves_7 [0:16383];
+    (* no_rw_check *)
     reg leaves_8 [0:16383];
+    (* no_rw_check *)
     reg leaves_9 [0:16383];
+    (* no_rw_check *)
     reg leaves_10 [0:16383];
+    (* no_rw_check *)
     reg leaves_11 [0:16383];
+    (* no_rw_check *)
     reg leaves_12 [0:16383];
+    (* no_rw_check *)
     reg leaves_13 [0:16383];
+    (* no_rw_check *)
     reg leaves_14 [0:16383];
+    (* no_rw_check *)
     reg leaves_15 [0:16383];
+    (* no_rw_check *)
     reg leaves_16 [0:16383];
+    (* no_rw_check *)
     reg leaves_17 [0:16383];
+    (* no_rw_check *)
     reg leaves_18 [0:16383];
+    (* no_rw_check *)
     reg leaves_19 [0:16383];
+    (* no_rw_check *)
     reg leaves_20 [0:16383];
+    (* no_rw_check *)
     reg leaves_21 [0:16383];
+    (* no_rw_check *)
     reg leaves_22 [0:16383];
+    (* no_rw_check *)
     reg leaves_23 [0:16383];
+    (* no_rw_check *)
     reg leaves_24 [0:16383];
     reg [95:0] queries [0:15];
     reg f0_valid;
@@ -2759,7 +2772,6 @@ module core_b_leaf (
     wire beat_queue_out_ready = query_advance;
     wire distance_out_ready = candidates_ready;
     wire writes_leaf = tree_valid & tree_is_leaf;
-    wire term_1 = table_advance & ~writes_leaf;
 
     assign fetch_valid = fetch_queue_out_valid;
     assign fetch_thread = fetch_queue_out_thread;
@@ -2942,201 +2954,326 @@ module core_b_leaf (
         if (writes_leaf) begin
             leaves_0[tree_address] <= tree_beats[0];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_0 <= leaves_0[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_0 <= ~leaves_0[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_1[tree_address] <= tree_beats[1];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_1 <= leaves_1[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_1 <= ~leaves_1[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_2[tree_address] <= tree_beats[2];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_2 <= leaves_2[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_2 <= ~leaves_2[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_3[tree_address] <= tree_begin[0];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_3 <= leaves_3[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_3 <= ~leaves_3[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_4[tree_address] <= tree_begin[1];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_4 <= leaves_4[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_4 <= ~leaves_4[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_5[tree_address] <= tree_begin[2];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_5 <= leaves_5[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_5 <= ~leaves_5[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_6[tree_address] <= tree_begin[3];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_6 <= leaves_6[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_6 <= ~leaves_6[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_7[tree_address] <= tree_begin[4];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_7 <= leaves_7[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_7 <= ~leaves_7[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_8[tree_address] <= tree_begin[5];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_8 <= leaves_8[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_8 <= ~leaves_8[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_9[tree_address] <= tree_begin[6];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_9 <= leaves_9[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_9 <= ~leaves_9[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_10[tree_address] <= tree_begin[7];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_10 <= leaves_10[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_10 <= ~leaves_10[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_11[tree_address] <= tree_begin[8];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_11 <= leaves_11[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_11 <= ~leaves_11[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_12[tree_address] <= tree_begin[9];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_12 <= leaves_12[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_12 <= ~leaves_12[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_13[tree_address] <= tree_begin[10];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_13 <= leaves_13[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_13 <= ~leaves_13[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_14[tree_address] <= tree_begin[11];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_14 <= leaves_14[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_14 <= ~leaves_14[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_15[tree_address] <= tree_begin[12];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_15 <= leaves_15[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_15 <= ~leaves_15[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_16[tree_address] <= tree_begin[13];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_16 <= leaves_16[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_16 <= ~leaves_16[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_17[tree_address] <= tree_begin[14];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_17 <= leaves_17[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_17 <= ~leaves_17[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_18[tree_address] <= tree_begin[15];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_18 <= leaves_18[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_18 <= ~leaves_18[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_19[tree_address] <= tree_begin[16];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_19 <= leaves_19[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_19 <= ~leaves_19[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_20[tree_address] <= tree_begin[17];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_20 <= leaves_20[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_20 <= ~leaves_20[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_21[tree_address] <= tree_begin[18];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_21 <= leaves_21[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_21 <= ~leaves_21[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_22[tree_address] <= tree_begin[19];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_22 <= leaves_22[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_22 <= ~leaves_22[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_23[tree_address] <= tree_begin[20];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_23 <= leaves_23[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_23 <= ~leaves_23[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_leaf) begin
             leaves_24[tree_address] <= tree_begin[21];
         end
-        if (term_1) begin
+        if (table_advance) begin
             f0_found_24 <= leaves_24[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_24 <= ~leaves_24[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (start_valid) begin
@@ -3976,8 +4113,13 @@ module core_b_recursion (
     reg [31:0] leaf_radii [0:15];
     reg r0_valid;
     reg r1_valid;
+    reg r2_valid;
     reg [3:0] r0_thread;
     reg [3:0] r1_thread;
+    reg [3:0] r2_thread;
+    reg found;
+    reg [14:0] path_node;
+    reg [31:0] path_distance2;
     reg [15:0] from_leaf;
     reg [31:0] radius2;
 
@@ -3990,10 +4132,10 @@ module core_b_recursion (
     wire [14:0] resume_queue_out_node;
 
     assign in_ready = in_queue_in_ready;
-    wire advance = ~r1_valid | resume_queue_in_ready;
-    wire decides = advance & r1_valid;
-    wire popped = decides & ~top_empty;
-    wire nearer = top_distance2 < radius2;
+    wire advance = ~r2_valid | resume_queue_in_ready;
+    wire decides = advance & r2_valid;
+    wire popped = decides & found;
+    wire nearer = path_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
     wire resume_queue_out_ready = resume_ready;
@@ -4033,9 +4175,9 @@ module core_b_recursion (
         radius_valid & (radius_thread == 4'd1),
         radius_valid & (radius_thread == 4'd0)
     };
-    wire [15:0] shifted_1 = from_leaf >> r0_thread;
-    wire [31:0] leaf_radius2 = leaf_radii[r0_thread];
-    wire [31:0] query_radius2 = query_radii[r0_thread];
+    wire [15:0] shifted_1 = from_leaf >> r1_thread;
+    wire [31:0] leaf_radius2 = leaf_radii[r1_thread];
+    wire [31:0] query_radius2 = query_radii[r1_thread];
 
     assign resume_valid = resume_queue_out_valid;
     assign resume_thread = resume_queue_out_thread;
@@ -4059,8 +4201,8 @@ module core_b_recursion (
         .rst(rst),
         .in_valid(popped & nearer),
         .in_ready(resume_queue_in_ready),
-        .in_thread(r1_thread),
-        .in_node(top_node),
+        .in_thread(r2_thread),
+        .in_node(path_node),
         .out_valid(resume_queue_out_valid),
         .out_ready(resume_queue_out_ready),
         .out_thread(resume_queue_out_thread),
@@ -4071,6 +4213,7 @@ module core_b_recursion (
         if (rst) begin
             r0_valid <= 1'd0;
             r1_valid <= 1'd0;
+            r2_valid <= 1'd0;
             from_leaf <= 16'd0;
             empty_valid <= 1'd0;
             event_pop <= 1'd0;
@@ -4078,19 +4221,24 @@ module core_b_recursion (
             if (advance) begin
                 r0_valid <= back | in_queue_out_valid;
                 r1_valid <= r0_valid;
+                r2_valid <= r1_valid;
             end
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
-            empty_valid <= decides & top_empty;
+            empty_valid <= decides & ~found;
             event_pop <= popped;
         end
     end
     always @(posedge clk) begin
         if (advance) begin
-            r0_thread <= back ? r1_thread : in_queue_out_thread;
+            r0_thread <= back ? r2_thread : in_queue_out_thread;
             r1_thread <= r0_thread;
+            r2_thread <= r1_thread;
+            found <= ~top_empty;
+            path_node <= top_node;
+            path_distance2 <= top_distance2;
             radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
         end
-        empty_thread <= r1_thread;
+        empty_thread <= r2_thread;
     end
     always @(posedge clk) begin
         if (start_valid) begin
@@ -4181,6 +4329,7 @@ module core_b_stack (
     output wire [14:0] top_node,
     output wire [31:0] top_distance2
 );
+    (* no_rw_check *)
     reg [46:0] paths [0:255];
     reg [3:0] depth_0;
     reg [3:0] depth_1;
@@ -4331,6 +4480,11 @@ module core_b_stack (
         if (takes) begin
             top <= paths[{pop_thread, pop_depth - 4'd1}];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push_valid) && (takes) && ({push_thread, push_depth}) == ({pop_thread, pop_depth - 4'd1})) begin
+            top <= ~paths[{pop_thread, pop_depth - 4'd1}];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -4399,41 +4553,77 @@ module core_b_traversal (
     output wire reached_valid,
     output wire [3:0] reached_thread
 );
+    (* no_rw_check *)
     reg [1:0] even_nodes_0 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_2 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_4 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_6 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_8 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_10 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_12 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_14 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_16 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_18 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_20 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_22 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_24 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_26 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_28 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_30 [0:8191];
+    (* no_rw_check *)
     reg [1:0] even_nodes_32 [0:8191];
+    (* no_rw_check *)
     reg even_nodes_34 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_0 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_2 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_4 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_6 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_8 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_10 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_12 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_14 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_16 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_18 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_20 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_22 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_24 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_26 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_28 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_30 [0:8191];
+    (* no_rw_check *)
     reg [1:0] odd_nodes_32 [0:8191];
+    (* no_rw_check *)
     reg odd_nodes_34 [0:8191];
     reg [95:0] queries [0:15];
     reg f_valid;
@@ -4536,10 +4726,8 @@ module core_b_traversal (
     wire term_9 = tree_valid & ~tree_is_leaf;
     wire writes_even = term_9 & ~tree_address[0];
     wire [1:0] joined_10 = {tree_dimension[0], tree_internal_leaf};
-    wire term_11 = advance & ~writes_even;
-    wire [1:0] joined_12 = {tree_split[0], tree_dimension[1]};
+    wire [1:0] joined_11 = {tree_split[0], tree_dimension[1]};
     wire writes_odd = term_9 & tree_address[0];
-    wire term_13 = advance & ~writes_odd;
 
     assign leaf_valid = leaf_queue_out_valid;
     assign leaf_thread = leaf_queue_out_thread;
@@ -4690,289 +4878,469 @@ module core_b_traversal (
         if (writes_even) begin
             even_nodes_0[tree_address[13:1]] <= joined_10;
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_0 <= even_nodes_0[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_0 <= ~even_nodes_0[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
-            even_nodes_2[tree_address[13:1]] <= joined_12;
+            even_nodes_2[tree_address[13:1]] <= joined_11;
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_2 <= even_nodes_2[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_2 <= ~even_nodes_2[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_4[tree_address[13:1]] <= tree_split[2:1];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_4 <= even_nodes_4[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_4 <= ~even_nodes_4[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_6[tree_address[13:1]] <= tree_split[4:3];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_6 <= even_nodes_6[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_6 <= ~even_nodes_6[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_8[tree_address[13:1]] <= tree_split[6:5];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_8 <= even_nodes_8[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_8 <= ~even_nodes_8[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_10[tree_address[13:1]] <= tree_split[8:7];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_10 <= even_nodes_10[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_10 <= ~even_nodes_10[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_12[tree_address[13:1]] <= tree_split[10:9];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_12 <= even_nodes_12[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_12 <= ~even_nodes_12[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_14[tree_address[13:1]] <= tree_split[12:11];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_14 <= even_nodes_14[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_14 <= ~even_nodes_14[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_16[tree_address[13:1]] <= tree_split[14:13];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_16 <= even_nodes_16[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_16 <= ~even_nodes_16[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_18[tree_address[13:1]] <= tree_split[16:15];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_18 <= even_nodes_18[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_18 <= ~even_nodes_18[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_20[tree_address[13:1]] <= tree_split[18:17];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_20 <= even_nodes_20[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_20 <= ~even_nodes_20[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_22[tree_address[13:1]] <= tree_split[20:19];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_22 <= even_nodes_22[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_22 <= ~even_nodes_22[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_24[tree_address[13:1]] <= tree_split[22:21];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_24 <= even_nodes_24[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_24 <= ~even_nodes_24[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_26[tree_address[13:1]] <= tree_split[24:23];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_26 <= even_nodes_26[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_26 <= ~even_nodes_26[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_28[tree_address[13:1]] <= tree_split[26:25];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_28 <= even_nodes_28[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_28 <= ~even_nodes_28[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_30[tree_address[13:1]] <= tree_split[28:27];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_30 <= even_nodes_30[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_30 <= ~even_nodes_30[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_32[tree_address[13:1]] <= tree_split[30:29];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_32 <= even_nodes_32[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_32 <= ~even_nodes_32[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_even) begin
             even_nodes_34[tree_address[13:1]] <= tree_split[31];
         end
-        if (term_11) begin
+        if (advance) begin
             even_node_34 <= even_nodes_34[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            even_node_34 <= ~even_nodes_34[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_0[tree_address[13:1]] <= joined_10;
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_0 <= odd_nodes_0[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_0 <= ~odd_nodes_0[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
-            odd_nodes_2[tree_address[13:1]] <= joined_12;
+            odd_nodes_2[tree_address[13:1]] <= joined_11;
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_2 <= odd_nodes_2[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_2 <= ~odd_nodes_2[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_4[tree_address[13:1]] <= tree_split[2:1];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_4 <= odd_nodes_4[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_4 <= ~odd_nodes_4[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_6[tree_address[13:1]] <= tree_split[4:3];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_6 <= odd_nodes_6[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_6 <= ~odd_nodes_6[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_8[tree_address[13:1]] <= tree_split[6:5];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_8 <= odd_nodes_8[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_8 <= ~odd_nodes_8[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_10[tree_address[13:1]] <= tree_split[8:7];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_10 <= odd_nodes_10[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_10 <= ~odd_nodes_10[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_12[tree_address[13:1]] <= tree_split[10:9];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_12 <= odd_nodes_12[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_12 <= ~odd_nodes_12[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_14[tree_address[13:1]] <= tree_split[12:11];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_14 <= odd_nodes_14[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_14 <= ~odd_nodes_14[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_16[tree_address[13:1]] <= tree_split[14:13];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_16 <= odd_nodes_16[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_16 <= ~odd_nodes_16[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_18[tree_address[13:1]] <= tree_split[16:15];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_18 <= odd_nodes_18[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_18 <= ~odd_nodes_18[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_20[tree_address[13:1]] <= tree_split[18:17];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_20 <= odd_nodes_20[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_20 <= ~odd_nodes_20[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_22[tree_address[13:1]] <= tree_split[20:19];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_22 <= odd_nodes_22[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_22 <= ~odd_nodes_22[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_24[tree_address[13:1]] <= tree_split[22:21];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_24 <= odd_nodes_24[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_24 <= ~odd_nodes_24[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_26[tree_address[13:1]] <= tree_split[24:23];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_26 <= odd_nodes_26[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_26 <= ~odd_nodes_26[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_28[tree_address[13:1]] <= tree_split[26:25];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_28 <= odd_nodes_28[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_28 <= ~odd_nodes_28[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_30[tree_address[13:1]] <= tree_split[28:27];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_30 <= odd_nodes_30[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_30 <= ~odd_nodes_30[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_32[tree_address[13:1]] <= tree_split[30:29];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_32 <= odd_nodes_32[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_32 <= ~odd_nodes_32[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_34[tree_address[13:1]] <= tree_split[31];
         end
-        if (term_13) begin
+        if (advance) begin
             odd_node_34 <= odd_nodes_34[next_node[13:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
+            odd_node_34 <= ~odd_nodes_34[next_node[13:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (start_valid) begin

@@ -974,6 +974,7 @@ module stream_fifo_d16_w8 (
     input  wire out_ready,
     output wire [7:0] out_length
 );
+    (* no_rw_check *)
     reg [7:0] entries [0:15];
     reg [4:0] held;
     reg [4:0] waiting;
@@ -1016,6 +1017,11 @@ module stream_fifo_d16_w8 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT

@@ -2506,9 +2506,13 @@ module core_a_accumulator (
     output reg  event_hazard,
     output reg  event_slot_wait
 );
+    (* no_rw_check *)
     reg [319:0] slot_0_pixels [0:63];
+    (* no_rw_check *)
     reg [319:0] slot_1_pixels [0:63];
+    (* no_rw_check *)
     reg [319:0] slot_2_pixels [0:63];
+    (* no_rw_check *)
     reg [319:0] slot_3_pixels [0:63];
     reg valid_1;
     reg inside_1;
@@ -3417,6 +3421,11 @@ module core_a_accumulator (
         if (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_14) begin
             slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_0 | (writes & (slot_8 == 2'd0))) && (slot_ready[0] ? (issue_inside & (head_slot == 2'd0)) : term_14) && (filling_0 ? fill_pixel : pixel_8) == (slot_ready[0] ? head_pixel : drain_pixel)) begin
+            slot_0_read <= ~slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (filling_1 | (writes & (slot_8 == 2'd1))) begin
@@ -3425,6 +3434,11 @@ module core_a_accumulator (
         if (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_15) begin
             slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_1 | (writes & (slot_8 == 2'd1))) && (slot_ready[1] ? (issue_inside & (head_slot == 2'd1)) : term_15) && (filling_1 ? fill_pixel : pixel_8) == (slot_ready[1] ? head_pixel : drain_pixel)) begin
+            slot_1_read <= ~slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (filling_2 | (writes & (slot_8 == 2'd2))) begin
@@ -3433,6 +3447,11 @@ module core_a_accumulator (
         if (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_16) begin
             slot_2_read <= slot_2_pixels[slot_ready[2] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_2 | (writes & (slot_8 == 2'd2))) && (slot_ready[2] ? (issue_inside & (head_slot == 2'd2)) : term_16) && (filling_2 ? fill_pixel : pixel_8) == (slot_ready[2] ? head_pixel : drain_pixel)) begin
+            slot_2_read <= ~slot_2_pixels[slot_ready[2] ? head_pixel : drain_pixel];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (filling_3 | (writes & (slot_8 == 2'd3))) begin
@@ -3441,6 +3460,11 @@ module core_a_accumulator (
         if (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_17) begin
             slot_3_read <= slot_3_pixels[slot_ready[3] ? head_pixel : drain_pixel];
         end
+`ifdef POINTCORE_ASSERT
+        if ((filling_3 | (writes & (slot_8 == 2'd3))) && (slot_ready[3] ? (issue_inside & (head_slot == 2'd3)) : term_17) && (filling_3 ? fill_pixel : pixel_8) == (slot_ready[3] ? head_pixel : drain_pixel)) begin
+            slot_3_read <= ~slot_3_pixels[slot_ready[3] ? head_pixel : drain_pixel];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[3:1], shifted_13[3:1]};
@@ -3674,6 +3698,7 @@ module stream_fifo_d64_w328 (
     output wire [15:0] out_attribute_12,
     output wire [15:0] out_cardinal_0
 );
+    (* no_rw_check *)
     reg [327:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
@@ -3752,6 +3777,11 @@ module stream_fifo_d64_w328 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -5057,6 +5087,7 @@ module stream_fifo_d64_w296 (
     output wire [15:0] out_attribute_12,
     output wire [15:0] out_cardinal_0
 );
+    (* no_rw_check *)
     reg [295:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
@@ -5133,6 +5164,11 @@ module stream_fifo_d64_w296 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -7080,6 +7116,7 @@ module core_a_tile_cache (
     input  wire [15:0] drain_attribute_12,
     input  wire [15:0] drain_cardinal_0
 );
+    (* no_rw_check *)
     reg touched_tiles [0:4095];
     reg head_valid;
     reg head_end;
@@ -7875,6 +7912,11 @@ module core_a_tile_cache (
             touched_tiles[looked ? read_tile : code] <= looked;
         end
         stored_touched <= touched_tiles[term_16 ? code : head_tile];
+`ifdef POINTCORE_ASSERT
+        if ((looked | (term_14 | (term_19 & touched))) && (looked ? read_tile : code) == (term_16 ? code : head_tile)) begin
+            stored_touched <= ~touched_tiles[term_16 ? code : head_tile];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -8425,154 +8467,303 @@ module core_a_reorder (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
+    (* no_rw_check *)
     reg [3:0] payloads_0 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_4 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_8 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_12 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_16 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_20 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_24 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_28 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_32 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_36 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_40 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_44 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_48 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_52 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_56 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_60 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_64 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_68 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_72 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_76 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_80 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_84 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_88 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_92 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_96 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_100 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_104 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_108 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_112 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_116 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_120 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_124 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_128 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_132 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_136 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_140 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_144 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_148 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_152 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_156 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_160 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_164 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_168 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_172 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_176 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_180 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_184 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_188 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_192 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_196 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_200 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_204 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_208 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_212 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_216 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_220 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_224 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_228 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_232 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_236 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_240 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_244 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_248 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_252 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_256 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_260 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_264 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_268 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_272 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_276 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_280 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_284 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_288 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_292 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_296 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_300 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_304 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_308 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_312 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_316 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_320 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_324 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_328 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_332 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_336 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_340 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_344 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_348 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_352 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_356 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_360 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_364 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_368 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_372 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_376 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_380 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_384 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_388 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_392 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_396 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_400 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_404 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_408 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_412 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_416 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_420 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_424 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_428 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_432 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_436 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_440 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_444 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_448 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_452 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_456 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_460 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_464 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_468 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_472 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_476 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_480 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_484 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_488 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_492 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_496 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_500 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_504 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_508 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_512 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_516 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_520 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_524 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_528 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_532 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_536 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_540 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_544 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_548 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_552 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_556 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_560 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_564 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_568 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_572 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_576 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_580 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_584 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_588 [0:4095];
+    (* no_rw_check *)
     reg [3:0] payloads_592 [0:4095];
     reg free_valid;
     reg [11:0] free;
@@ -8798,6 +8989,40 @@ module core_a_reorder (
     wire [2:0] out_queue_out_top;
     wire [2:0] out_queue_out_bottom;
     wire [11:0] out_queue_out_tile;
+    wire caught_in_ready;
+    wire caught_out_valid;
+    wire caught_out_end;
+    wire [31:0] caught_out_center_x;
+    wire [31:0] caught_out_center_y;
+    wire [31:0] caught_out_ax;
+    wire [31:0] caught_out_bx;
+    wire [31:0] caught_out_ay;
+    wire [31:0] caught_out_by;
+    wire [31:0] caught_out_delta;
+    wire [31:0] caught_out_mx;
+    wire [31:0] caught_out_my;
+    wire [23:0] caught_out_depth;
+    wire [23:0] caught_out_depth_low;
+    wire [23:0] caught_out_depth_high;
+    wire [15:0] caught_out_attribute_0;
+    wire [15:0] caught_out_attribute_1;
+    wire [15:0] caught_out_attribute_2;
+    wire [15:0] caught_out_attribute_3;
+    wire [15:0] caught_out_attribute_4;
+    wire [15:0] caught_out_attribute_5;
+    wire [15:0] caught_out_attribute_6;
+    wire [15:0] caught_out_attribute_7;
+    wire [15:0] caught_out_attribute_8;
+    wire [15:0] caught_out_attribute_9;
+    wire [15:0] caught_out_attribute_10;
+    wire [15:0] caught_out_attribute_11;
+    wire [15:0] caught_out_attribute_12;
+    wire [15:0] caught_out_cardinal_0;
+    wire [2:0] caught_out_left;
+    wire [2:0] caught_out_right;
+    wire [2:0] caught_out_top;
+    wire [2:0] caught_out_bottom;
+    wire [11:0] caught_out_tile;
     wire heap_in_ready;
     wire heap_out_valid;
     wire [11:0] heap_out_tile;
@@ -8813,9 +9038,10 @@ module core_a_reorder (
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire close = draining & (heap_empty & ~stage_valid & out_queue_in_ready);
+    wire caught_out_ready = out_queue_in_ready;
     wire out_queue_out_ready = out_ready;
-    wire advance = ~stage_valid | out_queue_in_ready;
+    wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
+    wire advance = ~stage_valid | caught_in_ready;
     wire heap_out_ready = advance;
     wire leaving = heap_out_valid & heap_out_ready;
     wire all_used = fresh[12];
@@ -8931,8 +9157,81 @@ module core_a_reorder (
     stream_half_buffer_w609 out_queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(close | (stage_valid & out_queue_in_ready)),
+        .in_valid(caught_out_valid & caught_out_ready),
         .in_ready(out_queue_in_ready),
+        .in_end(caught_out_end),
+        .in_center_x(caught_out_center_x),
+        .in_center_y(caught_out_center_y),
+        .in_ax(caught_out_ax),
+        .in_bx(caught_out_bx),
+        .in_ay(caught_out_ay),
+        .in_by(caught_out_by),
+        .in_delta(caught_out_delta),
+        .in_mx(caught_out_mx),
+        .in_my(caught_out_my),
+        .in_depth(caught_out_depth),
+        .in_depth_low(caught_out_depth_low),
+        .in_depth_high(caught_out_depth_high),
+        .in_attribute_0(caught_out_attribute_0),
+        .in_attribute_1(caught_out_attribute_1),
+        .in_attribute_2(caught_out_attribute_2),
+        .in_attribute_3(caught_out_attribute_3),
+        .in_attribute_4(caught_out_attribute_4),
+        .in_attribute_5(caught_out_attribute_5),
+        .in_attribute_6(caught_out_attribute_6),
+        .in_attribute_7(caught_out_attribute_7),
+        .in_attribute_8(caught_out_attribute_8),
+        .in_attribute_9(caught_out_attribute_9),
+        .in_attribute_10(caught_out_attribute_10),
+        .in_attribute_11(caught_out_attribute_11),
+        .in_attribute_12(caught_out_attribute_12),
+        .in_cardinal_0(caught_out_cardinal_0),
+        .in_left(caught_out_left),
+        .in_right(caught_out_right),
+        .in_top(caught_out_top),
+        .in_bottom(caught_out_bottom),
+        .in_tile(caught_out_tile),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_attribute_3(out_queue_out_attribute_3),
+        .out_attribute_4(out_queue_out_attribute_4),
+        .out_attribute_5(out_queue_out_attribute_5),
+        .out_attribute_6(out_queue_out_attribute_6),
+        .out_attribute_7(out_queue_out_attribute_7),
+        .out_attribute_8(out_queue_out_attribute_8),
+        .out_attribute_9(out_queue_out_attribute_9),
+        .out_attribute_10(out_queue_out_attribute_10),
+        .out_attribute_11(out_queue_out_attribute_11),
+        .out_attribute_12(out_queue_out_attribute_12),
+        .out_cardinal_0(out_queue_out_cardinal_0),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile)
+    );
+
+    stream_half_buffer_w609 caught (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(close | (stage_valid & caught_in_ready)),
+        .in_ready(caught_in_ready),
         .in_end(close),
         .in_center_x({
             stage_payload_592,
@@ -9067,40 +9366,40 @@ module core_a_reorder (
         .in_top({stage_payload_4[1:0], stage_payload_0[3]}),
         .in_bottom(stage_payload_0[2:0]),
         .in_tile(stage_tile),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_attribute_3(out_queue_out_attribute_3),
-        .out_attribute_4(out_queue_out_attribute_4),
-        .out_attribute_5(out_queue_out_attribute_5),
-        .out_attribute_6(out_queue_out_attribute_6),
-        .out_attribute_7(out_queue_out_attribute_7),
-        .out_attribute_8(out_queue_out_attribute_8),
-        .out_attribute_9(out_queue_out_attribute_9),
-        .out_attribute_10(out_queue_out_attribute_10),
-        .out_attribute_11(out_queue_out_attribute_11),
-        .out_attribute_12(out_queue_out_attribute_12),
-        .out_cardinal_0(out_queue_out_cardinal_0),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile)
+        .out_valid(caught_out_valid),
+        .out_ready(caught_out_ready),
+        .out_end(caught_out_end),
+        .out_center_x(caught_out_center_x),
+        .out_center_y(caught_out_center_y),
+        .out_ax(caught_out_ax),
+        .out_bx(caught_out_bx),
+        .out_ay(caught_out_ay),
+        .out_by(caught_out_by),
+        .out_delta(caught_out_delta),
+        .out_mx(caught_out_mx),
+        .out_my(caught_out_my),
+        .out_depth(caught_out_depth),
+        .out_depth_low(caught_out_depth_low),
+        .out_depth_high(caught_out_depth_high),
+        .out_attribute_0(caught_out_attribute_0),
+        .out_attribute_1(caught_out_attribute_1),
+        .out_attribute_2(caught_out_attribute_2),
+        .out_attribute_3(caught_out_attribute_3),
+        .out_attribute_4(caught_out_attribute_4),
+        .out_attribute_5(caught_out_attribute_5),
+        .out_attribute_6(caught_out_attribute_6),
+        .out_attribute_7(caught_out_attribute_7),
+        .out_attribute_8(caught_out_attribute_8),
+        .out_attribute_9(caught_out_attribute_9),
+        .out_attribute_10(caught_out_attribute_10),
+        .out_attribute_11(caught_out_attribute_11),
+        .out_attribute_12(caught_out_attribute_12),
+        .out_cardinal_0(caught_out_cardinal_0),
+        .out_left(caught_out_left),
+        .out_right(caught_out_right),
+        .out_top(caught_out_top),
+        .out_bottom(caught_out_bottom),
+        .out_tile(caught_out_tile)
     );
 
     core_a_heap heap (
@@ -9162,6 +9461,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_0 <= payloads_0[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_0 <= ~payloads_0[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9170,6 +9474,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_4 <= payloads_4[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_4 <= ~payloads_4[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9178,6 +9487,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_8 <= payloads_8[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_8 <= ~payloads_8[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9186,6 +9500,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_12 <= payloads_12[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_12 <= ~payloads_12[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9194,6 +9513,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_16 <= payloads_16[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_16 <= ~payloads_16[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9202,6 +9526,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_20 <= payloads_20[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_20 <= ~payloads_20[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9210,6 +9539,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_24 <= payloads_24[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_24 <= ~payloads_24[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9218,6 +9552,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_28 <= payloads_28[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_28 <= ~payloads_28[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9226,6 +9565,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_32 <= payloads_32[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_32 <= ~payloads_32[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9234,6 +9578,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_36 <= payloads_36[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_36 <= ~payloads_36[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9242,6 +9591,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_40 <= payloads_40[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_40 <= ~payloads_40[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9250,6 +9604,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_44 <= payloads_44[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_44 <= ~payloads_44[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9258,6 +9617,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_48 <= payloads_48[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_48 <= ~payloads_48[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9266,6 +9630,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_52 <= payloads_52[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_52 <= ~payloads_52[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9274,6 +9643,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_56 <= payloads_56[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_56 <= ~payloads_56[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9282,6 +9656,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_60 <= payloads_60[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_60 <= ~payloads_60[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9290,6 +9669,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_64 <= payloads_64[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_64 <= ~payloads_64[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9298,6 +9682,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_68 <= payloads_68[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_68 <= ~payloads_68[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9306,6 +9695,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_72 <= payloads_72[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_72 <= ~payloads_72[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9314,6 +9708,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_76 <= payloads_76[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_76 <= ~payloads_76[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9322,6 +9721,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_80 <= payloads_80[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_80 <= ~payloads_80[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9330,6 +9734,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_84 <= payloads_84[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_84 <= ~payloads_84[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9338,6 +9747,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_88 <= payloads_88[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_88 <= ~payloads_88[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9346,6 +9760,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_92 <= payloads_92[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_92 <= ~payloads_92[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9354,6 +9773,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_96 <= payloads_96[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_96 <= ~payloads_96[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9362,6 +9786,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_100 <= payloads_100[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_100 <= ~payloads_100[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9370,6 +9799,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_104 <= payloads_104[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_104 <= ~payloads_104[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9378,6 +9812,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_108 <= payloads_108[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_108 <= ~payloads_108[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9386,6 +9825,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_112 <= payloads_112[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_112 <= ~payloads_112[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9394,6 +9838,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_116 <= payloads_116[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_116 <= ~payloads_116[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9402,6 +9851,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_120 <= payloads_120[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_120 <= ~payloads_120[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9410,6 +9864,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_124 <= payloads_124[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_124 <= ~payloads_124[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9418,6 +9877,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_128 <= payloads_128[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_128 <= ~payloads_128[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9426,6 +9890,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_132 <= payloads_132[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_132 <= ~payloads_132[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9434,6 +9903,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_136 <= payloads_136[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_136 <= ~payloads_136[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9442,6 +9916,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_140 <= payloads_140[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_140 <= ~payloads_140[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9450,6 +9929,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_144 <= payloads_144[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_144 <= ~payloads_144[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9458,6 +9942,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_148 <= payloads_148[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_148 <= ~payloads_148[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9466,6 +9955,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_152 <= payloads_152[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_152 <= ~payloads_152[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9474,6 +9968,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_156 <= payloads_156[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_156 <= ~payloads_156[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9482,6 +9981,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_160 <= payloads_160[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_160 <= ~payloads_160[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9490,6 +9994,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_164 <= payloads_164[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_164 <= ~payloads_164[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9498,6 +10007,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_168 <= payloads_168[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_168 <= ~payloads_168[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9506,6 +10020,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_172 <= payloads_172[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_172 <= ~payloads_172[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9514,6 +10033,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_176 <= payloads_176[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_176 <= ~payloads_176[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9522,6 +10046,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_180 <= payloads_180[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_180 <= ~payloads_180[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9530,6 +10059,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_184 <= payloads_184[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_184 <= ~payloads_184[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9538,6 +10072,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_188 <= payloads_188[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_188 <= ~payloads_188[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9546,6 +10085,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_192 <= payloads_192[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_192 <= ~payloads_192[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9554,6 +10098,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_196 <= payloads_196[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_196 <= ~payloads_196[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9562,6 +10111,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_200 <= payloads_200[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_200 <= ~payloads_200[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9570,6 +10124,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_204 <= payloads_204[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_204 <= ~payloads_204[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9578,6 +10137,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_208 <= payloads_208[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_208 <= ~payloads_208[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9586,6 +10150,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_212 <= payloads_212[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_212 <= ~payloads_212[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9594,6 +10163,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_216 <= payloads_216[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_216 <= ~payloads_216[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9602,6 +10176,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_220 <= payloads_220[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_220 <= ~payloads_220[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9610,6 +10189,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_224 <= payloads_224[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_224 <= ~payloads_224[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9618,6 +10202,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_228 <= payloads_228[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_228 <= ~payloads_228[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9626,6 +10215,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_232 <= payloads_232[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_232 <= ~payloads_232[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9634,6 +10228,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_236 <= payloads_236[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_236 <= ~payloads_236[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9642,6 +10241,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_240 <= payloads_240[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_240 <= ~payloads_240[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9650,6 +10254,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_244 <= payloads_244[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_244 <= ~payloads_244[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9658,6 +10267,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_248 <= payloads_248[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_248 <= ~payloads_248[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9666,6 +10280,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_252 <= payloads_252[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_252 <= ~payloads_252[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9674,6 +10293,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_256 <= payloads_256[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_256 <= ~payloads_256[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9682,6 +10306,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_260 <= payloads_260[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_260 <= ~payloads_260[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9690,6 +10319,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_264 <= payloads_264[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_264 <= ~payloads_264[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9698,6 +10332,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_268 <= payloads_268[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_268 <= ~payloads_268[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9706,6 +10345,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_272 <= payloads_272[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_272 <= ~payloads_272[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9714,6 +10358,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_276 <= payloads_276[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_276 <= ~payloads_276[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9722,6 +10371,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_280 <= payloads_280[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_280 <= ~payloads_280[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9730,6 +10384,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_284 <= payloads_284[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_284 <= ~payloads_284[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9738,6 +10397,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_288 <= payloads_288[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_288 <= ~payloads_288[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9746,6 +10410,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_292 <= payloads_292[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_292 <= ~payloads_292[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9754,6 +10423,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_296 <= payloads_296[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_296 <= ~payloads_296[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9762,6 +10436,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_300 <= payloads_300[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_300 <= ~payloads_300[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9770,6 +10449,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_304 <= payloads_304[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_304 <= ~payloads_304[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9778,6 +10462,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_308 <= payloads_308[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_308 <= ~payloads_308[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9786,6 +10475,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_312 <= payloads_312[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_312 <= ~payloads_312[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9794,6 +10488,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_316 <= payloads_316[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_316 <= ~payloads_316[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9802,6 +10501,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_320 <= payloads_320[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_320 <= ~payloads_320[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9810,6 +10514,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_324 <= payloads_324[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_324 <= ~payloads_324[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9818,6 +10527,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_328 <= payloads_328[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_328 <= ~payloads_328[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9826,6 +10540,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_332 <= payloads_332[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_332 <= ~payloads_332[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9834,6 +10553,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_336 <= payloads_336[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_336 <= ~payloads_336[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9842,6 +10566,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_340 <= payloads_340[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_340 <= ~payloads_340[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9850,6 +10579,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_344 <= payloads_344[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_344 <= ~payloads_344[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9858,6 +10592,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_348 <= payloads_348[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_348 <= ~payloads_348[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9866,6 +10605,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_352 <= payloads_352[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_352 <= ~payloads_352[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9874,6 +10618,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_356 <= payloads_356[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_356 <= ~payloads_356[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9882,6 +10631,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_360 <= payloads_360[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_360 <= ~payloads_360[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9890,6 +10644,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_364 <= payloads_364[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_364 <= ~payloads_364[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9898,6 +10657,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_368 <= payloads_368[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_368 <= ~payloads_368[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9906,6 +10670,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_372 <= payloads_372[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_372 <= ~payloads_372[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9914,6 +10683,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_376 <= payloads_376[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_376 <= ~payloads_376[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9922,6 +10696,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_380 <= payloads_380[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_380 <= ~payloads_380[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9930,6 +10709,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_384 <= payloads_384[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_384 <= ~payloads_384[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9938,6 +10722,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_388 <= payloads_388[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_388 <= ~payloads_388[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9946,6 +10735,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_392 <= payloads_392[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_392 <= ~payloads_392[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9954,6 +10748,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_396 <= payloads_396[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_396 <= ~payloads_396[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9962,6 +10761,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_400 <= payloads_400[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_400 <= ~payloads_400[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9970,6 +10774,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_404 <= payloads_404[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_404 <= ~payloads_404[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9978,6 +10787,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_408 <= payloads_408[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_408 <= ~payloads_408[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9986,6 +10800,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_412 <= payloads_412[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_412 <= ~payloads_412[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -9994,6 +10813,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_416 <= payloads_416[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_416 <= ~payloads_416[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10002,6 +10826,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_420 <= payloads_420[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_420 <= ~payloads_420[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10010,6 +10839,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_424 <= payloads_424[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_424 <= ~payloads_424[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10018,6 +10852,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_428 <= payloads_428[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_428 <= ~payloads_428[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10026,6 +10865,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_432 <= payloads_432[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_432 <= ~payloads_432[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10034,6 +10878,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_436 <= payloads_436[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_436 <= ~payloads_436[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10042,6 +10891,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_440 <= payloads_440[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_440 <= ~payloads_440[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10050,6 +10904,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_444 <= payloads_444[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_444 <= ~payloads_444[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10058,6 +10917,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_448 <= payloads_448[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_448 <= ~payloads_448[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10066,6 +10930,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_452 <= payloads_452[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_452 <= ~payloads_452[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10074,6 +10943,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_456 <= payloads_456[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_456 <= ~payloads_456[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10082,6 +10956,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_460 <= payloads_460[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_460 <= ~payloads_460[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10090,6 +10969,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_464 <= payloads_464[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_464 <= ~payloads_464[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10098,6 +10982,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_468 <= payloads_468[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_468 <= ~payloads_468[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10106,6 +10995,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_472 <= payloads_472[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_472 <= ~payloads_472[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10114,6 +11008,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_476 <= payloads_476[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_476 <= ~payloads_476[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10122,6 +11021,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_480 <= payloads_480[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_480 <= ~payloads_480[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10130,6 +11034,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_484 <= payloads_484[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_484 <= ~payloads_484[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10138,6 +11047,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_488 <= payloads_488[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_488 <= ~payloads_488[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10146,6 +11060,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_492 <= payloads_492[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_492 <= ~payloads_492[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10154,6 +11073,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_496 <= payloads_496[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_496 <= ~payloads_496[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10162,6 +11086,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_500 <= payloads_500[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_500 <= ~payloads_500[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10170,6 +11099,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_504 <= payloads_504[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_504 <= ~payloads_504[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10178,6 +11112,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_508 <= payloads_508[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_508 <= ~payloads_508[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10186,6 +11125,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_512 <= payloads_512[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_512 <= ~payloads_512[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10194,6 +11138,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_516 <= payloads_516[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_516 <= ~payloads_516[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10202,6 +11151,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_520 <= payloads_520[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_520 <= ~payloads_520[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10210,6 +11164,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_524 <= payloads_524[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_524 <= ~payloads_524[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10218,6 +11177,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_528 <= payloads_528[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_528 <= ~payloads_528[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10226,6 +11190,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_532 <= payloads_532[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_532 <= ~payloads_532[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10234,6 +11203,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_536 <= payloads_536[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_536 <= ~payloads_536[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10242,6 +11216,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_540 <= payloads_540[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_540 <= ~payloads_540[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10250,6 +11229,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_544 <= payloads_544[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_544 <= ~payloads_544[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10258,6 +11242,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_548 <= payloads_548[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_548 <= ~payloads_548[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10266,6 +11255,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_552 <= payloads_552[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_552 <= ~payloads_552[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10274,6 +11268,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_556 <= payloads_556[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_556 <= ~payloads_556[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10282,6 +11281,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_560 <= payloads_560[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_560 <= ~payloads_560[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10290,6 +11294,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_564 <= payloads_564[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_564 <= ~payloads_564[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10298,6 +11307,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_568 <= payloads_568[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_568 <= ~payloads_568[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10306,6 +11320,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_572 <= payloads_572[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_572 <= ~payloads_572[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10314,6 +11333,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_576 <= payloads_576[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_576 <= ~payloads_576[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10322,6 +11346,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_580 <= payloads_580[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_580 <= ~payloads_580[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10330,6 +11359,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_584 <= payloads_584[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_584 <= ~payloads_584[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10338,6 +11372,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_588 <= payloads_588[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_588 <= ~payloads_588[heap_out_pointer];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (offer) begin
@@ -10346,6 +11385,11 @@ module core_a_reorder (
         if (advance) begin
             stage_payload_592 <= payloads_592[heap_out_pointer];
         end
+`ifdef POINTCORE_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_592 <= ~payloads_592[heap_out_pointer];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -10379,6 +11423,7 @@ module stream_fifo_d4096_w12 (
     input  wire out_ready,
     output wire [11:0] out_pointer
 );
+    (* no_rw_check *)
     reg [11:0] entries [0:4095];
     reg [12:0] held;
     reg [12:0] waiting;
@@ -10421,6 +11466,11 @@ module stream_fifo_d4096_w12 (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -10875,7 +11925,9 @@ module core_a_heap_stage_level10 (
     output wire rise_childless,
     output wire [9:0] rise_node
 );
+    (* no_rw_check *)
     reg [43:0] left_nodes [0:2047];
+    (* no_rw_check *)
     reg [43:0] right_nodes [0:2047];
     reg lower;
     reg compared_valid;
@@ -11016,12 +12068,22 @@ module core_a_heap_stage_level10 (
             left_nodes[choice_11[11:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_24];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_11[11:1]) == (choice_24)) begin
+            left_shown <= ~left_nodes[choice_24];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_11[11:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_24];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_11[11:1]) == (choice_24)) begin
+            right_shown <= ~right_nodes[choice_24];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_15[11:0]};
@@ -11069,7 +12131,9 @@ module core_a_heap_stage_level8 (
     output wire [28:0] below_rival,
     output wire [9:0] below_row
 );
+    (* no_rw_check *)
     reg [45:0] left_nodes [0:511];
+    (* no_rw_check *)
     reg [45:0] right_nodes [0:511];
     reg lower;
     reg compared_valid;
@@ -11220,12 +12284,22 @@ module core_a_heap_stage_level8 (
             left_nodes[choice_14[9:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_14[9:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_14[9:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_14[9:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_18[11:0]};
@@ -11273,7 +12347,9 @@ module core_a_heap_stage_level6 (
     output wire [28:0] below_rival,
     output wire [7:0] below_row
 );
+    (* no_rw_check *)
     reg [47:0] left_nodes [0:127];
+    (* no_rw_check *)
     reg [47:0] right_nodes [0:127];
     reg lower;
     reg compared_valid;
@@ -11424,12 +12500,22 @@ module core_a_heap_stage_level6 (
             left_nodes[choice_14[7:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_14[7:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_14[7:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_14[7:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_18[11:0]};
@@ -11477,7 +12563,9 @@ module core_a_heap_stage_level4 (
     output wire [28:0] below_rival,
     output wire [5:0] below_row
 );
+    (* no_rw_check *)
     reg [49:0] left_nodes [0:31];
+    (* no_rw_check *)
     reg [49:0] right_nodes [0:31];
     reg lower;
     reg compared_valid;
@@ -11628,12 +12716,22 @@ module core_a_heap_stage_level4 (
             left_nodes[choice_14[5:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_14[5:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_14[5:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_14[5:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_18[11:0]};
@@ -11681,7 +12779,9 @@ module core_a_heap_stage_level2 (
     output wire [28:0] below_rival,
     output wire [3:0] below_row
 );
+    (* no_rw_check *)
     reg [51:0] left_nodes [0:7];
+    (* no_rw_check *)
     reg [51:0] right_nodes [0:7];
     reg lower;
     reg compared_valid;
@@ -11832,12 +12932,22 @@ module core_a_heap_stage_level2 (
             left_nodes[choice_14[3:1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_14[3:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_14[3:1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_28];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_14[3:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_18[11:0]};
@@ -11880,7 +12990,9 @@ module core_a_heap_stage_level0 (
     output wire [28:0] below_rival,
     output wire [1:0] below_row
 );
+    (* no_rw_check *)
     reg [53:0] left_nodes [0:1];
+    (* no_rw_check *)
     reg [53:0] right_nodes [0:1];
     reg lower;
     reg compared_valid;
@@ -12023,12 +13135,22 @@ module core_a_heap_stage_level0 (
             left_nodes[choice_13[1]] <= node_to_store;
         end
         left_shown <= left_nodes[choice_30];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & ~side) && (choice_13[1]) == (choice_30)) begin
+            left_shown <= ~left_nodes[choice_30];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (settled_valid & side) begin
             right_nodes[choice_13[1]] <= node_to_store;
         end
         right_shown <= right_nodes[choice_30];
+`ifdef POINTCORE_ASSERT
+        if ((settled_valid & side) && (choice_13[1]) == (choice_30)) begin
+            right_shown <= ~right_nodes[choice_30];
+        end
+`endif
     end
 
     wire _unused = &{1'b0, choice_19[11:0]};

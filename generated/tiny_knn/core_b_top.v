@@ -436,7 +436,7 @@ module core_b_queue (
     (* ram_style = "distributed" *)
     reg [66:0] arrivals [0:1];
     reg [327:0] rows [0:3];
-    reg [43:0] queries [0:3];
+    reg [51:0] queries [0:3];
     (* ram_style = "distributed" *)
     reg [23:0] query_radii [0:3];
     (* ram_style = "distributed" *)
@@ -477,7 +477,7 @@ module core_b_queue (
     reg fetch_from_working;
     reg fetch_from_nothing;
     reg [327:0] stored;
-    reg [43:0] query;
+    reg [51:0] query;
     reg item_found;
     reg [15:0] item_index;
     reg [23:0] item_distance2;
@@ -518,54 +518,54 @@ module core_b_queue (
     wire follows_beat = beat_thread == arrivals_head[66:65];
     wire term_10 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
     wire take = |arrivals_count & term_10;
-    wire term_11 = query[27:24] < 4'd1;
-    wire term_12 = query[27:24] < 4'd2;
-    wire term_13 = query[27:24] < 4'd3;
-    wire term_14 = query[27:24] < 4'd4;
-    wire term_15 = query[27:24] < 4'd5;
-    wire term_16 = query[27:24] < 4'd6;
-    wire term_17 = query[27:24] < 4'd7;
-    wire term_18 = query[27:24] < 4'd8;
     wire [327:0] initial_row = {
         17'd0,
-        term_11 ? 24'd0 : query[23:0],
+        query[7] ? 24'd0 : query[31:8],
         17'd0,
-        term_12 ? 24'd0 : query[23:0],
+        query[6] ? 24'd0 : query[31:8],
         17'd0,
-        term_13 ? 24'd0 : query[23:0],
+        query[5] ? 24'd0 : query[31:8],
         17'd0,
-        term_14 ? 24'd0 : query[23:0],
+        query[4] ? 24'd0 : query[31:8],
         17'd0,
-        term_15 ? 24'd0 : query[23:0],
+        query[3] ? 24'd0 : query[31:8],
         17'd0,
-        term_16 ? 24'd0 : query[23:0],
+        query[2] ? 24'd0 : query[31:8],
         17'd0,
-        term_17 ? 24'd0 : query[23:0],
+        query[1] ? 24'd0 : query[31:8],
         17'd0,
-        term_18 ? 24'd0 : query[23:0]
+        query[0] ? 24'd0 : query[31:8]
     };
-    wire choice_19 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
-    wire [15:0] choice_20 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
-    wire [23:0] choice_21 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
-    wire choice_22 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
-    wire [15:0] choice_23 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
-    wire [23:0] choice_24 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
-    wire choice_25 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
-    wire [15:0] choice_26 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
-    wire [23:0] choice_27 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
-    wire choice_28 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
-    wire [15:0] choice_29 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
-    wire [23:0] choice_30 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
-    wire choice_31 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
-    wire [15:0] choice_32 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
-    wire [23:0] choice_33 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
-    wire choice_34 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
-    wire [15:0] choice_35 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
-    wire [23:0] choice_36 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
-    wire choice_37 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
-    wire [15:0] choice_38 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
-    wire [23:0] choice_39 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
+    wire choice_11 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
+    wire [15:0] choice_12 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
+    wire [23:0] choice_13 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
+    wire choice_14 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
+    wire [15:0] choice_15 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
+    wire [23:0] choice_16 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
+    wire choice_17 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
+    wire [15:0] choice_18 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
+    wire [23:0] choice_19 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
+    wire choice_20 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
+    wire [15:0] choice_21 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
+    wire [23:0] choice_22 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
+    wire choice_23 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
+    wire [15:0] choice_24 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
+    wire [23:0] choice_25 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
+    wire choice_26 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
+    wire [15:0] choice_27 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
+    wire [23:0] choice_28 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
+    wire choice_29 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
+    wire [15:0] choice_30 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
+    wire [23:0] choice_31 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
     wire [327:0] inserted_row = {
+        choice_11,
+        choice_12,
+        choice_13,
+        choice_14,
+        choice_15,
+        choice_16,
+        choice_17,
+        choice_18,
         choice_19,
         choice_20,
         choice_21,
@@ -579,20 +579,12 @@ module core_b_queue (
         choice_29,
         choice_30,
         choice_31,
-        choice_32,
-        choice_33,
-        choice_34,
-        choice_35,
-        choice_36,
-        choice_37,
-        choice_38,
-        choice_39,
         nearer[0] ? new_found : working[40],
         nearer[0] ? new_index : working[39:24],
         nearer[0] ? new_distance2 : working[23:0]
     };
     wire reads = moves & beat_reads;
-    wire [3:0] joined_40 = {
+    wire [3:0] joined_32 = {
         reads & (beat_thread == 2'd3),
         reads & (beat_thread == 2'd2),
         reads & (beat_thread == 2'd1),
@@ -604,20 +596,19 @@ module core_b_queue (
         start_valid & (start_thread == 2'd1),
         start_valid & (start_thread == 2'd0)
     };
-    wire [3:0] shifted_41 = fresh >> arrivals_head[66:65];
-    wire is_fresh = shifted_41[0];
-    wire choice_42 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
+    wire [3:0] shifted_33 = fresh >> arrivals_head[66:65];
+    wire is_fresh = shifted_33[0];
+    wire choice_34 = beat_valid ? ~follows_beat : (~follows_tail | is_fresh);
     wire farthest_is_current = farthest_valid & ~(beat_reads | item_reads);
-    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == arrivals_head[66:65]) & ~choice_42);
-    wire term_43 = ~farthest_will_be_known | (arrivals_head[47:24] < farthest);
+    wire farthest_will_be_known = farthest_is_current & ((farthest_thread == arrivals_head[66:65]) & ~choice_34);
+    wire term_35 = ~farthest_will_be_known | (arrivals_head[47:24] < farthest);
     wire chosen = beat_pending & (1'd0 - beat_pending);
     wire rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
-    wire term_44 = rest & (~farthest_is_known | (beat_distance0 < farthest));
-    wire left = waits ? beat_pending : term_44;
-    wire [3:0] shifted_45 = fresh >> beat_thread;
-    wire [7:0] joined_46 = {~term_11, ~term_12, ~term_13, ~term_14, ~term_15, ~term_16, ~term_17, ~term_18};
-    wire [7:0] joined_47 = {
+    wire term_36 = rest & (~farthest_is_known | (beat_distance0 < farthest));
+    wire left = waits ? beat_pending : term_36;
+    wire [3:0] shifted_37 = fresh >> beat_thread;
+    wire [7:0] joined_38 = {
         item_distance2 < stored[310:287],
         item_distance2 < stored[269:246],
         item_distance2 < stored[228:205],
@@ -627,36 +618,36 @@ module core_b_queue (
         item_distance2 < stored[64:41],
         item_distance2 < stored[23:0]
     };
-    wire term_48 = item_distance2 < working[269:246];
-    wire term_49 = item_distance2 < new_distance2;
-    wire choice_50 = nearer[7] ? (nearer[6] ? term_48 : term_49) : (item_distance2 < working[310:287]);
-    wire term_51 = item_distance2 < working[228:205];
-    wire term_52 = item_distance2 < working[187:164];
-    wire term_53 = item_distance2 < working[146:123];
-    wire term_54 = item_distance2 < working[105:82];
-    wire term_55 = item_distance2 < working[64:41];
-    wire term_56 = item_distance2 < working[23:0];
-    wire [7:0] joined_57 = {
-        choice_50,
-        nearer[6] ? (nearer[5] ? term_51 : term_49) : term_48,
-        nearer[5] ? (nearer[4] ? term_52 : term_49) : term_51,
-        nearer[4] ? (nearer[3] ? term_53 : term_49) : term_52,
-        nearer[3] ? (nearer[2] ? term_54 : term_49) : term_53,
-        nearer[2] ? (nearer[1] ? term_55 : term_49) : term_54,
-        nearer[1] ? (nearer[0] ? term_56 : term_49) : term_55,
-        nearer[0] ? term_49 : term_56
+    wire term_39 = item_distance2 < working[269:246];
+    wire term_40 = item_distance2 < new_distance2;
+    wire choice_41 = nearer[7] ? (nearer[6] ? term_39 : term_40) : (item_distance2 < working[310:287]);
+    wire term_42 = item_distance2 < working[228:205];
+    wire term_43 = item_distance2 < working[187:164];
+    wire term_44 = item_distance2 < working[146:123];
+    wire term_45 = item_distance2 < working[105:82];
+    wire term_46 = item_distance2 < working[64:41];
+    wire term_47 = item_distance2 < working[23:0];
+    wire [7:0] joined_48 = {
+        choice_41,
+        nearer[6] ? (nearer[5] ? term_42 : term_40) : term_39,
+        nearer[5] ? (nearer[4] ? term_43 : term_40) : term_42,
+        nearer[4] ? (nearer[3] ? term_44 : term_40) : term_43,
+        nearer[3] ? (nearer[2] ? term_45 : term_40) : term_44,
+        nearer[2] ? (nearer[1] ? term_46 : term_40) : term_45,
+        nearer[1] ? (nearer[0] ? term_47 : term_40) : term_46,
+        nearer[0] ? term_40 : term_47
     };
-    wire [7:0] nearer_entries = item_reads ? (item_fresh ? joined_46 : joined_47) : joined_57;
+    wire [7:0] nearer_entries = item_reads ? (item_fresh ? ~query[7:0] : joined_38) : joined_48;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [3:0] shifted_58 = fresh >> finish_queue_out_thread;
+    wire [3:0] shifted_49 = fresh >> finish_queue_out_thread;
     wire [3:0] leaf_set = {
         radius_valid & (radius_thread == 2'd3),
         radius_valid & (radius_thread == 2'd2),
         radius_valid & (radius_thread == 2'd1),
         radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_59 = from_leaf >> candidates_thread;
+    wire [3:0] shifted_50 = from_leaf >> candidates_thread;
     wire [23:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [23:0] query_radius2 = query_radii[candidates_thread];
     wire write_back = item_reads & owned;
@@ -708,9 +699,9 @@ module core_b_queue (
         end else begin
             arrivals_count <= (arrivals_count + {1'd0, term_9}) - {1'd0, take};
             owned <= owned | item_valid;
-            fresh <= (fresh & ~joined_40) | query_set;
+            fresh <= (fresh & ~joined_32) | query_set;
             beat_valid <= take | (stays | waits);
-            beat_reads <= take ? choice_42 : (beat_reads & waits);
+            beat_reads <= take ? choice_34 : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & beat_pending;
@@ -740,19 +731,19 @@ module core_b_queue (
             owner <= item_thread;
         end
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
-        beat_pending <= take ? ((arrivals_head[47:24] < arrivals_head[23:0]) & term_43) : left;
+        beat_pending <= take ? ((arrivals_head[47:24] < arrivals_head[23:0]) & term_35) : left;
         item_thread <= beat_thread;
-        item_fresh <= shifted_45[0];
+        item_fresh <= shifted_37[0];
         new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_21;
-        farthest <= choice_21;
+        radius_radius2 <= choice_13;
+        farthest <= choice_13;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
-        fetch_from_nothing <= shifted_58[0];
+        fetch_from_nothing <= shifted_49[0];
         item_found <= 1'd1;
         item_index <= beat_address;
         item_distance2 <= beat_distance0;
@@ -768,10 +759,10 @@ module core_b_queue (
         end
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
-            sent_number <= query[43:28];
+            sent_number <= query[51:36];
         end
         if (fetching | result_transfer) begin
-            position <= fetching ? (4'd8 - query[27:24]) : next_position;
+            position <= fetching ? (4'd8 - query[35:32]) : next_position;
         end
     end
     always @(posedge clk) begin
@@ -781,7 +772,7 @@ module core_b_queue (
                 candidates_address,
                 candidates_last,
                 candidates_distance0,
-                shifted_59[0] ? leaf_radius2 : query_radius2
+                shifted_50[0] ? leaf_radius2 : query_radius2
             };
         end
     end
@@ -793,7 +784,19 @@ module core_b_queue (
     end
     always @(posedge clk) begin
         if (start_valid) begin
-            queries[start_thread] <= {start_number, start_k, start_radius2};
+            queries[start_thread] <= {
+                start_number,
+                start_k,
+                start_radius2,
+                start_k < 4'd1,
+                start_k < 4'd2,
+                start_k < 4'd3,
+                start_k < 4'd4,
+                start_k < 4'd5,
+                start_k < 4'd6,
+                start_k < 4'd7,
+                start_k < 4'd8
+            };
         end
         query <= queries[read_thread];
     end
@@ -810,22 +813,22 @@ module core_b_queue (
 
     wire _unused = &{
         1'b0,
-        shifted_41[3:1],
-        shifted_45[3:1],
-        shifted_58[3:1],
-        shifted_59[3:1],
+        shifted_33[3:1],
+        shifted_37[3:1],
+        shifted_49[3:1],
+        shifted_50[3:1],
         start_x,
         start_y,
         start_z
     };
 
 `ifdef POINTCORE_ASSERT
-    wire term_60 = fetch_from_working == (owned & (owner == readout_thread));
-    wire [3:0] shifted_61 = fresh >> readout_thread;
+    wire term_51 = fetch_from_working == (owned & (owner == readout_thread));
+    wire [3:0] shifted_52 = fresh >> readout_thread;
 
     always @(posedge clk) begin
         if (!rst) begin
-            if (!(~fetching | term_60)) begin
+            if (!(~fetching | term_51)) begin
 `ifdef FORMAL
                 a_fetched_row_stays_where_it_is: assert (0);
 `else
@@ -833,7 +836,7 @@ module core_b_queue (
                 $stop;
 `endif
             end
-            if (!(~fetching | (fetch_from_nothing == shifted_61[0]))) begin
+            if (!(~fetching | (fetch_from_nothing == shifted_52[0]))) begin
 `ifdef FORMAL
                 a_fetched_row_stays_fresh: assert (0);
 `else
@@ -852,7 +855,7 @@ module core_b_queue (
         end
     end
 
-    wire _unused_by_checks = &{1'b0, shifted_61[3:1]};
+    wire _unused_by_checks = &{1'b0, shifted_52[3:1]};
 `endif
 endmodule
 
@@ -1071,6 +1074,7 @@ module stream_fifo (
     output wire out_last,
     output wire [23:0] out_distance0
 );
+    (* no_rw_check *)
     reg [42:0] entries [0:3];
     reg [2:0] held;
     reg [2:0] waiting;
@@ -1116,6 +1120,11 @@ module stream_fifo (
         if (fetch) begin
             item <= entries[read_address];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -1188,6 +1197,7 @@ module core_b_leaf (
     output wire candidates_last,
     output wire [23:0] candidates_distance0
 );
+    (* no_rw_check *)
     reg [19:0] leaves_0 [0:63];
     reg [71:0] queries [0:3];
     reg f0_valid;
@@ -1356,9 +1366,14 @@ module core_b_leaf (
         if (writes_leaf) begin
             leaves_0[tree_address] <= {tree_begin, tree_beats};
         end
-        if (table_advance & ~writes_leaf) begin
+        if (table_advance) begin
             f0_found_0 <= leaves_0[leaf_queue_out_leaf];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
+            f0_found_0 <= ~leaves_0[leaf_queue_out_leaf];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (start_valid) begin
@@ -1871,8 +1886,13 @@ module core_b_recursion (
     reg [23:0] leaf_radii [0:3];
     reg r0_valid;
     reg r1_valid;
+    reg r2_valid;
     reg [1:0] r0_thread;
     reg [1:0] r1_thread;
+    reg [1:0] r2_thread;
+    reg found;
+    reg [6:0] path_node;
+    reg [23:0] path_distance2;
     reg [3:0] from_leaf;
     reg [23:0] radius2;
 
@@ -1885,10 +1905,10 @@ module core_b_recursion (
     wire [6:0] resume_queue_out_node;
 
     assign in_ready = in_queue_in_ready;
-    wire advance = ~r1_valid | resume_queue_in_ready;
-    wire decides = advance & r1_valid;
-    wire popped = decides & ~top_empty;
-    wire nearer = top_distance2 < radius2;
+    wire advance = ~r2_valid | resume_queue_in_ready;
+    wire decides = advance & r2_valid;
+    wire popped = decides & found;
+    wire nearer = path_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
     wire resume_queue_out_ready = resume_ready;
@@ -1904,9 +1924,9 @@ module core_b_recursion (
         radius_valid & (radius_thread == 2'd1),
         radius_valid & (radius_thread == 2'd0)
     };
-    wire [3:0] shifted_1 = from_leaf >> r0_thread;
-    wire [23:0] leaf_radius2 = leaf_radii[r0_thread];
-    wire [23:0] query_radius2 = query_radii[r0_thread];
+    wire [3:0] shifted_1 = from_leaf >> r1_thread;
+    wire [23:0] leaf_radius2 = leaf_radii[r1_thread];
+    wire [23:0] query_radius2 = query_radii[r1_thread];
 
     assign resume_valid = resume_queue_out_valid;
     assign resume_thread = resume_queue_out_thread;
@@ -1930,8 +1950,8 @@ module core_b_recursion (
         .rst(rst),
         .in_valid(popped & nearer),
         .in_ready(resume_queue_in_ready),
-        .in_thread(r1_thread),
-        .in_node(top_node),
+        .in_thread(r2_thread),
+        .in_node(path_node),
         .out_valid(resume_queue_out_valid),
         .out_ready(resume_queue_out_ready),
         .out_thread(resume_queue_out_thread),
@@ -1942,6 +1962,7 @@ module core_b_recursion (
         if (rst) begin
             r0_valid <= 1'd0;
             r1_valid <= 1'd0;
+            r2_valid <= 1'd0;
             from_leaf <= 4'd0;
             empty_valid <= 1'd0;
             event_pop <= 1'd0;
@@ -1949,19 +1970,24 @@ module core_b_recursion (
             if (advance) begin
                 r0_valid <= back | in_queue_out_valid;
                 r1_valid <= r0_valid;
+                r2_valid <= r1_valid;
             end
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
-            empty_valid <= decides & top_empty;
+            empty_valid <= decides & ~found;
             event_pop <= popped;
         end
     end
     always @(posedge clk) begin
         if (advance) begin
-            r0_thread <= back ? r1_thread : in_queue_out_thread;
+            r0_thread <= back ? r2_thread : in_queue_out_thread;
             r1_thread <= r0_thread;
+            r2_thread <= r1_thread;
+            found <= ~top_empty;
+            path_node <= top_node;
+            path_distance2 <= top_distance2;
             radius2 <= shifted_1[0] ? leaf_radius2 : query_radius2;
         end
-        empty_thread <= r1_thread;
+        empty_thread <= r2_thread;
     end
     always @(posedge clk) begin
         if (start_valid) begin
@@ -2052,6 +2078,7 @@ module core_b_stack (
     output wire [6:0] top_node,
     output wire [23:0] top_distance2
 );
+    (* no_rw_check *)
     reg [30:0] paths [0:31];
     reg [2:0] depth_0;
     reg [2:0] depth_1;
@@ -2110,6 +2137,11 @@ module core_b_stack (
         if (takes) begin
             top <= paths[{pop_thread, pop_depth - 3'd1}];
         end
+`ifdef POINTCORE_ASSERT
+        if ((push_valid) && (takes) && ({push_thread, push_depth}) == ({pop_thread, pop_depth - 3'd1})) begin
+            top <= ~paths[{pop_thread, pop_depth - 3'd1}];
+        end
+`endif
     end
 
 `ifdef POINTCORE_ASSERT
@@ -2178,7 +2210,9 @@ module core_b_traversal (
     output wire reached_valid,
     output wire [1:0] reached_thread
 );
+    (* no_rw_check *)
     reg [26:0] even_nodes_0 [0:31];
+    (* no_rw_check *)
     reg [26:0] odd_nodes_0 [0:31];
     reg [71:0] queries [0:3];
     reg f_valid;
@@ -2361,17 +2395,27 @@ module core_b_traversal (
         if (writes_even) begin
             even_nodes_0[tree_address[5:1]] <= joined_9;
         end
-        if (advance & ~writes_even) begin
+        if (advance) begin
             even_node_0 <= even_nodes_0[next_node[5:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_even) && (advance) && (tree_address[5:1]) == (next_node[5:1])) begin
+            even_node_0 <= ~even_nodes_0[next_node[5:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (writes_odd) begin
             odd_nodes_0[tree_address[5:1]] <= joined_9;
         end
-        if (advance & ~writes_odd) begin
+        if (advance) begin
             odd_node_0 <= odd_nodes_0[next_node[5:1]];
         end
+`ifdef POINTCORE_ASSERT
+        if ((writes_odd) && (advance) && (tree_address[5:1]) == (next_node[5:1])) begin
+            odd_node_0 <= ~odd_nodes_0[next_node[5:1]];
+        end
+`endif
     end
     always @(posedge clk) begin
         if (start_valid) begin
