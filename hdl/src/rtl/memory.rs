@@ -80,7 +80,8 @@ impl Module {
         Memory { module: self.identity, index: self.stores.len() - 1, name: name.into() }
     }
 
-    /// A read port: the word at `address` one cycle later. A word written in the same cycle reads as it was before.
+    /// A read port: the word at `address` one cycle later. A word written in the same cycle reads as it was before, but for
+    /// [`Module::memory_unordered`].
     pub fn read(&mut self, memory: &Memory, name: &str, address: &Expr) -> Expr {
         self.read_port(memory, name, None, address)
     }
