@@ -121,7 +121,7 @@ impl Fill {
         let points = m.memory_unordered("points", slots * slot_beats(config) as usize, width(&fields));
         m.write(&points, &store, &place(config, slot, count), &Record::from(head).only(&fields).pack());
         let begins = &store & !under_way;
-        let tags = m.memory_unordered("tags", slots, address.width());
+        let tags = m.memory("tags", slots, address.width());
         m.write(&tags, &begins, slot, &address);
         let present = m.reg_reset("present", slots, 0);
         let complete = decode(&(&store & last), slot, slots);

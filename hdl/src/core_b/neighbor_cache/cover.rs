@@ -48,7 +48,7 @@ impl Covers {
     /// Unknown contents.
     pub fn new(m: &mut Module, config: &Config) -> Self {
         let fields = cover_fields(config);
-        let memory = m.memory_unordered("covers", entry_words(config), width(&fields));
+        let memory = m.memory("covers", entry_words(config), width(&fields));
         Self { fields, memory }
     }
 

@@ -32,7 +32,7 @@ impl Neighborhoods {
         let (fields, words) = (neighbor_fields(config), entry_words(config));
         let rank_bits = address_width(config.neighbors as usize);
         let neighbors = m.memory_unordered("neighborhoods", words << rank_bits, width(&fields));
-        let counts = m.memory_unordered("counts", words, config.rank_bits() as usize);
+        let counts = m.memory("counts", words, config.rank_bits() as usize);
         Self { fields, neighbors, counts, rank_bits }
     }
 

@@ -26,7 +26,7 @@ impl Tickets {
         let count = config.tickets() as usize;
         let bits = address_width(count);
         let taken = m.reg_reset("taken", count, 0);
-        let queries = m.memory_unordered("tickets", 1 << bits, width(&records::query(config)));
+        let queries = m.memory("tickets", 1 << bits, width(&records::query(config)));
         let any = m.reg_reset("any_ticket", 1, 0);
         let next = m.reg("next_ticket", bits);
         let under_way = m.reg_reset("under_way", index_bits(config.tickets() + 1) as usize, 0);
