@@ -565,7 +565,6 @@ module core_b_point_cache (
 );
     (* no_rw_check *)
     reg [383:0] points [0:255];
-    (* no_rw_check *)
     reg [21:0] tags [0:63];
     reg fill_under_way;
     reg [5:0] fill_slot_before;
@@ -1107,11 +1106,6 @@ module core_b_point_cache (
         if (advance_l) begin
             tag <= tags[fetch_queue_out_slot];
         end
-`ifdef POINTCORE_ASSERT
-        if ((term_6) && (advance_l) && (fill_slot) == (fetch_queue_out_slot)) begin
-            tag <= ~tags[fetch_queue_out_slot];
-        end
-`endif
     end
 
     wire _unused = &{1'b0, shifted_2[63:1]};
