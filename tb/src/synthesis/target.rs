@@ -11,10 +11,9 @@ use std::fmt::Write as _;
 const ALONE: &[&str] = &["--freq", "160"];
 /// A core has room, and its router knows of time.
 const WHOLE: &[&str] = &["--freq", "100"];
-/// In a crowded core what counts first is that all wires find a way: cells less dense than they could be, short wires rather
-/// than short critical paths, and the router that negotiates.
-const CROWDED: &[&str] =
-    &["--freq", "100", "--placer-heap-beta", "0.75", "--placer-heap-timingweight", "3", "--router", "router2"];
+/// In a crowded core what counts first is that all wires find a way: cells less dense than they could be, and the router that
+/// negotiates.
+const CROWDED: &[&str] = &["--freq", "100", "--placer-heap-beta", "0.75", "--router", "router2"];
 
 /// How many tiles a wire of a crowded core may leave the rectangle of its pins. With nextpnr's own three, the last hundred wires
 /// of a full device find no way around.
