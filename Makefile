@@ -79,7 +79,7 @@ bench: setup ## Measure frames, searches, operators, stability and accuracy, and
 	cargo run --release --bin pointcore -- area --recorded --record docs/area.json --merge out/bench.json
 	$(MAKE) stability accuracy
 
-stability: setup ## Check core A's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
+stability: setup ## Check the renderer's geometry on CASES hard cases a number format, and SPLATS in lockstep (docs/stability.md)
 	cargo run --release --bin pointcore -- stability --cases $(CASES) --hardware $(SPLATS) $(ARGS)
 
 accuracy: ## Sweep what trades accuracy for time and hardware on SCENE, into out/accuracy (docs/accuracy.md)

@@ -54,7 +54,7 @@ class Register(IntEnum):
     PACKETS_IN = 0x028
     PACKETS_OUT = 0x02C
     EVENTS = 0x040
-    # Core A's buffer, core B's points.
+    # The renderer's buffer, the search core's points.
     BASE = 0x080
 
 

@@ -33,7 +33,7 @@ COHERENT = [
     "24",
 ]
 # More leaves than the caches hold, and a bus as the configuration says.
-CORE_B = {"threads": 4, "neighbors": 8, "lanes": 2, "tree_depth": 4, "bucket": 8, "index_bits": 8, "point_cache": 4}
+SEARCH = {"threads": 4, "neighbors": 8, "lanes": 2, "tree_depth": 4, "bucket": 8, "index_bits": 8, "point_cache": 4}
 LOG_LINES = 60
 POWER_UP_SEED = int(os.environ.get("POINTCORE_SEED", "1"))
 
@@ -48,7 +48,7 @@ class Configuration:
     memory_bits: int
     # Seeds of what is random; 0 pauses nothing.
     seeds: list[int]
-    # Keys of core B's configuration beside those of CORE_B, and what is searched.
+    # Keys of the search core's configuration beside those of SEARCH, and what is searched.
     keys: dict[str, int] = field(default_factory=dict)
     search: list[str] = field(default_factory=lambda: SEARCH)
 
@@ -60,23 +60,23 @@ class Configuration:
     @property
     def top(self) -> str:
         """The module under test."""
-        return f"core_{self.core}_axi"
+        return f"{self.core}_axi"
 
     @property
     def tests(self) -> list[str]:
         """The modules with its tests."""
-        window = ["test_window"] if self.core == "b" and "tree_cache" not in self.keys else []
-        return ["test_registers", f"test_core_{self.core}", *window]
+        window = ["test_window"] if self.core == "search" and "tree_cache" not in self.keys else []
+        return ["test_registers", f"test_{self.core}", *window]
 
     def source(self) -> list[str]:
         """Arguments of `pointcore vectors`."""
-        if self.core == "a":
+        if self.core == "splat":
             overrides = [
                 f"overrides.bus.stream_bits={self.stream_bits}",
                 f"overrides.bus.memory_bits={self.memory_bits}",
             ]
             return [str(HERE / "scene.toml"), *(f"--set={override}" for override in overrides)]
-        lines = ['core = "b"', *(f"{key} = {value}" for key, value in {**CORE_B, **self.keys}.items())]
+        lines = ['kind = "search"', *(f"{key} = {value}" for key, value in {**SEARCH, **self.keys}.items())]
         lines += ["[bus]", f"stream_bits = {self.stream_bits}", f"memory_bits = {self.memory_bits}"]
         file = self.folder / "search.toml"
         file.write_text("\n".join(lines) + "\n")
@@ -84,20 +84,20 @@ class Configuration:
 
 
 CONFIGURATIONS = [
-    Configuration("a", "a", 64, 64, [0, 1]),
-    Configuration("a_narrow", "a", 32, 32, [2]),
-    Configuration("a_wide", "a", 512, 256, [3]),
-    Configuration("b", "b", 64, 64, [0, 1, 2]),
-    Configuration("b_narrow", "b", 32, 32, [3], {"lanes": 1, "threads": 2}),
-    Configuration("b_wide", "b", 256, 512, [4], {"lanes": 4, "leaves_in_flight": 2}),
-    Configuration("b_tree_cache", "b", 128, 128, [5], {"tree_cache": 16}),
-    Configuration("b_neighbor_cache", "b", 64, 64, [6], {"neighbor_cache": 4}, COHERENT),
+    Configuration("splat", "splat", 64, 64, [0, 1]),
+    Configuration("splat_narrow", "splat", 32, 32, [2]),
+    Configuration("splat_wide", "splat", 512, 256, [3]),
+    Configuration("search", "search", 64, 64, [0, 1, 2]),
+    Configuration("search_narrow", "search", 32, 32, [3], {"lanes": 1, "threads": 2}),
+    Configuration("search_wide", "search", 256, 512, [4], {"lanes": 4, "leaves_in_flight": 2}),
+    Configuration("search_tree_cache", "search", 128, 128, [5], {"tree_cache": 16}),
+    Configuration("search_neighbor_cache", "search", 64, 64, [6], {"neighbor_cache": 4}, COHERENT),
 ]
 
 
 def pointcore(*arguments: str | Path) -> None:
     """Runs the command."""
-    command = ["cargo", "run", "--quiet", "--package", "pointcore", "--bin", "pointcore", "--", *arguments]
+    command = ["cargo", "run", "--quiet", "--bin", "pointcore", "--", *arguments]
     subprocess.run(command, cwd=HERE.parent, check=True, stdout=subprocess.DEVNULL)
 
 
@@ -115,7 +115,7 @@ def simulate(configuration: Configuration) -> tuple[int, int, float]:
     folder = configuration.folder
     sources = []
     for part in ("top", "axi"):
-        file = f"core_{configuration.core}_{part}.v"
+        file = f"{configuration.core}_{part}.v"
         sources.append(folder / file)
         sources[-1].write_text(switched_on((folder / "verilog" / file).read_text(), POWER_UP_SEED))
     runner = get_runner("icarus")

@@ -1,4 +1,4 @@
-"""A core B with its driver."""
+"""A search core with its driver."""
 
 from cocotb.handle import HierarchyObject
 from cocotbext.axi import AxiBus, AxiMaster, AxiResp
@@ -9,7 +9,7 @@ LONGEST_BURST = 40
 
 
 class Searcher(Host):
-    """A core B, with its tree behind a window or in memory."""
+    """A search core, with its tree behind a window or in memory."""
 
     def __init__(self, dut: HierarchyObject, seed: int) -> None:
         super().__init__(dut, seed)

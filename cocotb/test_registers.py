@@ -8,7 +8,7 @@ from cocotbext.axi import AxiResp
 from host import ERRORS, SEEDS, TIMEOUT_MS, Control, Host, Register
 
 # "PC", the core, version 1.
-IDENTITY = {"core_a_axi": 0x5043_0A01, "core_b_axi": 0x5043_0B01}
+IDENTITY = {"splat_axi": 0x5043_0A01, "search_axi": 0x5043_0B01}
 READ_ONLY = [Register.ID, Register.STATUS, *ERRORS, Register.CYCLES, Register.PACKETS_IN, Register.EVENTS]
 OUTSIDE = [0x030, 0x03C, 0x07C, 0x0FC, 0x1FC, 0xFFC]
 BASE = 0x1234_5000
@@ -56,7 +56,7 @@ async def refused_accesses_count_once_and_change_nothing(dut: HierarchyObject, s
         (Register.ID + 2, 2),
         *((address, 4) for address in OUTSIDE),
     ]
-    if dut._name == "core_b_axi":
+    if dut._name == "search_axi":
         # A start without queries.
         writes += [(Register.CONTROL, bytes([Control.START, 0, 0, 0]))]
     else:

@@ -1,4 +1,4 @@
-"""The window through which the host writes core B's tree: what it refuses is answered, counted, and not written."""
+"""The window through which the host writes the search core's tree: what it refuses is answered, counted, and not written."""
 
 from collections.abc import Iterator
 

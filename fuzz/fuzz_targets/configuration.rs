@@ -2,16 +2,16 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use pointcore_spec::{core_a, core_b};
+use pointcore_contract::{splat, search};
 
 fuzz_target!(|text: &str| {
-    if let Ok(config) = toml::from_str::<core_a::Config>(text)
+    if let Ok(config) = toml::from_str::<splat::Config>(text)
         && config.validate().is_ok()
     {
         let written = toml::to_string(&config).expect("a configuration is a TOML table");
         assert_eq!(toml::from_str(&written), Ok(config));
     }
-    if let Ok(config) = toml::from_str::<core_b::Config>(text)
+    if let Ok(config) = toml::from_str::<search::Config>(text)
         && config.validate().is_ok()
     {
         let written = toml::to_string(&config).expect("a configuration is a TOML table");

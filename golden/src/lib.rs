@@ -1,12 +1,12 @@
 //! Bit-exact, cycle-accurate models of the hardware, and the f64 reference they are judged by.
 
 pub mod bus;
-pub mod core_a;
-pub mod core_b;
 pub mod datapath;
 pub mod float;
 pub mod number;
 pub mod reference;
+pub mod search;
+pub mod splat;
 pub mod stream;
 #[cfg(test)]
 mod testing;

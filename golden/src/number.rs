@@ -3,7 +3,7 @@
 //! Every operator rounds once, as in [`float`]. Both operands have the same format.
 
 use crate::float;
-use pointcore_spec::{Fixed, Format, Signedness};
+use pointcore_contract::{Fixed, Format, Signedness};
 use std::ops::{Add, Div, Mul, Sub};
 
 /// A value of a format.

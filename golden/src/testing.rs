@@ -2,7 +2,7 @@
 
 use crate::unit::{Model, Record, Visitor, Word};
 use fastrand::Rng;
-use pointcore_spec::core_a::{Direction, Port};
+use pointcore_contract::splat::{Direction, Port};
 
 /// Seeds of a randomized test.
 pub const SEEDS: u64 = 5;

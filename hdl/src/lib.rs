@@ -2,10 +2,9 @@
 
 pub mod bus;
 pub mod compiler;
-pub mod core_a;
-pub mod core_b;
 pub mod float;
-pub mod rtl;
+pub mod search;
+pub mod splat;
 pub mod stream;
 
 mod units;

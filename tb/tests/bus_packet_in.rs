@@ -1,11 +1,11 @@
 //! `bus_packet_in` against its model: good packets between short, long and senseless ones.
 
-use pointcore::lockstep::{Stall, Stalls, seeds};
+use pointcore_contract::bus::packets::{self, FieldRange};
+use pointcore_contract::search;
+use pointcore_contract::splat::{self, Field};
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
 use pointcore_hdl::bus::packet_in;
-use pointcore_spec::bus::packets::{self, FieldRange};
-use pointcore_spec::core_a::{self, Field};
-use pointcore_spec::core_b;
+use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
 use crate::bus::{Bench, Drain, Feed, SEEDS, bytes, stalls, words};
 
@@ -114,11 +114,11 @@ fn exchange(fields: &[Field], stream_bits: u32, range: Option<FieldRange>, seed:
 }
 
 fn splat() -> Vec<Field> {
-    core_a::records::splat(&core_a::Config { continuous: 3, ..core_a::Config::default() })
+    splat::records::splat(&splat::Config { continuous: 3, ..splat::Config::default() })
 }
 
 fn query() -> (Vec<Field>, FieldRange) {
-    let config = core_b::Config { neighbors: 20, ..core_b::Config::default() };
+    let config = search::Config { neighbors: 20, ..search::Config::default() };
     let [query, _] = packets::query_and_result(&config);
     (query, packets::query_range(&config))
 }

@@ -1,20 +1,19 @@
 //! `bus_packet_out` against its model.
 
-use pointcore::lockstep::{Stall, Stalls, seeds};
+use pointcore_contract::bus::packets;
+use pointcore_contract::search;
+use pointcore_contract::splat::{self, Field};
 use pointcore_golden::bus::PacketOut;
 use pointcore_hdl::bus::packet_out;
-use pointcore_spec::bus::packets;
-use pointcore_spec::core_a::{self, Field};
-use pointcore_spec::core_b;
+use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
 use crate::bus::{Bench, Drain, Feed, SEEDS, bytes, stalls, words};
 
 const RECORDS: usize = 300;
 
 fn records() -> [Vec<Field>; 2] {
-    let fragment =
-        core_a::records::fragment(&core_a::Config { continuous: 5, cardinal: 1, ..core_a::Config::default() });
-    let [_, result] = packets::query_and_result(&core_b::Config::default());
+    let fragment = splat::records::fragment(&splat::Config { continuous: 5, cardinal: 1, ..splat::Config::default() });
+    let [_, result] = packets::query_and_result(&search::Config::default());
     [fragment, result]
 }
 

@@ -2,12 +2,12 @@
 
 use std::collections::VecDeque;
 
-use pointcore::lockstep::{Stall, Stalls, seeds};
+use pointcore_contract::bus::packets;
+use pointcore_contract::search;
+use pointcore_contract::splat::{self, Field};
 use pointcore_golden::bus::{Burst, Reader};
 use pointcore_hdl::bus::reader;
-use pointcore_spec::bus::packets;
-use pointcore_spec::core_a::{self, Field};
-use pointcore_spec::core_b;
+use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
 use crate::bus::{Bench, Drain, Feed, SEEDS, stalls, words};
 
@@ -143,8 +143,8 @@ fn requests(stride: u32, records_max: u32, random: &mut fastrand::Rng) -> Vec<(u
 }
 
 fn records() -> [(Vec<Field>, u32); 3] {
-    let pixel = core_a::records::pixel(&core_a::Config { continuous: 3, cardinal: 1, ..core_a::Config::default() });
-    let points = packets::points(&core_b::Config { lanes: 2, ..core_b::Config::default() });
+    let pixel = splat::records::pixel(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() });
+    let points = packets::points(&search::Config { lanes: 2, ..search::Config::default() });
     [(pixel.clone(), 64), (points, 9), (pixel, 1)]
 }
 

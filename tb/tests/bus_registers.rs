@@ -1,14 +1,14 @@
 //! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
 
-use pointcore::lockstep::seeds;
+use pointcore_contract::bus::ports::{self, ErrorSources};
+use pointcore_contract::bus::registers::CONTROL;
+use pointcore_contract::bus::{Register, registers as maps};
+use pointcore_contract::search;
+use pointcore_contract::splat;
 use pointcore_golden::bus::registers::Error;
 use pointcore_golden::bus::{Registers, Response};
 use pointcore_hdl::bus::registers;
-use pointcore_spec::bus::ports::{self, ErrorSources};
-use pointcore_spec::bus::registers::CONTROL;
-use pointcore_spec::bus::{Register, registers as maps};
-use pointcore_spec::core_a;
-use pointcore_spec::core_b;
+use pointcore_tb::lockstep::seeds;
 
 use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 
@@ -197,9 +197,9 @@ fn exchange(map: &[Register], sources: ErrorSources, seed: u64) {
 
 #[test]
 fn accesses_do_what_the_model_does() {
-    let b = core_b::Config { tree_cache: 16, neighbor_cache: 2, ..core_b::Config::default() };
+    let b = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
     for seed in seeds(SEEDS).unwrap() {
-        exchange(&maps::core_a(&core_a::Config::default()), [0, 1, 1, 2], seed);
-        exchange(&maps::core_b(&b), [1, 2, 1, 2], seed);
+        exchange(&maps::splat(&splat::Config::default()), [0, 1, 1, 2], seed);
+        exchange(&maps::search(&b), [1, 2, 1, 2], seed);
     }
 }

@@ -2,10 +2,10 @@
 
 use std::collections::VecDeque;
 
-use pointcore::lockstep::{Stall, Stalls, seeds};
 use pointcore_golden::bus::Window;
 use pointcore_golden::bus::window::{Address, Beat, Outcome};
 use pointcore_hdl::bus::window;
+use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
 use crate::bus::{Bench, Drain, Feed, SEEDS, stalls};
 

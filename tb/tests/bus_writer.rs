@@ -2,10 +2,10 @@
 
 use std::collections::VecDeque;
 
-use pointcore::lockstep::{Stall, Stalls, seeds};
+use pointcore_contract::splat::{self, Field};
 use pointcore_golden::bus::{Burst, Writer};
 use pointcore_hdl::bus::writer;
-use pointcore_spec::core_a::{self, Field};
+use pointcore_tb::lockstep::{Stall, Stalls, seeds};
 
 use crate::bus::{Bench, Drain, Feed, SEEDS, bytes, stalls};
 
@@ -16,7 +16,7 @@ const INCREMENTING: u64 = 1;
 const SLAVE_ERROR: u64 = 2;
 
 fn pixel() -> Vec<Field> {
-    core_a::records::pixel(&core_a::Config { continuous: 3, cardinal: 1, ..core_a::Config::default() })
+    splat::records::pixel(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() })
 }
 
 /// Writes records; returns cycles and beats.

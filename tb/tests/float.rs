@@ -1,8 +1,8 @@
 //! Floating-point operators of every format, hardware against golden model.
 
-use pointcore::float_check::{Enable, Stages, check_format};
-use pointcore::lockstep::{SEED_VARIABLE, seed};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use pointcore_lab::float_check::{Enable, Stages, check_format};
+use pointcore_tb::lockstep::{SEED_VARIABLE, seed};
 
 /// Operand triples for the formats in their own right.
 const CASES: u64 = 1_050_000;

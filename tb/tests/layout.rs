@@ -5,34 +5,34 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders of `hdl/src` and `golden/src` whose files are units.
-const CORES: &[&str] = &["stream", "core_a", "core_b", "bus"];
+const CORES: &[&str] = &["stream", "splat", "search", "bus"];
 
 /// Files of `hdl/src` in those folders and in `float` that are no units but serve several.
 const HELPERS: &[&str] = &[
     "bus/beats",
     "bus/buffer",
-    "bus/core_a",
-    "bus/core_b",
+    "bus/splat",
+    "bus/search",
     "bus/counters",
     "bus/spread",
     "bus/tests",
     "bus/wiring",
-    "core_a/blend",
-    "core_a/division",
-    "core_a/fixed_distance",
-    "core_a/fixed_footprint",
-    "core_a/heap_links",
-    "core_a/heap_order",
-    "core_a/heap_stage",
-    "core_a/tile_directory",
-    "core_a/tile_moves",
-    "core_b/coordinates",
-    "core_b/head_queue",
-    "core_b/nodes",
-    "core_b/queue_readout",
-    "core_b/queue_row",
-    "core_b/radii",
-    "core_b/sets",
+    "splat/blend",
+    "splat/division",
+    "splat/fixed_distance",
+    "splat/fixed_footprint",
+    "splat/heap_links",
+    "splat/heap_order",
+    "splat/heap_stage",
+    "splat/tile_directory",
+    "splat/tile_moves",
+    "search/coordinates",
+    "search/head_queue",
+    "search/nodes",
+    "search/queue_readout",
+    "search/queue_row",
+    "search/radii",
+    "search/sets",
     "float/delay",
     "float/newton",
     "float/operand",
@@ -113,7 +113,7 @@ fn every_unit_has_hardware_a_model_a_test_and_a_module() {
 /// Operators of one format are verilated and compared together, so their tests are one file.
 #[test]
 fn every_operator_has_hardware_a_model_and_a_comparison() {
-    let compared = read(&root().join("tb/src/float_check/operations.rs"));
+    let compared = read(&root().join("lab/src/float_check/operations.rs"));
     assert!(root().join("tb/tests/float.rs").is_file(), "the comparison of operators is gone");
     let mut missing = vec![];
     for operator in units("float") {
@@ -122,7 +122,7 @@ fn every_operator_has_hardware_a_model_and_a_comparison() {
             missing.push(model);
         }
         if !compared.contains(&format!("{operator}::")) {
-            missing.push(format!("`{operator}` in tb/src/float_check/operations.rs"));
+            missing.push(format!("`{operator}` in lab/src/float_check/operations.rs"));
         }
     }
     assert!(missing.is_empty(), "missing:\n{}", missing.join("\n"));

@@ -1,7 +1,7 @@
 //! `stream_fifo` against its model, in every cycle.
 
-use pointcore::lockstep::{Lockstep, Stall, StreamTestbench, seeds};
 use pointcore_golden::stream::Fifo;
+use pointcore_tb::lockstep::{Lockstep, Stall, StreamTestbench, seeds};
 
 use crate::support;
 

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use pointcore::verilated::{Builder, Library, Options, Source};
+use pointcore_contract::splat::{Direction, Port};
 use pointcore_golden::unit::Unit;
-use pointcore_hdl::rtl::{self, Module, elaborate};
-use pointcore_spec::core_a::{Direction, Port};
+use pointcore_tb::verilated::{Builder, Library, Options, Source};
+use rtl::{self, Module, elaborate};
 
 /// A unit, elaborated and verilated; its outputs must be functions of registers only.
 pub fn verilate(unit: &Module) -> Arc<Library> {

@@ -2,9 +2,9 @@
 //!
 //! A packet is judged by its `tlast` and by the range of one of its fields; a refused one leaves no trace but its count.
 
-use pointcore_spec::bus::Layout;
-use pointcore_spec::bus::packets::FieldRange;
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::Layout;
+use pointcore_contract::bus::packets::FieldRange;
+use pointcore_contract::splat::Field;
 
 /// What becomes of a packet.
 #[derive(Clone, Debug, PartialEq, Eq)]

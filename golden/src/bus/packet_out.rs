@@ -1,7 +1,7 @@
 //! Packets out: records to beats.
 
-use pointcore_spec::bus::Layout;
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::Layout;
+use pointcore_contract::splat::Field;
 
 /// The sending end of a stream of packets.
 #[derive(Clone, Debug)]

@@ -1,9 +1,9 @@
 //! Reader: requests for records to bursts, bytes to records.
 
 use super::Burst;
-use pointcore_spec::bus::Layout;
-use pointcore_spec::bus::config::{BORDER_BYTES, BURST_BEATS_MAX};
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::Layout;
+use pointcore_contract::bus::config::{BORDER_BYTES, BURST_BEATS_MAX};
+use pointcore_contract::splat::Field;
 
 /// The read half of a memory port.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Registers of a core as a host meets them: every access at once, in order.
 
-use pointcore_spec::bus::registers::ERRORS;
-use pointcore_spec::bus::{Access, Kind, Register, When};
+use pointcore_contract::bus::registers::ERRORS;
+use pointcore_contract::bus::{Access, Kind, Register, When};
 use std::collections::BTreeMap;
 
 /// The bits of a whole register.
@@ -181,12 +181,12 @@ impl Registers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore_spec::bus::registers::{self, CONTROL, SETTINGS, STATUS};
-    use pointcore_spec::core_b::Config;
+    use pointcore_contract::bus::registers::{self, CONTROL, SETTINGS, STATUS};
+    use pointcore_contract::search::Config;
 
     #[test]
     fn what_is_refused_changes_nothing_and_counts_once() {
-        let mut unit = Registers::new(&registers::core_b(&Config::default()));
+        let mut unit = Registers::new(&registers::search(&Config::default()));
         let queries = SETTINGS + 8;
         assert_eq!(unit.write(CONTROL, START, 0xf, false), Response::Refused, "no queries");
         assert_eq!(unit.write(queries, 3, 0xf, false), Response::Okay);

@@ -1,8 +1,8 @@
 //! Writer: records to bursts of a stride each.
 
 use super::Burst;
-use pointcore_spec::bus::Layout;
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::Layout;
+use pointcore_contract::splat::Field;
 
 /// The write half of a memory port.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 //! An exact zero is +0 unless both operands are −0. Infinities of opposite sign sum to NaN.
 
 use super::encoding::{Finite, Value, decode, shift_right_sticky};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `a + b`.
 #[must_use]

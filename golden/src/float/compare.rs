@@ -1,7 +1,7 @@
 //! Comparisons. NaN compares false with everything; −0 equals +0, and so does a subnormal that the format flushes.
 
 use super::encoding::operand;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `a < b`.
 #[must_use]

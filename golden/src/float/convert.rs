@@ -1,7 +1,7 @@
 //! Conversion between floating-point formats. Each format's own rule for subnormals applies on its side.
 
 use super::encoding::decode;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `a`, a number of `from`, rounded to `to`.
 #[must_use]

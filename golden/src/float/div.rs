@@ -3,7 +3,7 @@
 //! A non-zero number divided by zero is infinity; 0/0 and ∞/∞ are NaN.
 
 use super::encoding::{Finite, Value, decode};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `a / b`.
 #[must_use]

@@ -1,6 +1,6 @@
 //! Decoding of operands and the one rounder all operators share.
 
-use pointcore_spec::{Format, Subnormals};
+use pointcore_contract::{Format, Subnormals};
 
 /// A decoded operand or a raw result that has not been rounded.
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,7 @@
 //! half a unit. The test is tests/float/tables.rs.
 
 use super::table::Table;
-use pointcore_spec::TableShape;
+use pointcore_contract::TableShape;
 
 /// `erf(t)` for `t` in [0, 4]: sample `i` is `round(erf(4 · i/2^index_bits) · (2^value_bits − 1))`.
 #[must_use]

@@ -5,7 +5,7 @@
 //! it is within `γ/2 · 2^−index_bits` (half an interval) and half a unit. The test is tests/float/tables.rs.
 
 use super::table::Table;
-use pointcore_spec::TableShape;
+use pointcore_contract::TableShape;
 
 /// `exp(−γ·t)` for `t` in [0, 1]: sample `i` is `round(exp(−γ · i/2^index_bits) · (2^value_bits − 1))`, of
 /// `i + ½` without interpolation.

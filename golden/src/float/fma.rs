@@ -6,7 +6,7 @@
 use super::add::sum;
 use super::encoding::decode;
 use super::mul::product;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `a · b + c`, rounded once.
 #[must_use]

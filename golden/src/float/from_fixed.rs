@@ -1,7 +1,7 @@
 //! Conversion from fixed point, correctly rounded. Zero becomes +0.
 
 use super::encoding::{Finite, Value};
-use pointcore_spec::{Fixed, Format, Signedness};
+use pointcore_contract::{Fixed, Format, Signedness};
 
 /// The number that the low `fixed.width` bits of `bits` stand for, rounded to `f`.
 #[must_use]

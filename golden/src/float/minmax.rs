@@ -4,7 +4,7 @@
 //! the operands, a subnormal one flushed if the format says so.
 
 use super::encoding::operand;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// The lesser of `a` and `b`.
 #[must_use]

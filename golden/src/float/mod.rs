@@ -1,6 +1,6 @@
 //! Floating-point operators on encoded values.
 //!
-//! Every operator takes and returns the low [`Format::width`](pointcore_spec::Format::width) bits of a `u64`. It rounds
+//! Every operator takes and returns the low [`Format::width`](pointcore_contract::Format::width) bits of a `u64`. It rounds
 //! to nearest, ties to even, once; returns the canonical quiet NaN whenever its result is a NaN; and follows the
 //! format's rule for subnormal operands and results. It decodes, computes an exact or sticky-terminated raw value, and
 //! leaves range, rounding and subnormals to one shared rounder.

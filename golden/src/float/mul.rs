@@ -1,7 +1,7 @@
 //! Product. Zero times infinity is NaN.
 
 use super::encoding::{Finite, Value, decode};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `a · b`.
 #[must_use]

@@ -2,7 +2,7 @@
 //!
 //! Both work on unsigned fixed point: the operand's significand, a seed `y` from a table of 128 entries, and iterates.
 
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// Entries of a seed table.
 pub(super) const SEEDS: usize = 128;

@@ -15,7 +15,7 @@
 use super::div::recip;
 use super::encoding::{Finite, Value, decode};
 use super::newton::{SEED_FRACTION_BITS, SEEDS, iterate_fraction_bits, leading_fraction, steps};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// About `1 / a`.
 #[must_use]

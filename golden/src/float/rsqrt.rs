@@ -1,7 +1,7 @@
 //! Reciprocal square root, correctly rounded. 1/√±0 = ±∞, 1/√+∞ = +0; any other negative operand gives NaN.
 
 use super::encoding::{Finite, Value, decode};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `1/√a`, rounded once.
 #[must_use]

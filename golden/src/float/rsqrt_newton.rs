@@ -16,7 +16,7 @@
 use super::encoding::{Finite, decode};
 use super::newton::{SEED_FRACTION_BITS, SEEDS, iterate_fraction_bits, leading_fraction, steps};
 use super::rsqrt::reciprocal_root;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// About `1/√a`.
 #[must_use]

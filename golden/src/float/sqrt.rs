@@ -1,7 +1,7 @@
 //! Square root, correctly rounded. √−0 = −0; any other negative operand gives NaN.
 
 use super::encoding::{Finite, Value, decode};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// `√a`.
 #[must_use]

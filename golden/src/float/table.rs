@@ -4,7 +4,7 @@
 //! negative product too). The result lies between its two samples. Without fraction bits the samples are those of the
 //! intervals' middles, and `v[index]` is the result.
 
-use pointcore_spec::TableShape;
+use pointcore_contract::TableShape;
 
 /// A table of as many samples as its shape says.
 #[derive(Clone, Debug, PartialEq, Eq)]

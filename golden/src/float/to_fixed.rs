@@ -4,7 +4,7 @@
 //! counts: −0.5 is representable, as 0, in an unsigned format without fraction bits.
 
 use super::encoding::{Finite, Value, decode};
-use pointcore_spec::{Fixed, Format, Signedness};
+use pointcore_contract::{Fixed, Format, Signedness};
 
 /// `a · 2^fraction` toward zero, saturated, in the low `fixed.width` bits.
 #[must_use]

@@ -2,7 +2,7 @@
 
 use super::projection::{Bounds, Culled, Projection};
 use super::sampling;
-use pointcore_spec::{FragmentDepth, Rendering, Sampling};
+use pointcore_contract::{FragmentDepth, Rendering, Sampling};
 
 /// How a splat's kernel reaches the screen (thesis 3.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

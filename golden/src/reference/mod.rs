@@ -14,7 +14,7 @@ pub use footprint::{Footprint, Mapping};
 pub use projection::{Bounds, Culled, Projection};
 pub use reconstruction::{Band, Decision, Decisions, Fragment, Margins, Pixel};
 
-use pointcore_spec::{Camera, Rendering, Splat};
+use pointcore_contract::{Camera, Rendering, Splat};
 use rayon::prelude::*;
 
 /// Rows that one task renders: few enough for a small frame to use every core, enough to visit a splat rarely twice.

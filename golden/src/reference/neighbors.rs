@@ -1,12 +1,12 @@
-//! Neighbor search by brute force: in the hardware's arithmetic, whose distances core B equals bit for bit, and in f64.
+//! Neighbor search by brute force: in the hardware's arithmetic, whose distances the search core equals bit for bit, and in f64.
 //!
 //! Of all points nearer than the radius the k nearest, in order of distance and then of index. Points with NaN coordinates,
 //! which fill up beats in the point memory, are never neighbors.
 
-use crate::core_b::leaf::squared_distance;
-use crate::core_b::records::Point;
 use crate::float::convert;
-use pointcore_spec::Format;
+use crate::search::leaf::squared_distance;
+use crate::search::records::Point;
+use pointcore_contract::Format;
 use std::cmp::Ordering;
 
 /// A neighbor.

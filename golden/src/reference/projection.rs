@@ -26,7 +26,7 @@
 
 use super::sampling;
 use glam::DVec3;
-use pointcore_spec::{Camera, Rendering, Splat};
+use pointcore_contract::{Camera, Rendering, Splat};
 use std::ops::Range;
 
 /// The largest `e` of a splat that counts as crossing the eye plane.

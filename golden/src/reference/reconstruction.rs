@@ -1,8 +1,8 @@
 //! One pixel of the surface reconstruction buffer: ternary depth test, accumulation, normalization (eqs. 5.8 to 5.13).
 
 use super::projection::Projection;
-use pointcore_spec::splat::CONTINUOUS_ATTRIBUTES;
-use pointcore_spec::{Rendering, Splat};
+use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
+use pointcore_contract::{Rendering, Splat};
 
 /// Outcome of the ternary depth test (eq. 5.8).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Where a frame's samples lie, in pixels.
 
-use pointcore_spec::Sampling;
+use pointcore_contract::Sampling;
 
 /// Place `[x, y]` of the sample in a column and a row, px.
 #[must_use]

@@ -1,6 +1,6 @@
 use super::*;
 use glam::DVec3;
-use pointcore_spec::{FragmentDepth, Sampling};
+use pointcore_contract::{FragmentDepth, Sampling};
 
 const CAMERA: Camera = Camera {
     model_view: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],

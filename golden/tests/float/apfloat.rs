@@ -4,8 +4,8 @@
 //! exponent too wide to underflow or overflow, flushed by the rounded magnitude, then narrowed.
 
 use crate::support::{Tally, canonical, formats_and_limits, operand_tuples};
+use pointcore_contract::{Format, Subnormals};
 use pointcore_golden::float;
-use pointcore_spec::{Format, Subnormals};
 use rustc_apfloat::ieee::{IeeeFloat, Semantics};
 use rustc_apfloat::{Float, FloatConvert};
 

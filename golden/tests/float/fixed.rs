@@ -3,8 +3,8 @@
 use crate::apfloat::{Exact, encode};
 use crate::support::{RANDOM_CASES, Tally, formats, operand_tuples, seed};
 use fastrand::Rng;
+use pointcore_contract::{Fixed, Format, Signedness};
 use pointcore_golden::float;
-use pointcore_spec::{Fixed, Format, Signedness};
 use rustc_apfloat::Float;
 
 const SHAPES: [(u32, u32); 9] = [(1, 0), (8, 0), (16, 4), (16, 16), (12, 20), (24, 8), (32, 0), (63, 40), (64, 32)];

@@ -1,8 +1,8 @@
 //! `f32` against the host's arithmetic.
 
 use crate::support::{Tally, canonical, operand_tuples};
+use pointcore_contract::Format;
 use pointcore_golden::float;
-use pointcore_spec::Format;
 
 const F: Format = Format::F32;
 

@@ -1,8 +1,8 @@
 //! The Newton variants' error, over every significand of every named format.
 
 use crate::support::{formats, operand_tuples, reproduce};
+use pointcore_contract::Format;
 use pointcore_golden::float;
-use pointcore_spec::Format;
 
 fn number(f: Format, bits: u64) -> f64 {
     f32::from_bits(float::convert(f, Format::F32, bits) as u32).into()

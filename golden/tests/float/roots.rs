@@ -4,8 +4,8 @@
 
 use crate::support::{formats_and_limits, operand_tuples, reproduce};
 use num_bigint::BigUint;
+use pointcore_contract::{Format, Subnormals};
 use pointcore_golden::float;
-use pointcore_spec::{Format, Subnormals};
 use std::cmp::Ordering;
 
 /// `integer · 2^exponent`.

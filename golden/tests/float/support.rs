@@ -1,7 +1,7 @@
 //! Operands, seeds and the comparer that all tests share.
 
 use fastrand::Rng;
-use pointcore_spec::{Format, Subnormals};
+use pointcore_contract::{Format, Subnormals};
 
 /// Random cases per operator and format.
 pub const RANDOM_CASES: usize = 200_000;

@@ -1,7 +1,7 @@
 //! The interpolated tables against f64.
 
+use pointcore_contract::TableShape;
 use pointcore_golden::float::{Table, erf_table, kernel_table};
-use pointcore_spec::TableShape;
 
 const SHAPES: [TableShape; 3] = [
     TableShape { index_bits: 4, fraction_bits: 6, value_bits: 8 },

@@ -3,8 +3,8 @@
 
 use crate::support::{Tally, canonical};
 use flate2::read::GzDecoder;
+use pointcore_contract::{Fixed, Format, Signedness};
 use pointcore_golden::float;
-use pointcore_spec::{Fixed, Format, Signedness};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::PathBuf;

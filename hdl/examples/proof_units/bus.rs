@@ -1,14 +1,14 @@
 //! The units on the bus, for the record that `formal/record.vh` lays out.
 
 use super::Proof;
+use pointcore_contract::bus::config::WRITES_MAX;
+use pointcore_contract::bus::packets::FieldRange;
+use pointcore_contract::bus::ports;
+use pointcore_contract::bus::registers::{self as map, Kind, Register};
+use pointcore_contract::splat::Field;
+use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::{search, splat};
 use pointcore_hdl::bus::{buffer, packet_in, packet_out, reader, registers, window, writer};
-use pointcore_spec::bus::config::WRITES_MAX;
-use pointcore_spec::bus::packets::FieldRange;
-use pointcore_spec::bus::ports;
-use pointcore_spec::bus::registers::{self as map, Kind, Register};
-use pointcore_spec::core_a::Field;
-use pointcore_spec::core_a::config::TILE_PIXELS;
-use pointcore_spec::{core_a, core_b};
 
 /// Bytes of the record in C, and from one to the next in memory.
 const BYTES: u32 = 12;
@@ -58,7 +58,7 @@ fn memory() -> Vec<Proof> {
     ]
 }
 
-/// Core A's buffer: with as many pixels in a tile, bursts and writes under way as in the top, a tile read in one burst and in two;
+/// The renderer's buffer: with as many pixels in a tile, bursts and writes under way as in the top, a tile read in one burst and in two;
 /// and small, for what depends on addresses and for what waits.
 fn buffers() -> [Proof; 4] {
     const TILE_BITS: u32 = 2;
@@ -75,10 +75,10 @@ fn buffers() -> [Proof; 4] {
     };
     let small = |name, flag| Proof { flags: vec![flag], ..buffer(name, 128, 2, 2) };
     [
-        buffer("core_a_buffer", 64, TILE_PIXELS, WRITES_MAX),
-        buffer("core_a_buffer_split", 32, 2 * TILE_PIXELS, WRITES_MAX),
-        small("core_a_buffer_addresses", "ADDRESSES"),
-        small("core_a_buffer_waits", "WAITS"),
+        buffer("splat_buffer", 64, TILE_PIXELS, WRITES_MAX),
+        buffer("splat_buffer_split", 32, 2 * TILE_PIXELS, WRITES_MAX),
+        small("splat_buffer_addresses", "ADDRESSES"),
+        small("splat_buffer_waits", "WAITS"),
     ]
 }
 
@@ -86,11 +86,11 @@ fn buffers() -> [Proof; 4] {
 const VALUE_BITS: u32 = 5;
 const UNIFORMS: u32 = 3;
 
-/// A map with a register of every kind at its place: what both cores have, core B's settings, and some of core A's uniforms.
+/// A map with a register of every kind at its place: what both cores have, the search core's settings, and some of the renderer's uniforms.
 fn registers() -> Proof {
-    let core_a = map::core_a(&core_a::Config::default());
-    let core_b = map::core_b(&core_b::Config { neighbor_cache: 2, ..core_b::Config::default() });
-    let id = core_b[0].reset();
+    let splat = map::splat(&splat::Config::default());
+    let search = map::search(&search::Config { neighbor_cache: 2, ..search::Config::default() });
+    let id = search[0].reset();
     let renamed = |register: Register| match register.name.as_str() {
         _ if register.address < map::EVENTS => Some(register),
         _ if register.address == map::EVENTS => Some(Register { name: "event_seen".to_owned(), ..register }),
@@ -99,9 +99,9 @@ fn registers() -> Proof {
         "cache_far_scale" => Some(Register { name: "scale".to_owned(), width: VALUE_BITS, ..register }),
         _ => None,
     };
-    let uniforms = core_a.into_iter().filter(|register| register.kind == Kind::Uniform).take(UNIFORMS as usize);
+    let uniforms = splat.into_iter().filter(|register| register.kind == Kind::Uniform).take(UNIFORMS as usize);
     let uniforms = uniforms.map(|register| Register { width: VALUE_BITS, ..register });
-    let every_kind: Vec<_> = core_b.into_iter().filter_map(renamed).chain(uniforms).collect();
+    let every_kind: Vec<_> = search.into_iter().filter_map(renamed).chain(uniforms).collect();
     let (uniform_bits, _) = ports::uniforms(&every_kind).expect("the map has uniforms");
     let sizes =
         [("IDENTITY", id), ("VALUE_BITS", VALUE_BITS), ("UNIFORM_COUNT", UNIFORMS), ("UNIFORM_BITS", uniform_bits)];

@@ -3,10 +3,10 @@
 
 mod bus;
 
-use pointcore_hdl::rtl::{Module, elaborate};
-use pointcore_hdl::{core_b, stream};
-use pointcore_spec::Format;
-use pointcore_spec::core_b::Config;
+use pointcore_contract::Format;
+use pointcore_contract::search::Config;
+use pointcore_hdl::{search, stream};
+use rtl::{Module, elaborate};
 use std::error::Error;
 use std::path::Path;
 
@@ -56,7 +56,7 @@ fn proofs() -> Vec<Proof> {
         ("NODE_BITS", core.node_bits()),
         ("DISTANCE_BITS", core.geometry.width()),
     ];
-    let stack = Proof::new("core_b_stack", core_b::stack::module(&core), &sizes);
+    let stack = Proof::new("search_stack", search::stack::module(&core), &sizes);
     let queue = |name, core: &Config| {
         let sizes = [
             ("THREADS", core.threads),
@@ -68,12 +68,12 @@ fn proofs() -> Vec<Proof> {
             ("BEAT_BITS", core.beat_bits()),
             ("DISTANCE_BITS", core.geometry.width()),
         ];
-        Proof::new(name, core_b::queue::module(core), &sizes)
+        Proof::new(name, search::queue::module(core), &sizes)
     };
     // Rows that are written back and read again, and beats that stay for several insertions into a longer row.
     let queues = [
-        queue("core_b_queue_threads", &core),
-        queue("core_b_queue_lanes", &Config { threads: 1, neighbors: 3, lanes: 2, ..core.clone() }),
+        queue("search_queue_threads", &core),
+        queue("search_queue_lanes", &Config { threads: 1, neighbors: 3, lanes: 2, ..core.clone() }),
     ];
     [fifo("stream_fifo_3", 3), fifo("stream_fifo_4", 4), skid, half_buffer, stack]
         .into_iter()

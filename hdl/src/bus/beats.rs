@@ -1,10 +1,10 @@
 //! Records as beats: which bits of which beat hold which field.
 
-use pointcore_spec::bus::Layout;
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::Layout;
+use pointcore_contract::splat::Field;
 
-use crate::rtl::{Expr, Module, Reg, cat, lit};
 use crate::units::records::Record;
+use rtl::{Expr, Module, Reg, cat, lit};
 
 /// Bits of a field that one beat holds.
 pub(super) struct Part {

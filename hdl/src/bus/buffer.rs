@@ -1,13 +1,13 @@
-//! The reconstruction buffer in memory (`docs/interfaces.md`): core A's reads of tiles and writes of pixels, in their order; proved in
-//! `formal/core_a_buffer.sv`.
+//! The reconstruction buffer in memory (`docs/interfaces.md`): the renderer's reads of tiles and writes of pixels, in their order; proved in
+//! `formal/splat_buffer.sv`.
 
-use pointcore_spec::bus::{Layout, ports};
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::{Layout, ports};
+use pointcore_contract::splat::Field;
 
 use super::wiring::{export, feed, place, request};
 use super::{ADDRESS_BITS, reader, writer};
-use crate::rtl::{Expr, Instance, Module, Stream, address_width, cat, lit};
 use crate::units::records::{Record, stream_in};
+use rtl::{Expr, Instance, Module, Stream, address_width, cat, lit};
 
 /// What lies in memory, and how memory is reached.
 pub(super) struct Buffer<'a> {
@@ -48,7 +48,7 @@ impl Buffer<'_> {
 /// The buffer without its core: few tiles, so many bursts and writes under way at most that a proof can go through.
 #[must_use]
 pub fn alone(pixel: &[Field], memory_bits: u32, tile_bits: u32, tile_pixels: u32, limit: u32) -> Module {
-    let mut m = Module::new("core_a_buffer", "Core A's reconstruction buffer in memory.");
+    let mut m = Module::new("splat_buffer", "The renderer's reconstruction buffer in memory.");
     let reads = m.instance("reads", reader::limited(pixel, memory_bits, tile_pixels, limit));
     let writes = m.instance("writes", writer::limited(pixel, memory_bits, limit));
     export(&mut m, &reads, &ports::reader(pixel, memory_bits, tile_pixels), "m_axi", "m_axi");

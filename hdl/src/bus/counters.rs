@@ -3,10 +3,10 @@
 //!
 //! A visit takes two cycles, and every second one is the round's, so a counter is visited once in `4·n` cycles at least.
 
-use pointcore_spec::core_a::config::index_bits;
+use pointcore_contract::splat::config::index_bits;
 
 use super::REGISTER_BITS;
-use crate::rtl::{Expr, Module, Reg, address_width, lit, select};
+use rtl::{Expr, Module, Reg, address_width, lit, select};
 
 /// Cycles from one visit of the round to the next at most.
 const CYCLES_A_VISIT: u32 = 4;

@@ -1,12 +1,12 @@
 //! The cores on AXI: units between a core's streams and the bus, and the tops. `docs/interfaces.md` states what each does.
 
 pub mod buffer;
-pub mod core_a;
-pub mod core_b;
 pub mod packet_in;
 pub mod packet_out;
 pub mod reader;
 pub mod registers;
+pub mod search;
+pub mod splat;
 pub mod window;
 pub mod writer;
 
@@ -16,15 +16,15 @@ mod spread;
 mod wiring;
 
 use crate::compiler::Manifest;
-use crate::rtl::{Expr, Module, Wire, lit};
 use crate::units::records::Record;
-use pointcore_spec::bus::config;
+use pointcore_contract::bus::config;
+use rtl::{Expr, Module, Wire, lit};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// A core with its bus.
 pub struct Top {
-    /// The module `core_a_axi` or `core_b_axi`.
+    /// The module `splat_axi` or `search_axi`.
     pub module: Module,
     /// The core inside it.
     pub core: Rc<Module>,

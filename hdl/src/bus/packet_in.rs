@@ -4,17 +4,17 @@
 //! Packets are judged where beats come in. What passes goes through a queue of two into the registers of the record, which take
 //! the next packet's first beat in the cycle in which the record leaves.
 
-use pointcore_spec::bus::packets::FieldRange;
-use pointcore_spec::bus::ports::has_end;
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::packets::FieldRange;
+use pointcore_contract::bus::ports::has_end;
+use pointcore_contract::splat::Field;
 
 use super::beats::Beats;
 use super::stream_out;
-use crate::rtl::{Expr, Module, Reg, bit, lit};
 use crate::stream::skid;
 use crate::units::records::event_out;
+use rtl::{Expr, Module, Reg, bit, lit};
 
-/// The unit; ports as in `spec::bus::ports::packet_in`. Packets whose field is out of `range` are refused. Of a record with a
+/// The unit; ports as in `contract::bus::ports::packet_in`. Packets whose field is out of `range` are refused. Of a record with a
 /// field `end`, the packet with it set is a run's last.
 #[must_use]
 pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) -> Module {

@@ -1,14 +1,14 @@
 //! Packets out (`docs/interfaces.md`): spreads records over the beats of an AXI4-Stream; golden twin:
 //! `pointcore_golden::bus::packet_out`.
 
-use pointcore_spec::core_a::Field;
+use pointcore_contract::splat::Field;
 
 use super::beats::Beats;
 use super::spread::spread;
-use crate::rtl::{Module, bit};
 use crate::units::records::{Record, event_out, stream_in};
+use rtl::{Module, bit};
 
-/// The unit; ports as in `spec::bus::ports::packet_out`.
+/// The unit; ports as in `contract::bus::ports::packet_out`.
 #[must_use]
 pub fn module(fields: &[Field], stream_bits: u32) -> Module {
     let beats = Beats::packet(fields, stream_bits);

@@ -4,18 +4,18 @@
 //! A request stays in `request` while its bursts are issued, one a cycle. Strides and borders are powers of two, so every burst
 //! holds whole records; the lengths of the bursts under way wait in a queue to tell where `rlast` is due.
 
-use pointcore_spec::bus::config::{BORDER_BYTES, BURST_BEATS_MAX, ID_BITS, READS_MAX};
-use pointcore_spec::bus::{Layout, ports};
-use pointcore_spec::core_a::Field;
-use pointcore_spec::core_a::config::index_bits;
+use pointcore_contract::bus::config::{BORDER_BYTES, BURST_BEATS_MAX, ID_BITS, READS_MAX};
+use pointcore_contract::bus::{Layout, ports};
+use pointcore_contract::splat::Field;
+use pointcore_contract::splat::config::index_bits;
 
 use super::beats::Beats;
 use super::{ADDRESS_BITS, INCREMENTING, LENGTH_BITS, RESPONSE_BITS, size_of, stream_out};
-use crate::rtl::{Expr, Module, Stream, bit, cat, lit};
 use crate::stream::{fifo, skid};
 use crate::units::records::event_out;
+use rtl::{Expr, Module, Stream, bit, cat, lit};
 
-/// The unit for records of these fields; ports as in `spec::bus::ports::reader`.
+/// The unit for records of these fields; ports as in `contract::bus::ports::reader`.
 #[must_use]
 pub fn module(fields: &[Field], memory_bits: u32, records_max: u32) -> Module {
     limited(fields, memory_bits, records_max, READS_MAX)

@@ -2,15 +2,15 @@
 //!
 //! Address and data of a write wait for each other in registers and are judged together; every effect shows a cycle later.
 
-use pointcore_spec::bus::config::REGISTER_ADDRESS_BITS;
-use pointcore_spec::bus::ports::{self, ERROR_INPUTS, ErrorSources};
-use pointcore_spec::bus::registers::ERRORS;
-use pointcore_spec::bus::{Access, Kind, Register, When};
+use pointcore_contract::bus::config::REGISTER_ADDRESS_BITS;
+use pointcore_contract::bus::ports::{self, ERROR_INPUTS, ErrorSources};
+use pointcore_contract::bus::registers::ERRORS;
+use pointcore_contract::bus::{Access, Kind, Register, When};
 
 use super::counters::{Counter, counters};
 use super::{OKAY, REGISTER_BITS, REGISTER_BYTES, SLAVE_ERROR};
-use crate::rtl::{Expr, Module, Reg, Wire, address_width, bit, cat, lit};
 use crate::units::records::event_out;
+use rtl::{Expr, Module, Reg, Wire, address_width, bit, cat, lit};
 
 /// Bits of a byte's place in its register.
 const BYTE_BITS: usize = REGISTER_BYTES.ilog2() as usize;
@@ -69,7 +69,7 @@ fn word_in(address: &Expr) -> Expr {
     address.bits(BYTE_ADDRESS_BITS - 1, BYTE_BITS)
 }
 
-/// The unit for a map; ports as in `spec::bus::ports::registers`.
+/// The unit for a map; ports as in `contract::bus::ports::registers`.
 #[must_use]
 pub fn module(map: &[Register], sources: ErrorSources) -> Module {
     let mut m = Module::new("bus_registers", "Registers of a core.");

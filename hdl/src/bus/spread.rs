@@ -1,9 +1,9 @@
 //! Records to beats, as packets and as bursts: a register for the record, a queue of two for beats.
 
 use super::beats::Beats;
-use crate::rtl::{Expr, Module, Stream, bit, lit, select};
 use crate::stream::skid;
 use crate::units::records::Record;
+use rtl::{Expr, Module, Stream, bit, lit, select};
 
 /// Beats of records on their way out.
 pub(super) struct Spread {

@@ -3,18 +3,18 @@
 use super::*;
 use crate::compiler::Options;
 use crate::units::testing::check;
-use pointcore_spec::bus::{config::WIDTHS, packets, ports, registers as spec_registers};
-use pointcore_spec::core_a::Field;
-use pointcore_spec::{core_a, core_b};
+use pointcore_contract::bus::{config::WIDTHS, packets, ports, registers as spec_registers};
+use pointcore_contract::splat::Field;
+use pointcore_contract::{search, splat};
 
 /// Few and many fields, with and without a field `end`.
 fn packets() -> Vec<Vec<Field>> {
-    let small = core_a::Config { continuous: 1, ..core_a::Config::default() };
-    let large = core_a::Config { continuous: 13, cardinal: 1, ..small.clone() };
-    let [query, result] = packets::query_and_result(&core_b::Config::default());
+    let small = splat::Config { continuous: 1, ..splat::Config::default() };
+    let large = splat::Config { continuous: 13, cardinal: 1, ..small.clone() };
+    let [query, result] = packets::query_and_result(&search::Config::default());
     let [cached_query, cached_result] =
-        packets::query_and_result(&core_b::Config { neighbor_cache: 2, ..core_b::Config::default() });
-    let records = [small, large].map(|config| packets::core_a(&config).into_iter().map(|packet| packet.fields));
+        packets::query_and_result(&search::Config { neighbor_cache: 2, ..search::Config::default() });
+    let records = [small, large].map(|config| packets::splat(&config).into_iter().map(|packet| packet.fields));
     records.into_iter().flatten().chain([query, result, cached_query, cached_result]).collect()
 }
 
@@ -52,11 +52,11 @@ fn memory_units_have_the_specified_ports() {
 
 #[test]
 fn registers_have_the_specified_ports() {
-    let b = core_b::Config { tree_cache: 16, neighbor_cache: 2, ..core_b::Config::default() };
+    let b = search::Config { tree_cache: 16, neighbor_cache: 2, ..search::Config::default() };
     let maps = [
-        (spec_registers::core_a(&core_a::Config::default()), [0, 1, 1, 2]),
-        (spec_registers::core_b(&core_b::Config::default()), [1, 2, 1, 1]),
-        (spec_registers::core_b(&b), [0, 2, 1, 2]),
+        (spec_registers::splat(&splat::Config::default()), [0, 1, 1, 2]),
+        (spec_registers::search(&search::Config::default()), [1, 2, 1, 1]),
+        (spec_registers::search(&b), [0, 2, 1, 2]),
     ];
     for (map, sources) in maps {
         check(&registers::module(&map, sources), ports::registers(&map, sources));
@@ -68,14 +68,14 @@ fn tops_have_the_specified_ports_at_every_width() {
     let options = Options::default();
     for (stream_bits, memory_bits) in [(32, 512), (64, 64), (128, 32), (256, 128), (512, 256)] {
         let bus = config::Config { stream_bits, memory_bits };
-        let a = core_a::Config { bus, heap_levels: 3, ..core_a::Config::default() };
-        let top = super::core_a::core(&a, &options).unwrap_or_else(|error| panic!("{error}"));
-        check(&top.module, ports::core_a(&a));
-        let base = core_b::Config { bus, threads: 2, tree_depth: 3, ..core_b::Config::default() };
+        let a = splat::Config { bus, heap_levels: 3, ..splat::Config::default() };
+        let top = super::splat::core(&a, &options).unwrap_or_else(|error| panic!("{error}"));
+        check(&top.module, ports::splat(&a));
+        let base = search::Config { bus, threads: 2, tree_depth: 3, ..search::Config::default() };
         for (tree_cache, neighbor_cache, lanes) in [(0, 0, 1), (16, 2, 8), (0, 2, 4), (16, 0, 2)] {
-            let b = core_b::Config { tree_cache, neighbor_cache, lanes, ..base.clone() };
-            let top = super::core_b::core(&b, &options).unwrap_or_else(|error| panic!("{error}"));
-            check(&top.module, ports::core_b(&b));
+            let b = search::Config { tree_cache, neighbor_cache, lanes, ..base.clone() };
+            let top = super::search::core(&b, &options).unwrap_or_else(|error| panic!("{error}"));
+            check(&top.module, ports::search(&b));
         }
     }
 }

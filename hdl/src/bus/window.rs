@@ -3,11 +3,11 @@
 //!
 //! A write burst is judged in the cycle after its address was taken, from registers; its words follow.
 
-use pointcore_spec::bus::config::{ID_BITS, TREE_WORD_BITS};
+use pointcore_contract::bus::config::{ID_BITS, TREE_WORD_BITS};
 
 use super::{ADDRESS_BITS, INCREMENTING, LENGTH_BITS, OKAY, SLAVE_ERROR, size_of};
-use crate::rtl::{Expr, Module, lit};
 use crate::units::records::event_out;
+use rtl::{Expr, Module, lit};
 
 const WORD_BITS: usize = TREE_WORD_BITS as usize;
 const WORD_BYTES: usize = WORD_BITS / 8;
@@ -35,7 +35,7 @@ impl Address {
     }
 }
 
-/// The unit with `2^index_bits` words; ports as in `spec::bus::ports::window`.
+/// The unit with `2^index_bits` words; ports as in `contract::bus::ports::window`.
 #[must_use]
 pub fn module(index_bits: u32) -> Module {
     let index_bits = index_bits as usize;

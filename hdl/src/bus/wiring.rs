@@ -1,10 +1,10 @@
 //! What the tops share: a unit's bus becomes the top's, a unit's record the next one's.
 
-use pointcore_spec::core_a::{Direction, Field, Port};
+use pointcore_contract::splat::{Direction, Field, Port};
 
 use super::ADDRESS_BITS;
-use crate::rtl::{Expr, Instance, Module, Stream, cat, lit};
 use crate::units::records::Record;
+use rtl::{Expr, Instance, Module, Stream, cat, lit};
 
 /// Leads the ports `<from>_…` of a unit out as `<to>_…`.
 pub(super) fn export(m: &mut Module, unit: &Instance, ports: &[Port], from: &str, to: &str) {

@@ -1,19 +1,19 @@
 //! Write half of an AXI4 master (`docs/interfaces.md`): records to bursts of a stride each; golden twin:
 //! `pointcore_golden::bus::writer`.
 
-use pointcore_spec::bus::Layout;
-use pointcore_spec::bus::config::{ID_BITS, WRITES_MAX};
-use pointcore_spec::core_a::Field;
+use pointcore_contract::bus::Layout;
+use pointcore_contract::bus::config::{ID_BITS, WRITES_MAX};
+use pointcore_contract::splat::Field;
 
 use super::beats::Beats;
 use super::reader::address_out;
 use super::spread::spread;
 use super::{ADDRESS_BITS, LENGTH_BITS, RESPONSE_BITS};
-use crate::rtl::{Module, address_width, bit, lit};
 use crate::stream::skid;
 use crate::units::records::{Record, event_out, stream_in};
+use rtl::{Module, address_width, bit, lit};
 
-/// The unit for records of these fields; ports as in `spec::bus::ports::writer`.
+/// The unit for records of these fields; ports as in `contract::bus::ports::writer`.
 #[must_use]
 pub fn module(fields: &[Field], memory_bits: u32) -> Module {
     limited(fields, memory_bits, WRITES_MAX)

@@ -9,7 +9,7 @@ use super::emitter::Emitter;
 use super::graph::{Graph, ValueId};
 use super::plan::Plan;
 use super::schedule::Schedule;
-use crate::rtl::{Expr, Memory, address_width, cat};
+use rtl::{Expr, Memory, address_width, cat};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Shortest chain that becomes a memory. A bit of one costs an FPGA about 1½ look-up tables (ECP5: 16 words of 4 bits take

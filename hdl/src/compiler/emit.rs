@@ -13,8 +13,8 @@ use super::operation::Operation;
 use super::plan::{Plan, Timing};
 use super::schedule::Schedule;
 use super::types::Type;
-use crate::rtl::{Expr, Instance, Module, Stream, lit, select};
 use crate::stream::skid;
+use rtl::{Expr, Instance, Module, Stream, lit, select};
 use std::collections::{BTreeMap, HashMap};
 
 /// Ports of an operator, in the order of an operation's operands.

@@ -4,7 +4,7 @@
 //! initiation interval. Thousands of registers load in one phase each, so what enables them comes from a register as well and is found
 //! in the cycle before.
 
-use crate::rtl::{Expr, Module, Wire, address_width};
+use rtl::{Expr, Module, Wire, address_width};
 use std::collections::HashSet;
 
 /// A module with its pipeline control.

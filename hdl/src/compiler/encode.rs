@@ -1,6 +1,6 @@
 //! Constants of a floating-point format from the host's `f64`.
 
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 const F64_MANTISSA: u32 = 52;
 const F64_BIAS: i64 = 1023;

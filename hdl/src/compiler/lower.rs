@@ -2,7 +2,7 @@
 
 use super::operation::Operation;
 use super::types::Type;
-use crate::rtl::{Expr, bit, cat, lit};
+use rtl::{Expr, bit, cat, lit};
 
 /// The expression of a combinational operation.
 pub(super) fn combinational(operation: &Operation, operands: &[Expr], types: &[Type], result: Type) -> Expr {

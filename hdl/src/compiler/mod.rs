@@ -48,7 +48,7 @@ pub use table::Table;
 pub use types::{Type, WIDTH_MAX};
 pub use value::Value;
 
-use crate::rtl::Module;
+use rtl::Module;
 
 /// Above it, choosing among operands costs more than the operators that sharing saves.
 pub const INITIATION_INTERVAL_MAX: u32 = 64;

@@ -5,7 +5,7 @@ use super::types::Type;
 use crate::float::delay;
 use crate::float::pipe::{Operator, Pipe};
 use crate::float::product::{product, product_delays};
-use crate::rtl::Expr;
+use rtl::Expr;
 
 /// Segments: the operands' way to their registers, then those of the product.
 fn delays(a: Type, b: Type) -> Vec<u32> {

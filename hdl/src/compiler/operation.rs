@@ -2,7 +2,7 @@
 
 use super::table::Table;
 use super::types::Type;
-use pointcore_spec::{Fixed, Format};
+use pointcore_contract::{Fixed, Format};
 use std::rc::Rc;
 
 /// What a node computes from its operands.

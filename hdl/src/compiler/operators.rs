@@ -7,7 +7,7 @@ use crate::float::{
     self, Operator, add, compare, convert, div, fma, from_fixed, minmax, mul, recip_newton, rsqrt, rsqrt_newton, sqrt,
     to_fixed,
 };
-use pointcore_spec::{Fixed, Signedness};
+use pointcore_contract::{Fixed, Signedness};
 use std::collections::BTreeMap;
 
 /// Pipeline stages of operators where they should differ from the operators' own defaults.

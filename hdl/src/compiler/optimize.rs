@@ -182,7 +182,7 @@ impl Rewriter {
 mod tests {
     use super::super::program::Program;
     use super::*;
-    use pointcore_spec::Format;
+    use pointcore_contract::Format;
 
     /// Mnemonics left after optimization, ports excluded.
     fn remaining(program: &Program) -> Vec<&'static str> {

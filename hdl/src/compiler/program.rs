@@ -6,7 +6,7 @@ use super::error::CompileError;
 use super::graph::{Graph, ValueId};
 use super::types::Type;
 use super::value::Value;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 use std::cell::RefCell;
 use std::rc::Rc;
 

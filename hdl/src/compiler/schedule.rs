@@ -260,7 +260,7 @@ mod tests {
     use super::super::types::Type;
     use super::super::value::Value;
     use super::*;
-    use pointcore_spec::Format;
+    use pointcore_contract::Format;
 
     /// Sums of products, a root, and integers in long chains.
     fn graph() -> Graph {

@@ -1,7 +1,7 @@
 //! The samples of a function.
 
 use super::error::CompileError;
-use pointcore_spec::TableShape;
+use pointcore_contract::TableShape;
 
 /// A table of unsigned samples; see [`Operation::Interpolate`](super::Operation::Interpolate).
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

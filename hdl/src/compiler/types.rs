@@ -1,6 +1,6 @@
 //! Types of values in a datapath.
 
-use pointcore_spec::{Fixed, Format, Signedness};
+use pointcore_contract::{Fixed, Format, Signedness};
 use std::fmt;
 
 /// The widest value a datapath carries: what fits a port of a unit.

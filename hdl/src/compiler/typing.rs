@@ -2,7 +2,7 @@
 
 use super::operation::Operation;
 use super::types::{Type, WIDTH_MAX};
-use pointcore_spec::{Fixed, Format};
+use pointcore_contract::{Fixed, Format};
 
 const SAME_FLOAT: &str = "operands must be floats of one format";
 const SAME_TYPE: &str = "operands must have one type";

@@ -5,7 +5,7 @@ use super::operation::Operation;
 use super::program::Program;
 use super::table::Table;
 use super::types::Type;
-use pointcore_spec::{Fixed, Format};
+use pointcore_contract::{Fixed, Format};
 use std::rc::Rc;
 
 /// A value of a [`Program`]. Clones are the same value.

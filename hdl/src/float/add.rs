@@ -8,8 +8,8 @@ use super::operand::{Operand, exponent_width, precision};
 use super::pipe::{self, Carried, Operator, Pipe};
 use super::round::{Raw, Special, Underflow, round, round_delays};
 use super::shift::{add_or_subtract, keep_sticky, shift_out_zeros, shift_out_zeros_delays, shift_right_sticky};
-use crate::rtl::{Expr, cat, lit};
-use pointcore_spec::{Format, Subnormals};
+use pointcore_contract::{Format, Subnormals};
+use rtl::{Expr, cat, lit};
 
 /// Guard, round and sticky bit.
 const EXTRA: usize = 3;

@@ -3,7 +3,7 @@
 use super::delay;
 use super::operand::{flushed, is_nan, order, order_delay, width};
 use super::pipe::{self, Operator, Pipe};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
 
 /// Pipeline registers by default.
 #[must_use]

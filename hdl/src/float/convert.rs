@@ -5,7 +5,7 @@ use super::operand::{Operand, exponent_width, normalize, normalize_delays, preci
 use super::pipe::{self, Operator, Pipe};
 use super::round::{Raw, Special, Underflow, round, round_delays};
 use super::shift::keep_sticky;
-use pointcore_spec::{Format, Subnormals};
+use pointcore_contract::{Format, Subnormals};
 
 /// Pipeline registers by default.
 #[must_use]

@@ -9,8 +9,8 @@ use super::operand::{Normalized, Operand, exponent_width, normalize, normalize_d
 use super::pipe::{self, Operator, Pipe};
 use super::round::{CarriedSpecial, Raw, Special, Underflow, round, round_delays};
 use super::shift::keep_sticky;
-use crate::rtl::{bit, cat, lit};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::{bit, cat, lit};
 
 /// Pipeline registers by default.
 #[must_use]

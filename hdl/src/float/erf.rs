@@ -1,7 +1,7 @@
 //! Table of the error function over [0, 4].
 
 use super::table::sample;
-use pointcore_spec::TableShape;
+use pointcore_contract::TableShape;
 use std::f64::consts::PI;
 
 /// Upper end of the argument; beyond, erf differs from 1 by less than 2^−25.

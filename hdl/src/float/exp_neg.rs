@@ -1,7 +1,7 @@
 //! Table of the Gaussian that weighs a splat's samples, over the squared radius in [0, 1].
 
 use super::table::sample;
-use pointcore_spec::TableShape;
+use pointcore_contract::TableShape;
 
 /// Samples of `exp(−γ·t)` for [`table::module`](super::table::module).
 #[must_use]

@@ -10,8 +10,8 @@ use super::operand::{Operand, exponent_width, precision, signed};
 use super::pipe::{self, Operator, Pipe};
 use super::product::{product, product_delays};
 use super::shift::{add_or_subtract, shift_right_sticky};
-use crate::rtl::{cat, lit};
-use pointcore_spec::{Format, Subnormals};
+use pointcore_contract::{Format, Subnormals};
+use rtl::{cat, lit};
 
 /// Guard, round and sticky bit.
 const EXTRA: usize = 3;

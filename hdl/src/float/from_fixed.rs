@@ -5,8 +5,8 @@ use super::operand::{precision, signed, signed_width};
 use super::pipe::{self, Operator, Pipe};
 use super::round::{Raw, Special, Underflow, round, round_delays};
 use super::shift::{keep_sticky, leading_zeros};
-use crate::rtl::bit;
-use pointcore_spec::{Fixed, Format, Signedness};
+use pointcore_contract::{Fixed, Format, Signedness};
+use rtl::bit;
 
 /// Pipeline registers by default.
 #[must_use]

@@ -3,8 +3,8 @@
 use super::delay;
 use super::operand::{flushed, is_nan, order, order_delay, width};
 use super::pipe::{self, Operator, Pipe};
-use crate::rtl::lit;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::lit;
 
 /// Pipeline registers by default.
 #[must_use]

@@ -41,8 +41,8 @@ pub use pipe::Operator;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rtl::elaborate;
-    use pointcore_spec::{Fixed, Format, Signedness, TableShape};
+    use pointcore_contract::{Fixed, Format, Signedness, TableShape};
+    use rtl::elaborate;
 
     fn every_operator(format: Format, stages: u32) -> Vec<Operator> {
         let fixed = Fixed { width: 24, fraction: 8, signed: Signedness::Signed };

@@ -8,8 +8,8 @@ use super::pipe::{self, Operator, Pipe};
 use super::product::{product, product_delays};
 use super::round::{Raw, Special, Underflow, round, round_delays};
 use super::shift::keep_sticky;
-use crate::rtl::lit;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::lit;
 
 /// Pipeline registers by default.
 #[must_use]

@@ -4,8 +4,8 @@ use super::operand::{exponent_width, precision};
 use super::pipe::{Operator, Pipe};
 use super::round::{CarriedSpecial, Raw, Underflow, round};
 use super::shift::keep_sticky;
-use crate::rtl::{Expr, cat, lit};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::{Expr, cat, lit};
 
 /// Bits of a seed table's index.
 pub(super) const INDEX_BITS: usize = 7;

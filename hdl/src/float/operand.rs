@@ -3,8 +3,8 @@
 use super::delay;
 use super::pipe::Pipe;
 use super::shift::leading_zeros;
-use crate::rtl::{Expr, Module, cat, lit};
-use pointcore_spec::{Format, Subnormals};
+use pointcore_contract::{Format, Subnormals};
+use rtl::{Expr, Module, cat, lit};
 
 /// Bits of `format` as a width.
 pub(super) fn width(format: Format) -> usize {

@@ -1,7 +1,7 @@
 //! Pipeline registers at marked cuts.
 
 use super::delay;
-use crate::rtl::{Expr, Module};
+use rtl::{Expr, Module};
 use std::rc::Rc;
 
 /// A pipelined operator.

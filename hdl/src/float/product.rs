@@ -2,7 +2,7 @@
 
 use super::delay;
 use super::pipe::Pipe;
-use crate::rtl::Expr;
+use rtl::Expr;
 
 /// Widest unsigned operand of one hardware multiplier.
 const MULTIPLIER_WIDTH: usize = 18;

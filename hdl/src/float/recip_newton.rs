@@ -7,8 +7,8 @@ use super::operand::{Operand, exponent_width, normalize, normalize_delays, preci
 use super::pipe::{self, Operator, Pipe};
 use super::product::{product, product_delays};
 use super::round::{Underflow, round_delays};
-use crate::rtl::lit;
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::lit;
 
 /// Pipeline registers by default.
 #[must_use]

@@ -4,8 +4,8 @@ use super::delay;
 use super::operand::{precision, width};
 use super::pipe::{Carried, Operator, Pipe};
 use super::shift::shift_right_sticky;
-use crate::rtl::{Expr, cat, lit};
-use pointcore_spec::{Format, Subnormals};
+use pointcore_contract::{Format, Subnormals};
+use rtl::{Expr, cat, lit};
 
 /// The result's sign and whether it is one that no rounding leads to.
 pub(super) struct Special {

@@ -14,8 +14,8 @@ use super::operand::{Operand, exponent_width, normalize, normalize_delays, preci
 use super::pipe::{self, Operator, Pipe};
 use super::round::{Raw, Special, Underflow, round, round_delays};
 use super::sqrt::even_exponent;
-use crate::rtl::{bit, cat, lit};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::{bit, cat, lit};
 
 /// Pipeline registers by default.
 #[must_use]

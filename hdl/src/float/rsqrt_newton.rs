@@ -9,8 +9,8 @@ use super::product::{product, product_delays};
 use super::round::{Underflow, round_delays};
 use super::rsqrt::rsqrt_special;
 use super::sqrt::even_exponent;
-use crate::rtl::{cat, lit};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::{cat, lit};
 
 /// Pipeline registers by default.
 #[must_use]

@@ -2,7 +2,7 @@
 
 use super::delay;
 use super::pipe::Pipe;
-use crate::rtl::{Expr, bit, cat, lit};
+use rtl::{Expr, bit, cat, lit};
 
 /// Number of zeros above the highest one, `⌈log2(width)⌉` bits wide; of no meaning for the value zero.
 #[must_use]

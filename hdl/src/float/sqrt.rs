@@ -8,8 +8,8 @@ use super::delay;
 use super::operand::{Normalized, Operand, normalize, normalize_delays, precision};
 use super::pipe::{self, Operator, Pipe};
 use super::round::{Raw, Special, Underflow, round, round_delays};
-use crate::rtl::{Expr, bit, cat, lit};
-use pointcore_spec::Format;
+use pointcore_contract::Format;
+use rtl::{Expr, bit, cat, lit};
 
 /// Pipeline registers by default.
 #[must_use]

@@ -6,7 +6,7 @@
 
 use super::delay;
 use super::pipe::{self, Operator, Pipe};
-use pointcore_spec::TableShape;
+use pointcore_contract::TableShape;
 
 /// Pipeline registers by default.
 #[must_use]

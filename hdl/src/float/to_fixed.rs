@@ -4,8 +4,8 @@ use super::delay;
 use super::from_fixed::fixed_parameters;
 use super::operand::{Normalized, Operand, normalize, normalize_delays, precision, signed, signed_width};
 use super::pipe::{self, Operator, Pipe};
-use crate::rtl::lit;
-use pointcore_spec::{Fixed, Format, Signedness, Subnormals};
+use pointcore_contract::{Fixed, Format, Signedness, Subnormals};
+use rtl::lit;
 
 /// Pipeline registers by default.
 #[must_use]

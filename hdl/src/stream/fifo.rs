@@ -6,7 +6,7 @@
 //! cycle after the one that makes `depth` items and rises in the cycle after a pop. Rate: one item a cycle.
 
 use super::{item_width, packed, unpacked};
-use crate::rtl::{Expr, Module, Reg, address_width, lit};
+use rtl::{Expr, Module, Reg, address_width, lit};
 
 /// Where the items are.
 enum Storage {

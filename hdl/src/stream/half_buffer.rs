@@ -6,7 +6,7 @@
 //! enable, which reaches every bit of a wide item, waits for nothing.
 
 use super::{item_width, packed, unpacked};
-use crate::rtl::{Expr, Module};
+use rtl::{Expr, Module};
 
 /// A buffer of one item.
 #[must_use]

@@ -8,7 +8,7 @@ pub use fifo::{fifo, fifo_distributed};
 pub use half_buffer::half_buffer;
 pub use skid::skid;
 
-use crate::rtl::{Expr, Stream, cat};
+use rtl::{Expr, Stream, cat};
 
 /// An item's fields side by side, the first in the most significant bits.
 fn packed(stream: &Stream) -> Expr {

@@ -5,7 +5,7 @@
 //! cycle `t` into an empty queue is seen at `t + 1`.
 
 use super::{item_width, packed, unpacked};
-use crate::rtl::{Expr, Module};
+use rtl::{Expr, Module};
 
 /// A queue of two items in registers.
 #[must_use]

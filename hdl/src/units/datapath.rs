@@ -1,8 +1,8 @@
 //! What the fixed-function datapaths share: records as program inputs and outputs.
 
 use crate::compiler::{Program, Type, Value};
-use pointcore_spec::Format;
-use pointcore_spec::core_a::Field;
+use pointcore_contract::Format;
+use pointcore_contract::splat::Field;
 
 /// The fields of a record as inputs of a program.
 pub(crate) struct Inputs {

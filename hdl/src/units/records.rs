@@ -1,9 +1,9 @@
 //! Records as hardware values, and the queues of two that stand at the units' ports.
 
-use pointcore_spec::core_a::Field;
+use pointcore_contract::splat::Field;
 
-use crate::rtl::{Expr, Instance, Module, Reg, Stream, StreamIn, Wire, bit, cat, lit};
 use crate::stream::{half_buffer, skid};
+use rtl::{Expr, Instance, Module, Reg, Stream, StreamIn, Wire, bit, cat, lit};
 
 /// A value for every field of a record, in order.
 #[derive(Clone)]

@@ -1,7 +1,7 @@
 //! Large memories, cut into slices of a few bits that a block RAM holds all words of: none is chosen among behind their slow
 //! outputs, and each bit that is written goes to one of them.
 
-use crate::rtl::{Expr, Memory, Module, cat};
+use rtl::{Expr, Memory, Module, cat};
 
 /// Bits that a block RAM holds: words of nine bits and more have the parity's, too.
 const fn block_bits(words: usize) -> usize {

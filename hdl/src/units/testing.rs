@@ -1,7 +1,7 @@
 //! What holds of every unit's ports.
 
-use crate::rtl::{self, Module, elaborate};
-use pointcore_spec::core_a::{Direction, Port};
+use pointcore_contract::splat::{Direction, Port};
+use rtl::{self, Module, elaborate};
 
 fn spec_port(port: &rtl::Port) -> Port {
     let direction = match port.direction {

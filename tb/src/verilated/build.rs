@@ -31,7 +31,7 @@ const VERILATOR_ARGUMENTS: &[&str] = &[
     MODEL_CLASS,
     "--Mdir",
     "model",
-    "-DPOINTCORE_ASSERT",
+    "-DRTL_ASSERT",
 ];
 
 /// Arguments of every compilation. Each library keeps its own copy of the run-time (no symbols shared between libraries).

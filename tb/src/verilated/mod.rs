@@ -11,9 +11,9 @@ use std::path::PathBuf;
 
 pub use build::Builder;
 pub use model::{Library, Model, RESET};
-pub use pointcore_hdl::rtl::{Direction, Port};
+pub use rtl::{Direction, Port};
 
-use pointcore_hdl::rtl::Design;
+use rtl::Design;
 
 use crate::cache::FileError;
 use crate::toolchain::ToolchainError;

@@ -2,11 +2,11 @@
 
 use std::collections::VecDeque;
 
+use pointcore_contract::bus::registers::{CONTROL, STATUS};
+use pointcore_contract::bus::{Config, Register};
+use pointcore_contract::splat::Field;
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
-use pointcore_hdl::rtl::Module;
-use pointcore_spec::bus::registers::{CONTROL, STATUS};
-use pointcore_spec::bus::{Config, Register};
-use pointcore_spec::core_a::Field;
+use rtl::Module;
 
 use super::{Bench, Drain, Feed, bytes, stalls, words};
 

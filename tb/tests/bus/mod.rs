@@ -4,9 +4,9 @@ pub mod host;
 
 use std::collections::VecDeque;
 
-use pointcore::lockstep::{Stall, Stalls};
-use pointcore::verilated::{Direction, Model, Port};
-use pointcore_hdl::rtl::{Module, cat, elaborate};
+use pointcore_tb::lockstep::{Stall, Stalls};
+use pointcore_tb::verilated::{Direction, Model, Port};
+use rtl::{Module, cat, elaborate};
 
 use crate::support;
 

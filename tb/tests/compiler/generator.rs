@@ -1,9 +1,9 @@
 //! Random programs and random tokens for them.
 
 use fastrand::Rng;
+use pointcore_contract::{Fixed, Format, Signedness, TableShape};
 use pointcore_golden::float;
 use pointcore_hdl::compiler::{Graph, Operation, Table, Type, ValueId};
-use pointcore_spec::{Fixed, Format, Signedness, TableShape};
 use std::rc::Rc;
 
 /// The table that programs interpolate in.

@@ -1,8 +1,8 @@
 //! Programs carried out one operation after the other, with the golden operators and plain integers.
 
+use pointcore_contract::{Fixed, Format, Signedness};
 use pointcore_golden::float;
 use pointcore_hdl::compiler::{Graph, Node, Operation, Type};
-use pointcore_spec::{Fixed, Format, Signedness};
 
 /// The results of a token, or nothing when the program drops it. `inputs` and `uniforms` are in order of declaration.
 pub fn interpret(graph: &Graph, tables: &[float::Table], inputs: &[u64], uniforms: &[u64]) -> Option<Vec<u64>> {

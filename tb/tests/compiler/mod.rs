@@ -8,7 +8,7 @@ mod programs;
 use fastrand::Rng;
 use generator::{program, table};
 use model::{build, compile_all, run};
-use pointcore::lockstep::{SEED_VARIABLE, Stall, seeds};
+use pointcore_tb::lockstep::{SEED_VARIABLE, Stall, seeds};
 use std::collections::BTreeSet;
 
 /// Initiation intervals of the random programs.

@@ -3,12 +3,12 @@
 use super::generator::sample;
 use super::interpreter::interpret;
 use fastrand::Rng;
-use pointcore::lockstep::{Golden, Lockstep, Report, Stall, StreamTestbench};
-use pointcore::verilated::{Builder, Library, Options, Port, Source};
 use pointcore_golden::datapath::Datapath;
 use pointcore_golden::float::Table;
 use pointcore_hdl::compiler::{self, Graph, Manifest, Operation, Type};
-use pointcore_hdl::rtl::{Design, Module, elaborate};
+use pointcore_tb::lockstep::{Golden, Lockstep, Report, Stall, StreamTestbench};
+use pointcore_tb::verilated::{Builder, Library, Options, Port, Source};
+use rtl::{Design, Module, elaborate};
 use std::sync::Arc;
 
 /// A program, what the compiler made of it, and the values of its uniforms.

@@ -3,10 +3,10 @@
 use super::interpreter::interpret;
 use super::model::{build, compile_all, run};
 use fastrand::Rng;
-use pointcore::lockstep::{Stall, seed};
+use pointcore_contract::{Fixed, Format, Signedness};
 use pointcore_hdl::compiler::{CompileError, Datapath, OperatorUse, Options, Program, Type, Value, compile};
-use pointcore_hdl::rtl::{Design, elaborate};
-use pointcore_spec::{Fixed, Format, Signedness};
+use pointcore_tb::lockstep::{Stall, seed};
+use rtl::{Design, elaborate};
 
 const F32: Type = Type::Float(Format::F32);
 

@@ -4,9 +4,9 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
-use pointcore::toolchain::{Toolchain, ToolchainError};
-use pointcore::verilated::{Builder, Direction, Model, Options, Source, Trace, VerilatedError};
-use pointcore_hdl::rtl::{Module, elaborate};
+use pointcore_tb::toolchain::{Toolchain, ToolchainError};
+use pointcore_tb::verilated::{Builder, Direction, Model, Options, Source, Trace, VerilatedError};
+use rtl::{Module, elaborate};
 
 use super::{FIFO, library, port, source};
 

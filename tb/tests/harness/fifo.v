@@ -37,7 +37,7 @@ module fifo(
             count <= count + {2'd0, put} - {2'd0, take};
         end
     end
-`ifdef POINTCORE_ASSERT
+`ifdef RTL_ASSERT
     always @(posedge clk) begin
         if (!rst && count > 3'd4) begin
             $display("assertion count_in_range failed in %m");

@@ -2,11 +2,11 @@
 
 use std::fs;
 
-use pointcore::lockstep::{
+use pointcore_tb::lockstep::{
     Cause, Difference, Failure, Flow, Lockstep, LockstepError, Run, Stall, StreamTestbench, TestbenchError, Violation,
     Waveform, inject, seed, seeds,
 };
-use pointcore::verilated::Direction;
+use pointcore_tb::verilated::Direction;
 
 use super::{FIFO, golden, library};
 

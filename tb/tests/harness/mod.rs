@@ -6,7 +6,7 @@ mod lockstep;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use pointcore::verilated::{Builder, Direction, Library, Options, Port, Source};
+use pointcore_tb::verilated::{Builder, Direction, Library, Options, Port, Source};
 
 /// The queue's Verilog.
 const FIFO: &str = include_str!("fifo.v");

@@ -1,0 +1,299 @@
+//! `pointcore accuracy SCENE`, and `pointcore accuracy --neighbors POINTS`.
+
+mod neighbors;
+
+use super::{Failure, Figures, Output, merge, scene_name, write};
+use pointcore::area::estimate::Estimator;
+use pointcore::configuration::read_text;
+use pointcore::search::Source;
+use pointcore::synthesis::Record;
+use pointcore_lab::accuracy::AccuracyError;
+use pointcore_lab::accuracy::choice::{Against, Decibels, Prefer, Rated, cheapest, most_accurate, rate};
+use pointcore_lab::accuracy::figures::Engine;
+use pointcore_lab::accuracy::page::Page;
+use pointcore_lab::accuracy::point::{Knob, UnknownKnob, points};
+use pointcore_lab::accuracy::sweep::{Measured, Planned, Sweep};
+use pointcore_lab::accuracy::table::{cells, document, legend, markdown};
+use pointcore_tb::cache::Cache;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Accuracies whose cheapest points are among the project's figures.
+const BENCH_DB: [f64; 2] = [45.0, 55.0];
+
+/// Arguments of `accuracy`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The scene file.
+    #[arg(required_unless_present = "neighbors")]
+    scene: Option<PathBuf>,
+    /// Sweep neighbor search among these points instead: tolerance, neighborhoods in the neighbor cache, points of a leaf.
+    #[arg(long, value_name = "FILE|surface:COUNT", conflicts_with_all = ["scene", "at_least", "knobs", "settings"])]
+    neighbors: Option<Source>,
+    /// Neighbors of a query, 1 to 63; with --neighbors.
+    #[arg(long, value_name = "COUNT", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=63), requires = "neighbors")]
+    k: u32,
+    /// Queries, eight by eight around a point; with --neighbors.
+    #[arg(long, value_name = "COUNT", default_value_t = 32_768, value_parser = clap::value_parser!(u32).range(1..), requires = "neighbors")]
+    queries: u32,
+    /// Print the cheapest configuration with at least so many decibels, as a scene file that `pointcore run` takes.
+    #[arg(long, value_name = "DECIBELS")]
+    at_least: Option<Decibels>,
+    /// Which error --at-least is about.
+    #[arg(long, value_enum, default_value = "truth")]
+    against: Against,
+    /// What the cheapest configuration has the least of.
+    #[arg(long, value_enum, default_value = "area-time")]
+    prefer: Prefer,
+    /// Values of a knob, all combined with those of other knobs, in the place of the usual sweep: `geometry`, `rasterizer`, `attribute`, `samples`, `cutoff`,
+    /// `kernel`, `division`, `sharing`, `tile_slots`, or a key of the scene such as `overrides.accumulate_stages`.
+    #[arg(long = "vary", value_name = "KNOB=VALUE,...")]
+    knobs: Vec<String>,
+    /// Run every point on the Verilog, too, in lockstep with the golden model.
+    #[arg(long)]
+    lockstep: bool,
+    /// Points measured at a time.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: u16,
+    /// Measure only every N-th point, from the I-th, and write nothing but these; the same command without it puts all together.
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["at_least", "output"])]
+    shard: Option<Shard>,
+    /// The folder in which measured points are kept, by default in cargo's target folder; several machines may share it.
+    #[arg(long, value_name = "DIR")]
+    points: Option<PathBuf>,
+    /// The record that areas and clocks are taken and estimated from.
+    #[arg(long, value_name = "FILE", default_value = "docs/area.json")]
+    record: PathBuf,
+    /// The folder for table, JSON and page; by default out/accuracy/<scene>.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// The file to merge the figures into.
+    #[arg(long, value_name = "FILE", default_value = "out/bench.json")]
+    merge: PathBuf,
+    /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<String>,
+}
+
+impl Arguments {
+    /// The folder of points.
+    fn folder(&self) -> PathBuf {
+        self.points.clone().unwrap_or_else(|| Cache::default_folder("accuracy"))
+    }
+
+    /// What hardware is rendered on.
+    const fn engine(&self) -> Engine {
+        if self.lockstep { Engine::Lockstep } else { Engine::Golden }
+    }
+}
+
+/// The I-th of N parts.
+#[derive(Clone, Copy)]
+struct Shard {
+    index: usize,
+    count: usize,
+}
+
+impl std::str::FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('/').and_then(|(index, count)| Some((index.parse().ok()?, count.parse().ok()?)));
+        let shard = parts.filter(|(index, count)| (1..=*count).contains(index));
+        let shard = shard.map(|(index, count): (usize, usize)| Self { index: index - 1, count });
+        shard.ok_or_else(|| "expected I/N with I from 1 to N, such as 2/8".to_owned())
+    }
+}
+
+impl Shard {
+    /// Its part of some points.
+    fn of<T>(self, points: Vec<T>) -> Vec<T> {
+        points.into_iter().skip(self.index).step_by(self.count).collect()
+    }
+}
+
+/// Says where the points of a shard are.
+fn report(count: usize, folder: &Path, output: Output) {
+    let text = format!("{count} points are in {}.", folder.display());
+    output.print(&json!({ "points": count, "folder": folder }), &text);
+}
+
+/// What a record says of areas.
+pub fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
+    if !path.exists() {
+        return Ok(Estimator::new(&Record::default()));
+    }
+    Ok(pointcore_lab::accuracy::kept_estimator(&Record::load(path)?, &read_text(path)?, cache)?)
+}
+
+/// Does `work` on every item, several at a time; results are in the items' order.
+fn spread<T: Sync, R: Send>(items: &[T], jobs: u16, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let next = AtomicUsize::new(0);
+    let results = Mutex::new(Vec::new());
+    // Threads of their own: work that an item spreads over all processors must not wait for another item.
+    std::thread::scope(|scope| {
+        for _ in 0..jobs {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(item) = items.get(index) else { break };
+                    let result = work(item);
+                    results.lock().expect("no holder of this lock panics").push((index, result));
+                }
+            });
+        }
+    });
+    let mut results = results.into_inner().expect("no holder of this lock panics");
+    results.sort_by_key(|(index, _)| *index);
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+/// Measures what is not kept yet; a point that fails does not keep the others from being measured.
+fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured>, Failure> {
+    let done = AtomicUsize::new(0);
+    let results = spread(planned, jobs, |point| {
+        let kept = sweep.kept(point)?;
+        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+        if let Some(measured) = kept {
+            return Ok(measured);
+        }
+        let measured = sweep.measure(point)?;
+        let (name, psnr_db) = (&measured.point.name, measured.figures.psnr_db);
+        eprintln!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
+        Ok::<_, AccuracyError>(measured)
+    });
+    let (mut measured, mut failures) = (Vec::new(), Vec::new());
+    for (planned, result) in planned.iter().zip(results) {
+        match result {
+            Ok(point) => measured.push(point),
+            Err(error) => failures.push((&planned.point.name, error)),
+        }
+    }
+    let last = failures.pop();
+    failures.iter().for_each(|(name, error)| eprintln!("{name}: {error}"));
+    last.map_or(Ok(measured), |(_, error)| Err(error.into()))
+}
+
+fn figures(scene: &str, rated: &[Rated]) -> Figures {
+    let mut figures = Figures::new();
+    let mut insert = |key: &str, value: serde_json::Value| figures.insert(format!("accuracy.{scene}.{key}"), value);
+    insert("points", rated.len().into());
+    insert("pareto_points", rated.iter().filter(|point| point.on_front).count().into());
+    for db in BENCH_DB {
+        let point = cheapest(rated, Decibels(db), Against::Truth, Prefer::AreaTime);
+        let Some(point) = point else { continue };
+        let cycles = point.measured.figures.hardware.as_ref().map(|hardware| hardware.cycles);
+        insert(&format!("{db}db.cycles"), cycles.into());
+        insert(&format!("{db}db.lut4"), point.lut4().map(f64::round).into());
+    }
+    figures
+}
+
+/// What the cheapest points at some accuracies are, in words.
+fn advice(rated: &[Rated]) -> Vec<String> {
+    let sentence = |(db, against): (f64, Against)| {
+        let error = if against == Against::Truth { "against the truth" } else { "of rounding alone" };
+        match cheapest(rated, Decibels(db), against, Prefer::AreaTime) {
+            Some(point) => {
+                let [name, .., cycles, ms, lut4] = cells(point);
+                format!("The cheapest with at least {db} dB {error}: {name} ({cycles} cycles, {ms} ms, {lut4} LUT4).")
+            }
+            None => format!("None has {db} dB {error}."),
+        }
+    };
+    [
+        (35.0, Against::Truth),
+        (45.0, Against::Truth),
+        (55.0, Against::Truth),
+        (45.0, Against::Rounding),
+        (55.0, Against::Rounding),
+    ]
+    .map(sentence)
+    .to_vec()
+}
+
+/// The scene file of the cheapest point that is accurate enough, with its figures as comments.
+fn recommended(
+    sweep: &Sweep,
+    rated: &[Rated],
+    arguments: &Arguments,
+    scene: &Path,
+    at_least: Decibels,
+) -> Result<(String, usize), Failure> {
+    let Arguments { against, prefer, .. } = *arguments;
+    let Some(point) = cheapest(rated, at_least, against, prefer) else {
+        let best = most_accurate(rated, against).map_or("nothing was rendered".to_owned(), |(point, db)| {
+            format!("the most accurate is `{}` with {db:.1} dB", point.measured.point.name)
+        });
+        return Err(Failure::Usage(format!("--at-least {}: no point is as accurate; {best}", at_least.0)));
+    };
+    let [name, _, engine, psnr, flip, .., rounding, cycles, ms, lut4] = cells(point);
+    let text = format!(
+        "# {}: the cheapest of {} configurations with at least {} dB.\n# {name}: {psnr} dB against the truth (FLIP {flip}), {rounding} dB of rounding alone; {cycles} cycles, {ms} ms, {lut4} LUT4; measured on: {engine}.\n",
+        scene.display(),
+        rated.len(),
+        at_least.0
+    );
+    let place = rated.iter().position(|other| std::ptr::eq(other, point)).expect("it is one of them");
+    Ok((text + &sweep.scene_file(&point.measured.point)?, place))
+}
+
+/// Sweeps the knobs, and says what came of it.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    match (&arguments.neighbors, &arguments.scene) {
+        (Some(source), _) => neighbors::run(source, arguments, output),
+        (None, Some(scene)) => sweep_scene(scene, arguments, output),
+        (None, None) => Err(Failure::Usage("expected a scene, or points with --neighbors".to_owned())),
+    }
+}
+
+fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let name = scene_name(scene);
+    let knobs: Result<Vec<Knob>, UnknownKnob> = arguments.knobs.iter().map(|text| Knob::parse(text)).collect();
+    let knobs = knobs.map_err(|error| Failure::Usage(format!("--vary {error}")))?;
+    let knobs = if knobs.is_empty() { Knob::standard() } else { knobs };
+    let (folder, engine) = (arguments.folder(), arguments.engine());
+    let sweep = Sweep::open(scene, &arguments.settings, folder.clone(), engine)?;
+
+    let (planned, refused) = sweep.plan(points(&knobs));
+    for (point, error) in &refused {
+        eprintln!("left out: {}: {error}", point.name);
+    }
+    if let Some(shard) = arguments.shard {
+        report(measure(&sweep, &shard.of(planned), arguments.jobs)?.len(), &folder, output);
+        return Ok(());
+    }
+    let measured = measure(&sweep, &planned, arguments.jobs)?;
+    let estimator = estimator(&arguments.record, &Cache::new(folder))?;
+    let rated = rate(measured, &estimator);
+
+    let results = arguments.output.clone().unwrap_or_else(|| Path::new("out/accuracy").join(&name));
+    let (legend, advice) = (legend(&estimator), advice(&rated));
+    let list: String = advice.iter().map(|line| format!("- {line}\n")).collect();
+    let text = format!("# {name}: what accuracy costs\n\n{}\n{legend}\n\n{list}", markdown(&rated));
+    let (figures, truth) = (figures(&name, &rated), sweep.truth_folder()?);
+    let mut result = json!({
+        "scene": name,
+        "legend": legend,
+        "fit": estimator.fit,
+        "points": rated.iter().map(document).collect::<Vec<_>>(),
+        "left_out": refused.iter().map(|(point, error)| json!({ "name": point.name, "reason": error.to_string() })).collect::<Vec<_>>(),
+        "figures": figures,
+    });
+    write(&results.join("README.md"), &text)?;
+    write(&results.join("accuracy.json"), &serde_json::to_string_pretty(&result).expect("results have string keys"))?;
+    let page = Page { scene: &name, rated: &rated, legend: &legend, advice: &advice, truth: &truth };
+    write(&results.join("index.html"), &page.html()?)?;
+    merge(&arguments.merge, figures)?;
+    match arguments.at_least {
+        Some(at_least) => {
+            let (scene, place) = recommended(&sweep, &rated, arguments, scene, at_least)?;
+            result["recommended"] = json!({ "point": rated[place].measured.point.name, "scene": scene });
+            output.print(&result, &scene);
+        }
+        None => output.print(&result, &format!("{text}\nWritten to {}.", results.display())),
+    }
+    Ok(())
+}

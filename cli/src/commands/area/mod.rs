@@ -1,0 +1,185 @@
+//! `pointcore area [UNIT|CONFIG]...`: what units take on an FPGA, and how fast they are there.
+
+mod progress;
+mod record;
+
+use super::{Failure, Figures, Output, merge, scene_name};
+use clap::ValueEnum;
+use pointcore::configuration::{parse, read_text};
+use pointcore::synthesis::{self, Measurement, Record, Style, Synthesizer, Target, Unit};
+use progress::Display;
+use rayon::prelude::*;
+use record::Recorder;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `area`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Units such as f32_add or splat_heap, the whole cores splat and search, groups of them (operators, splat_units, search_units,
+    /// bus_units, heaps, cores), or configuration files; without any, the operators that the cores rest on, every unit of the cores and of their bus, heaps, and
+    /// the cores. Units and cores have the parameters of configs/ecp5.toml and configs/ecp5_knn.toml.
+    #[arg(value_name = "UNIT|CONFIG")]
+    units: Vec<String>,
+    /// The technology: ecp5 and ice40 are placed and routed, the others synthesized only.
+    #[arg(long, value_enum, default_value = "ecp5")]
+    target: Target,
+    /// Runs of place and route for each unit, with seeds from 1; the median counts.
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=99))]
+    seeds: u32,
+    /// Tools that run at a time.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: u16,
+    /// Print the table in Markdown.
+    #[arg(long)]
+    markdown: bool,
+    /// Merge the figures into this file, as `fpga.UNIT.FIGURE`; of another target than ecp5, as `TARGET.UNIT.FIGURE`.
+    #[arg(long, value_name = "FILE")]
+    merge: Option<PathBuf>,
+    /// Keep every unit's figures in this file as soon as it has been measured, with the hash of what it was measured of.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+    /// Write the tables of this Markdown file anew from the record, between lines `<!-- area TARGET -->` and `<!-- end of area -->`.
+    #[arg(long, value_name = "FILE")]
+    tables: Option<PathBuf>,
+    /// Measure nothing: write --tables from --record, and merge those of its figures that are of the hardware as it is now.
+    #[arg(long, requires = "record", conflicts_with = "units")]
+    recorded: bool,
+    /// Measure nothing: say which figures of this record are not of the hardware as it is now, and whether --tables are those of the
+    /// record.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["units", "merge", "record", "recorded"])]
+    check: Option<PathBuf>,
+}
+
+/// A unit, and the file it is read from if it is a configuration's core.
+struct Named {
+    unit: Unit,
+    configuration: Option<PathBuf>,
+}
+
+impl From<Unit> for Named {
+    fn from(unit: Unit) -> Self {
+        Self { unit, configuration: None }
+    }
+}
+
+/// The units that the command line names, in its order.
+fn units(names: &[String]) -> Result<Vec<Named>, Failure> {
+    if names.is_empty() {
+        return Ok(synthesis::standard().into_iter().map(Named::from).collect());
+    }
+    let mut known = synthesis::all();
+    let mut units = Vec::new();
+    for name in names {
+        if let Some((_, group)) = synthesis::GROUPS.iter().find(|(group, _)| group == name) {
+            units.extend(group().into_iter().map(Named::from));
+        } else if let Some(index) = known.iter().position(|unit| unit.name == *name) {
+            units.push(known.swap_remove(index).into());
+        } else if Path::new(name).extension().is_some_and(|ending| ending == "toml") {
+            units.push(core(Path::new(name))?);
+        } else {
+            let problem = format!("unknown unit `{name}`: expected {}", synthesis::known());
+            return Err(Failure::Usage(problem));
+        }
+    }
+    Ok(units)
+}
+
+/// The whole core of a configuration file, by the file's name.
+fn core(path: &Path) -> Result<Named, Failure> {
+    let unit = Unit::core(scene_name(path), parse(path, &read_text(path)?)?);
+    Ok(Named { unit, configuration: Some(path.to_owned()) })
+}
+
+/// The figures by their keys.
+fn figures(target: Target, measurements: &[Measurement]) -> Figures {
+    let place = if target == Target::Ecp5 { "fpga" } else { target.name() };
+    let mut figures = Figures::new();
+    for Measurement { unit, area, timing, .. } in measurements {
+        let all: &[(&str, u64)] = match target {
+            Target::Gates => &[("gates", area.gate), ("ff", area.flip_flop), ("memory_bits", area.memory_bits)],
+            _ => &[
+                ("lut4", area.lut),
+                ("carry", area.carry),
+                ("ff", area.flip_flop),
+                ("lutram", area.distributed_ram),
+                ("bram", area.block_ram),
+                ("dsp", area.dsp),
+            ],
+        };
+        let rename = |name: &'static str| if target == Target::Xilinx7 && name == "lut4" { "lut6" } else { name };
+        figures.extend(all.iter().map(|&(name, value)| (format!("{place}.{unit}.{}", rename(name)), value.into())));
+        if let Some(timing) = timing {
+            figures.insert(format!("{place}.{unit}.fmax_mhz"), timing.fmax_mhz.into());
+        }
+    }
+    figures
+}
+
+/// The figures of a record that are of the hardware as it is now.
+fn recorded(record: &Record) -> Figures {
+    let of_target = |&target: &Target| {
+        let measurements: Vec<_> = record.fresh(target).into_iter().map(|(entry, _)| entry.measurement()).collect();
+        figures(target, &measurements)
+    };
+    Target::value_variants().iter().flat_map(of_target).collect()
+}
+
+/// Measures units, one after the other or several at a time; one that fails does not keep the others from being measured.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    if let Some(path) = &arguments.check {
+        return record::check(path, arguments.tables.as_deref(), output);
+    }
+    if arguments.tables.is_some() && arguments.record.is_none() {
+        let problem = "--tables needs the record that they are made from: expected --record or --check FILE";
+        return Err(Failure::Usage(problem.to_owned()));
+    }
+    if !arguments.recorded {
+        measure(arguments, output)?;
+    } else if let (Some(path), Some(record)) = (&arguments.merge, &arguments.record) {
+        merge(path, recorded(&Record::load(record)?))?;
+    }
+    match (&arguments.record, &arguments.tables) {
+        (Some(path), Some(tables)) => record::write_tables(path, tables),
+        _ => Ok(()),
+    }
+}
+
+fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let units = units(&arguments.units)?;
+    let recorder = arguments.record.as_deref().map(Recorder::new).transpose()?;
+    let synthesizer = Synthesizer::new(arguments.target)?;
+    let jobs = usize::from(arguments.jobs);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
+    let pool = pool.map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
+    let display = Display::default();
+    let measure = |Named { unit, configuration }: &Named| {
+        let measured = synthesizer.measure(unit, arguments.seeds, &|step| display.show(step))?;
+        if let Some(recorder) = &recorder {
+            recorder.keep(&synthesizer, unit, configuration.as_deref(), &measured)?;
+        }
+        Ok(measured)
+    };
+    let results: Vec<Result<_, Failure>> = pool.install(|| units.par_iter().map(measure).collect());
+    let mut measurements = Vec::new();
+    let mut failures: Vec<Failure> = Vec::new();
+    for result in results {
+        match result {
+            Ok(measurement) => measurements.push(measurement),
+            Err(failure) => failures.push(failure),
+        }
+    }
+    if let Some(path) = &arguments.merge {
+        merge(path, figures(arguments.target, &measurements))?;
+    }
+    if !measurements.is_empty() {
+        let style = if arguments.markdown { Style::Markdown } else { Style::Plain };
+        let text = synthesis::table(arguments.target, &measurements, style);
+        output.print(&json!({ "target": arguments.target.name(), "units": measurements }), &text);
+    }
+    let last = failures.pop();
+    for failure in failures {
+        eprintln!("pointcore: {failure}");
+    }
+    last.map_or(Ok(()), Err)
+}

@@ -1,0 +1,122 @@
+//! How many searches the coherent neighbor cache saves when points are sampled up (thesis 6.7.1, figures 6.13 to 6.15).
+
+use super::page::{Line, Page};
+use super::{Cloud, FOUR_LANES, Figures, Setting, search};
+use crate::commands::Failure;
+use pointcore::search::{Neighbor, Order, Query, Reuse, check};
+use pointcore_contract::search::Config;
+
+/// Neighbors of a query, and in a ball around a point.
+const NEIGHBORS: u32 = 30;
+/// Room for those of a ball that is searched larger.
+const BALL_NEIGHBORS: u32 = 64;
+/// Points that are sampled up.
+const PATCHES: usize = 512;
+/// Neighborhoods that the cache holds, and runs of queries that take turns so that as many searches may be under way.
+const ENTRIES: usize = 32;
+/// The thesis' eight.
+const FEW_ENTRIES: usize = 8;
+/// Results leave one a cycle, which eight threads keep up with; more would only search for what the cache is about to know.
+const THREADS: u32 = 8;
+/// How much larger balls are searched.
+const ALPHA: f32 = 1.5;
+/// Up-sampling patterns.
+const SIDES: [u32; 3] = [2, 4, 8];
+/// Tolerances with their names in keys.
+const EPSILONS: [(f32, &str); 4] = [(0.0, "e0"), (0.1, "e0_1"), (0.2, "e0_2"), (0.5, "e0_5")];
+
+/// What a run with the cache brought.
+struct Saved {
+    /// Share of the queries that needed no search.
+    saved: f64,
+    /// How much too far the farthest neighbor of any query was.
+    worst_ratio: f64,
+    cycles_per_query: f64,
+}
+
+/// Queries around the first points, `k` each; with `radii`, within each point's own.
+fn queries(cloud: &Cloud, side: u32, k: u32, radii: Option<&[f32]>) -> Vec<Query> {
+    let grid = Order::Grid { columns: side, rows: side };
+    let per_patch = (side * side) as usize;
+    let mut queries = cloud.queries(grid, Some(PATCHES * per_patch), k);
+    for (patch, radius) in queries.chunks_mut(per_patch).zip(radii.into_iter().flatten()) {
+        patch.iter_mut().for_each(|query| query.radius = Some(*radius));
+    }
+    queries
+}
+
+fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result<Saved, Failure> {
+    let searched = queries.first().map_or(0, |query| query.k + u32::from(query.radius.is_none()));
+    let config = FOUR_LANES.config(cloud.points.points().len(), searched);
+    let config = Config { neighbor_cache: entries as u32, threads: THREADS, ..config };
+    let setting = Setting { reuse, runs: entries, ..Setting::golden(&config, FOUR_LANES.splitting) };
+    let found = search(cloud, setting, queries)?;
+    let checked = check(&cloud.points, queries, &found.outcome.neighbors, reuse.epsilon).map_err(Failure::Neighbors)?;
+    let hits = found.outcome.counters.event("event_cache_hit");
+    Ok(Saved {
+        saved: hits as f64 / queries.len() as f64,
+        worst_ratio: checked.worst_ratio.into(),
+        cycles_per_query: found.report.cycles_per_query,
+    })
+}
+
+/// k nearest neighbors at rising tolerance.
+fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+    let queries = queries(cloud, 8, NEIGHBORS, None);
+    let mut lines = Vec::new();
+    for entries in [ENTRIES, FEW_ENTRIES] {
+        let mut line = Line::new(&format!("{entries} entries"));
+        for (epsilon, name) in EPSILONS {
+            eprintln!("{}: 8×8, k = {NEIGHBORS}, ε = {epsilon}, {entries} entries", cloud.name);
+            let found = run(cloud, &queries, entries, Reuse { epsilon, ..Reuse::default() })?;
+            let fewer = if entries == ENTRIES { String::new() } else { format!(".entries{entries}") };
+            let mut insert =
+                |key: &str, value: f64| figures.insert(format!("knn.aknn{fewer}.{name}.{key}"), value.into());
+            insert("saved", found.saved);
+            insert("max_error_ratio", found.worst_ratio);
+            insert("cycles_per_query", found.cycles_per_query);
+            line.push(found.saved);
+        }
+        lines.push(line);
+    }
+    let categories = EPSILONS.map(|(epsilon, _)| epsilon.to_string());
+    page.lines("aknn", "Searches saved, 8×8 up-sampling, k = 30", "ε", "share of queries", &categories, lines)
+}
+
+/// The distance of each point's k-th neighbor: a ball of that radius holds as many, however dense the points are.
+fn radii(cloud: &Cloud) -> Result<Vec<f32>, Failure> {
+    let queries = cloud.queries(Order::File, Some(PATCHES), NEIGHBORS);
+    let config = FOUR_LANES.config(cloud.points.points().len(), NEIGHBORS);
+    let neighbors = search(cloud, Setting::golden(&config, FOUR_LANES.splitting), &queries)?.outcome.neighbors;
+    let farthest = |found: &Vec<Neighbor>| found.last().map_or(0.0, |neighbor| neighbor.distance2.sqrt());
+    Ok(neighbors.iter().map(farthest).collect())
+}
+
+/// Ball queries in patterns of rising density.
+fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+    let radii = radii(cloud)?;
+    let mut lines = Vec::new();
+    for entries in [ENTRIES, FEW_ENTRIES] {
+        let mut line = Line::new(&format!("{entries} entries"));
+        for side in SIDES {
+            eprintln!("{}: balls, {side}×{side}, {entries} entries", cloud.name);
+            let reuse = Reuse { epsilon: 0.0, alpha: ALPHA };
+            let found = run(cloud, &queries(cloud, side, BALL_NEIGHBORS, Some(&radii)), entries, reuse)?;
+            let fewer = if entries == ENTRIES { String::new() } else { format!(".entries{entries}") };
+            figures.insert(format!("knn.ball{fewer}.{side}x{side}.saved"), found.saved.into());
+            line.push(found.saved);
+        }
+        lines.push(line);
+    }
+    let categories = SIDES.map(|side| format!("{side}×{side}"));
+    page.lines("ball", "Searches saved, ball queries, α = 1.5", "up-sampling", "share of queries", &categories, lines)
+}
+
+/// Both, with what the thesis reports beside them.
+pub fn figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+    nearest_figures(cloud, figures, page)?;
+    page.paragraph("The thesis reports more than half of the searches saved at ε = 0.1, and few for exact neighbors (6.7.1, eight entries).");
+    ball_figures(cloud, figures, page)?;
+    page.paragraph("The thesis reports up to three quarters of the searches saved from 2×2 on (6.7.1).");
+    Ok(())
+}

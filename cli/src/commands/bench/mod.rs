@@ -1,0 +1,89 @@
+//! `pointcore bench`: the project's figures, merged into one flat JSON object.
+
+mod effects;
+mod knn;
+mod splat;
+
+use super::{Failure, Figures, Output, merge};
+use pointcore_contract::Format;
+use pointcore_lab::float_check::{Enable, Stages, check_format};
+use std::path::PathBuf;
+
+/// Operand triples for each operator and format.
+const OPERATOR_CASES: u64 = 1 << 20;
+/// Seed of the operands.
+const OPERATOR_SEED: u64 = 1;
+
+/// Arguments of `bench`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The scan for scenes/igea.toml and for neighbor search; without it that scene is measured only if its own path exists, and
+    /// neighbors are searched on a procedural surface.
+    #[arg(long, value_name = "FILE")]
+    scan: Option<PathBuf>,
+    /// More models in which neighbors are compared with brute force.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    models: Vec<PathBuf>,
+    /// What to measure; by default everything.
+    #[arg(long, value_enum, value_name = "PART", num_args = 1.., default_values = ["splat", "effects", "knn", "operators"])]
+    only: Vec<Part>,
+    /// The file to merge the figures into.
+    #[arg(short, long, default_value = "out/bench.json")]
+    output: PathBuf,
+}
+
+/// A part of the benchmark.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Part {
+    /// The renderer: frames and simulation speed.
+    Splat,
+    /// The renderer: what leaving out saves that a scene does not call for.
+    Effects,
+    /// The search core: neighbor search; its charts and tables go to a folder `knn-bench` beside the output.
+    Knn,
+    /// Floating-point operators.
+    Operators,
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Operators of every format, hardware against golden.
+fn operator_figures(figures: &mut Figures) -> Result<(), Failure> {
+    for (name, format) in Format::NAMED {
+        eprintln!("operators: {name}");
+        for report in check_format(format, Stages::Default, Enable::Always, OPERATOR_CASES, OPERATOR_SEED)? {
+            let key = format!("fp.{}.{name}", report.operation);
+            figures.insert(format!("{key}.cases"), report.cases.into());
+            figures.insert(format!("{key}.mismatches"), report.mismatches.into());
+        }
+    }
+    Ok(())
+}
+
+/// Measures everything.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let mut figures = Figures::new();
+    let scan = arguments.scan.as_deref();
+    let measures = |part| arguments.only.contains(&part);
+    if measures(Part::Splat) {
+        splat::figures(scan, &mut figures)?;
+    }
+    if measures(Part::Effects) {
+        effects::figures(scan, &mut figures)?;
+    }
+    if measures(Part::Knn) {
+        let folder = arguments.output.with_file_name("knn-bench");
+        knn::figures(scan, &arguments.models, &folder, &mut figures)?;
+    }
+    if measures(Part::Operators) {
+        operator_figures(&mut figures)?;
+    }
+
+    let merged = merge(&arguments.output, figures)?;
+    let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
+    output.print(&merged, &text);
+    Ok(())
+}

@@ -1,0 +1,169 @@
+//! Figures of the renderer: frames, simulation speed, what planned hardware saves.
+
+use super::{Figures, median};
+use crate::commands::{Failure, load, scene_name};
+use pointcore::generated::verilate;
+use pointcore::plan::Plan;
+use pointcore::scene::Scene;
+use pointcore::shading::shade;
+use pointcore::splat::{Core, EncodedFrame, Measured, Outcome, Report, Runner, area, assemble};
+use pointcore_golden::reference::{self, Mapping};
+use pointcore_tb::lockstep::Stall;
+use pointcore_tb::verilated::{Library, Trace};
+use serde_json::Value;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Timed runs of each kind; the median ratio is reported.
+const REPETITIONS: usize = 5;
+/// Cycles of a timed run.
+const TIMED_CYCLES: u64 = 60_000;
+/// Seeds of stalls with which a frame must come out the same.
+const STALL_SEEDS: std::ops::RangeInclusive<u64> = 1..=5;
+/// Share of the cycles in which a stalled run holds each stream back.
+const STALL_SHARE: f64 = 0.3;
+
+/// Measures the shipped scenes; `scan` is the model of scenes/igea.toml.
+pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), Failure> {
+    let knot = Prepared::new(Path::new("scenes/knot.toml"), &[])?;
+    speed_figures(&knot, figures)?;
+    frame_figures(&knot, figures)?;
+    let setting = scan.map(|path| format!("object.0.path={}", path.display()));
+    match Prepared::new(Path::new("scenes/igea.toml"), setting.as_slice()) {
+        Ok(igea) => frame_figures(&igea, figures)?,
+        Err(Failure::Scene(error)) if scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
+        Err(failure) => return Err(failure),
+    }
+    saving_figures(&Prepared::new(Path::new("scenes/plane.toml"), &[])?, figures)
+}
+
+/// A scene with its hardware, ready to run.
+struct Prepared {
+    name: String,
+    scene: Scene,
+    plan: Plan,
+    core: Core,
+    library: Arc<Library>,
+    frame: EncodedFrame,
+}
+
+impl Prepared {
+    fn new(path: &Path, settings: &[String]) -> Result<Self, Failure> {
+        let (scene, plan) = load(path, settings)?;
+        Self::on(scene_name(path), scene, plan)
+    }
+
+    fn on(name: String, scene: Scene, plan: Plan) -> Result<Self, Failure> {
+        let core = Core::generate(&plan.config)?;
+        let library = verilate(&core.design, Trace::Off)?;
+        let frame = EncodedFrame::new(&scene, &plan);
+        Ok(Self { name, scene, plan, core, library, frame })
+    }
+
+    /// The same frame on hardware with everything in.
+    fn with_everything(&self) -> Result<Self, Failure> {
+        Self::on(self.name.clone(), self.scene.clone(), self.plan.with_everything())
+    }
+
+    fn runner(&self, stall: Stall, seed: u64) -> Runner<'_> {
+        Runner { config: &self.plan.config, frame: &self.frame, stall, seed, progress: &|_, _| {}, stop_after: None }
+    }
+}
+
+/// The frame of a scene: lockstep, golden and stalled hardware must give the same fragments.
+fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+    let Prepared { name, scene, plan, core, library, frame } = prepared;
+    let free = prepared.runner(Stall::Never, 1);
+    eprintln!("{name}: lockstep");
+    let outcome = free.lockstep(core, library)?;
+    let golden = free.golden(core)?;
+    let mut mismatches = u64::from(golden.fragments != outcome.fragments);
+    for seed in STALL_SEEDS {
+        eprintln!("{name}: hardware with stalls, seed {seed}");
+        let stalled = prepared.runner(Stall::Random(STALL_SHARE), seed).hardware(library, None)?;
+        mismatches += u64::from(stalled.fragments != outcome.fragments);
+    }
+
+    let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
+    let rendered = assemble(plan, &scene.splats, &outcome.fragments);
+    let psnr_db = shade(&rendered, scene).psnr_db(&shade(&reference, scene));
+    let report = Report::new(&Measured {
+        scene: name,
+        engine: "rtl in lockstep with golden",
+        config: &plan.config,
+        splats: scene.splats.len(),
+        counters: &outcome.counters,
+        frame: &rendered,
+        reference: &reference,
+        psnr_db,
+        mismatches: Some(mismatches),
+        simulated_cycles_per_second: speed(&outcome),
+    });
+    let mut insert = |key: &str, value: Value| figures.insert(format!("splat.{name}.{key}"), value);
+    insert("splats", (frame.count() - 1).into());
+    insert("mismatches", mismatches.into());
+    insert("psnr_db", psnr_db.into());
+    insert("cycles", report.cycles.into());
+    insert("cycles_per_splat", report.cycles_per_splat.into());
+    insert("cycles_per_sample", report.cycles_per_sample.into());
+    insert("rasterizer_utilisation", report.rasterizer_utilisation.into());
+    insert("accumulator_utilisation", report.accumulator_utilisation.into());
+    insert("hazard_fraction", report.hazard_fraction.into());
+    insert("slot_wait_fraction", report.slot_wait_fraction.into());
+    insert("buffer_bytes", (report.buffer_read_bytes + report.buffer_write_bytes).into());
+    insert("coverage_differences", report.coverage_differences.into());
+    insert("outcome_differences", report.outcome_differences.into());
+    insert("depth_test_differences", report.depth_test_differences.into());
+    insert("edge_differences", report.edge_differences.into());
+    Ok(())
+}
+
+fn speed(outcome: &Outcome) -> f64 {
+    outcome.simulated_cycles as f64 / outcome.elapsed.as_secs_f64()
+}
+
+/// Simulation speed beside a bare loop in C++ over the same model and the same inputs, alternating.
+fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+    let runner = Runner { stop_after: Some(TIMED_CYCLES), ..prepared.runner(Stall::Never, 1) };
+    let rows = runner.record(&prepared.library)?;
+    let (mut bare_ratios, mut lockstep_ratios, mut speeds) = (Vec::new(), Vec::new(), Vec::new());
+    for repetition in 1..=REPETITIONS {
+        eprintln!("simulation speed: {repetition} of {REPETITIONS}");
+        let mut model = prepared.library.instantiate(1);
+        let started = Instant::now();
+        model.run_bare(&rows, TIMED_CYCLES)?;
+        let bare = TIMED_CYCLES as f64 / started.elapsed().as_secs_f64();
+        let alone = speed(&runner.hardware(&prepared.library, None)?);
+        let lockstep = speed(&runner.lockstep(&prepared.core, &prepared.library)?);
+        bare_ratios.push(alone / bare);
+        lockstep_ratios.push(lockstep / bare);
+        speeds.push(alone);
+    }
+    for (key, values) in [("bare_ratio", bare_ratios), ("lockstep_ratio", lockstep_ratios), ("cycles_per_s", speeds)] {
+        figures.insert(format!("sim.{key}"), median(values).into());
+    }
+    Ok(())
+}
+
+/// What leaving out what a scene does not call for saves: simulation time, alternating with hardware that has everything in.
+fn saving_figures(planned: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+    let everything = planned.with_everything()?;
+    let mut ratios = Vec::new();
+    for repetition in 1..=REPETITIONS {
+        eprintln!("{}: planned hardware beside everything, {repetition} of {REPETITIONS}", planned.name);
+        let [small, large] = [planned, &everything].map(|prepared| {
+            prepared
+                .runner(Stall::Never, 1)
+                .hardware(&prepared.library, None)
+                .map(|outcome| outcome.elapsed.as_secs_f64())
+        });
+        ratios.push(small? / large?);
+    }
+    figures.insert(format!("plan.{}.time_ratio", planned.name), median(ratios).into());
+    for (name, small, large) in area::rows(&planned.core.design, &everything.core.design) {
+        let key = format!("plan.{}.{}_ratio", planned.name, name.replace(' ', "_"));
+        figures.insert(key, (small as f64 / large as f64).into());
+    }
+    Ok(())
+}

@@ -1,0 +1,61 @@
+//! `pointcore gen SCENE|CONFIG -o DIR`.
+
+use super::{Failure, Output, load, scene_name, write};
+use pointcore::configuration::{self, Configuration};
+use pointcore::package::{File, Package};
+use pointcore::{search, splat};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `gen`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A scene file, or a hardware configuration such as configs/fpga.toml (the renderer, splatting) or configs/knn.toml (the search core, neighbor search).
+    source: PathBuf,
+    /// The folder to write into; made if missing.
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<String>,
+}
+
+/// Tables of which every scene has one and no configuration has any.
+const SCENE_TABLES: [&str; 3] = ["camera", "image", "object"];
+
+/// Reads a configuration, from its own file or derived from a scene.
+fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {
+    let path = &arguments.source;
+    let text = configuration::read_text(path)?;
+    let table: toml::Table =
+        toml::from_str(&text).map_err(|error| configuration::wrong(path, error.to_string().trim_end()))?;
+    if SCENE_TABLES.iter().any(|key| table.contains_key(*key)) {
+        return Ok(Configuration::Splat(load(path, &arguments.settings)?.1.config));
+    }
+    if !arguments.settings.is_empty() {
+        return Err(Failure::Usage("--set changes scenes; edit the configuration file instead".to_owned()));
+    }
+    Ok(configuration::parse(path, &text)?)
+}
+
+/// Writes a package's files into a folder; returns them.
+pub fn write_package(package: &Package, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let write = |File { name, text, .. }: File| {
+        let path = folder.join(name);
+        write(&path, &text).map(|()| path)
+    };
+    package.files().into_iter().map(write).collect()
+}
+
+/// Generates a core into a folder.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let name = scene_name(&arguments.source);
+    let package = match configuration(arguments)? {
+        Configuration::Splat(config) => Package::splat(&name, &splat::Core::generate(&config)?, &config)?,
+        Configuration::Search(config) => Package::search(&name, &search::Core::generate(&config)?, &config)?,
+    };
+    let files = write_package(&package, &arguments.output)?;
+    let names: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
+    output.print(&json!({ "top": package.top, "files": names }), &names.join("\n"));
+    Ok(())
+}

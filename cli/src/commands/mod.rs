@@ -1,0 +1,208 @@
+//! The subcommands of `pointcore` and what they share.
+
+pub mod accuracy;
+pub mod area;
+pub mod bench;
+pub mod generate;
+pub mod inspect;
+pub mod knn;
+pub mod plan;
+pub mod progress;
+pub mod run;
+pub mod search;
+pub mod stability;
+pub mod vectors;
+
+use pointcore::configuration::{self, Configuration, ConfigurationError};
+use pointcore::driver::Error as DriverError;
+use pointcore::generated::GenerateError;
+use pointcore::package::PackageError;
+use pointcore::picture::PictureError;
+use pointcore::plan::{CostError, Plan, PlanError};
+use pointcore::scene::{Scene, SceneError};
+use pointcore::search::{Difference, Error as SearchError};
+use pointcore::synthesis::SynthesisError;
+use pointcore_lab::accuracy::AccuracyError;
+use pointcore_lab::float_check::FloatCheckError;
+use pointcore_lab::plot::PlotError;
+use pointcore_tb::lockstep::LockstepError;
+use pointcore_tb::verilated::VerilatedError;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::path::{Path, PathBuf};
+
+/// How results are printed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Output {
+    /// For people.
+    Text,
+    /// For machines.
+    Json,
+}
+
+impl Output {
+    /// Prints a result: `value` as JSON, or `text`.
+    pub fn print(self, value: &impl Serialize, text: &str) {
+        match self {
+            Self::Json => println!("{}", serde_json::to_string_pretty(value).expect("results have string keys")),
+            Self::Text => println!("{}", text.trim_end()),
+        }
+    }
+}
+
+/// Why a command failed.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The scene or a model.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The hardware a scene asks for.
+    #[error("{}: {source}", path.display())]
+    Plan {
+        /// The scene file.
+        path: PathBuf,
+        /// What is wrong with its overrides.
+        source: Box<PlanError>,
+    },
+    /// A scene on the hardware of a configuration that excludes what it calls for.
+    #[error("{} on {}: {source}", path.display(), config.display())]
+    Excluded {
+        /// The scene file.
+        path: PathBuf,
+        /// The configuration file.
+        config: PathBuf,
+        /// The effect.
+        source: Box<PlanError>,
+    },
+    /// A configuration file.
+    #[error(transparent)]
+    Configuration(#[from] ConfigurationError),
+    /// A record of figures that are not of the hardware as it is now.
+    #[error("{} is stale; each line is followed by what brings it up to date:\n{}", path.display(), list.trim_end())]
+    Stale {
+        /// The record.
+        path: PathBuf,
+        /// What is stale, and what to do.
+        list: String,
+    },
+    /// Arguments that do not go together.
+    #[error("{0}")]
+    Usage(String),
+    /// A fault of the generator.
+    #[error("the hardware could not be generated: {0}")]
+    Generate(#[from] GenerateError),
+    /// Verilator, the compiler, or an assertion in the hardware.
+    #[error(transparent)]
+    Verilated(#[from] VerilatedError),
+    /// A core's files.
+    #[error(transparent)]
+    Package(#[from] PackageError),
+    /// Hardware and model differ, or the run did not end.
+    #[error(transparent)]
+    Mismatch(#[from] LockstepError),
+    /// A neighbor search.
+    #[error(transparent)]
+    Search(#[from] SearchError),
+    /// Vectors for a driver.
+    #[error(transparent)]
+    Vectors(#[from] DriverError),
+    /// Neighbors that are not the nearest.
+    #[error("{0}")]
+    Neighbors(Difference),
+    /// Operators that could not be compared.
+    #[error(transparent)]
+    Operators(#[from] FloatCheckError),
+    /// Synthesis, place and route.
+    #[error(transparent)]
+    Synthesis(#[from] SynthesisError),
+    /// A point of a sweep.
+    #[error(transparent)]
+    Accuracy(#[from] AccuracyError),
+    /// A result that cannot be written.
+    #[error("{}: cannot be written: {source}", path.display())]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// A picture that cannot be written.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// A chart that cannot be written.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
+}
+
+impl From<CostError> for Failure {
+    fn from(error: CostError) -> Self {
+        match error {
+            CostError::Generate(error) => Self::Generate(error),
+            CostError::Run(error) => Self::Mismatch(error),
+        }
+    }
+}
+
+/// Loads a scene and derives its hardware.
+pub fn load(path: &Path, settings: &[String]) -> Result<(Scene, Plan), Failure> {
+    let scene = Scene::load(path, settings)?;
+    let plan = Plan::of(&scene).map_err(|source| Failure::Plan { path: path.to_owned(), source: Box::new(source) })?;
+    Ok((scene, plan))
+}
+
+/// Loads a scene to be rendered on the hardware of a configuration file as it is, or else on its own.
+pub fn load_on(path: &Path, settings: &[String], config: Option<&Path>) -> Result<(Scene, Plan), Failure> {
+    let Some(config_path) = config else { return load(path, settings) };
+    let Configuration::Splat(config) = configuration::parse(config_path, &configuration::read_text(config_path)?)?
+    else {
+        return Err(configuration::wrong(
+            config_path,
+            "is for the search core: rendering needs a configuration of the renderer",
+        )
+        .into());
+    };
+    let scene = Scene::load(path, settings)?;
+    let excluded =
+        |source| Failure::Excluded { path: path.to_owned(), config: config_path.to_owned(), source: Box::new(source) };
+    let plan = Plan::on(&scene, &config).map_err(excluded)?;
+    Ok((scene, plan))
+}
+
+/// Writes a text file, making its folder.
+pub fn write(path: &Path, contents: &str) -> Result<(), Failure> {
+    write_bytes(path, contents.as_bytes())
+}
+
+/// Writes a file, making its folder.
+pub fn write_bytes(path: &Path, contents: &[u8]) -> Result<(), Failure> {
+    let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+    let written = folder.and_then(|()| std::fs::write(path, contents));
+    written.map_err(|source| Failure::Write { path: path.to_owned(), source })
+}
+
+/// Figures by key.
+pub type Figures = Map<String, Value>;
+
+/// The figures that are already in the file; none if there is no such file.
+fn existing(path: &Path) -> Result<Figures, Failure> {
+    let wrong = |problem: String| Failure::from(configuration::wrong(path, problem));
+    match std::fs::read_to_string(path) {
+        Ok(text) => serde_json::from_str(&text).map_err(|error| wrong(format!("{error}; delete it to start anew"))),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Figures::new()),
+        Err(error) => Err(wrong(format!("cannot be read: {error}"))),
+    }
+}
+
+/// Adds figures to a file's, in the place of older ones of the same keys; returns all.
+pub fn merge(path: &Path, figures: Figures) -> Result<Figures, Failure> {
+    let mut merged = existing(path)?;
+    merged.extend(figures);
+    let text = serde_json::to_string_pretty(&merged).expect("figures have string keys");
+    write(path, &(text + "\n"))?;
+    Ok(merged)
+}
+
+/// A scene's or configuration's name: its file without folder and ending.
+pub fn scene_name(path: &Path) -> String {
+    path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}

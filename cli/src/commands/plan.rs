@@ -1,0 +1,149 @@
+//! `pointcore plan SCENE`.
+
+use super::accuracy::estimator;
+use super::{Failure, Output, load, scene_name};
+use pointcore::area::estimate::Estimator;
+use pointcore::plan::{Costs, Cycles, Figures, Plan, TABLE_HEAD, table_row};
+use pointcore::scene::Scene;
+use pointcore::splat::{Core, area};
+use pointcore_tb::cache::Cache;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `plan`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The scene file; several with --table.
+    #[arg(required = true)]
+    scenes: Vec<PathBuf>,
+    /// Tell cycles and look-up tables, too: renders the frame on the golden model of the hardware with more and with less of every effect,
+    /// which takes some seconds each. Without it only what is counted before synthesis is told.
+    #[arg(long)]
+    measure: bool,
+    /// A table in Markdown instead, a line a scene: what each has, and which share of everything that saves; renders two frames a scene.
+    #[arg(long)]
+    table: bool,
+    /// The record that look-up tables are estimated from.
+    #[arg(long, value_name = "FILE", default_value = "docs/area.json")]
+    record: PathBuf,
+    /// Replaces a value of the scene file, e.g. `--set object.0.path=/scans/face.ply`; paths are relative to the scene file.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<String>,
+}
+
+impl Arguments {
+    fn estimator(&self) -> Result<Estimator, Failure> {
+        estimator(&self.record, &Cache::new(Cache::default_folder("accuracy")))
+    }
+}
+
+/// A figure with its sign where it is a difference; nothing where there is none.
+fn number(figure: Option<f64>) -> String {
+    figure.map_or_else(String::new, |figure| format!("{figure:.0}"))
+}
+
+/// The columns of some figures.
+fn cells(figures: &Figures) -> [String; 5] {
+    let count = |figure: i64| number(Some(figure as f64));
+    [
+        count(figures.register_bits),
+        count(figures.memory_bits),
+        count(figures.multipliers),
+        number(figures.lut4),
+        number(figures.cycles.map(|cycles| cycles as f64)),
+    ]
+}
+
+/// The prices of effects as text.
+fn prices(costs: &Costs, measured: bool) -> String {
+    let columns = if measured { 5 } else { 3 };
+    let heads = ["registers", "memory", "mult.", "LUT4", "cycles"].map(str::to_owned);
+    let line = |name: &str, cells: [[String; 5]; 2]| {
+        let row =
+            |cells: &[String; 5]| cells[..columns].iter().fold(String::new(), |row, cell| format!("{row} {cell:>9}"));
+        format!("  {name:22}{}  |{}\n", row(&cells[0]), row(&cells[1]))
+    };
+    let width = 10 * columns;
+    let mut text = format!("  {:22}{:>width$}  |{:>width$}\n", "", "what it costs", "what leaving it out saves");
+    text += &line("effect", [heads.clone(), heads]);
+    for priced in &costs.effects {
+        text += &line(priced.effect.name(), [cells(&priced.cost), cells(&priced.saved)]);
+    }
+    text += "  Registers and memories in bits. The cost is that of what is there beyond the least; cycles then are those of another picture\n";
+    text += "  where the scene needs more than the least.\n";
+    text
+}
+
+/// Explains the hardware for a scene, or the table of several.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    if arguments.table {
+        return table(arguments, output);
+    }
+    let [path] = &arguments.scenes[..] else {
+        return Err(Failure::Usage("several scenes go with --table".to_owned()));
+    };
+    let (scene, plan) = load(path, &arguments.settings)?;
+    let (text, document) = explain(arguments, path, &scene, &plan)?;
+    output.print(&document, &text);
+    Ok(())
+}
+
+fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Result<(String, Value), Failure> {
+    let planned = Core::generate(&plan.config)?;
+    let full = Core::generate(&plan.with_everything().config)?;
+    let costs = if arguments.measure {
+        Costs::of(scene, plan, Cycles::Measured, Some(&arguments.estimator()?))?
+    } else {
+        Costs::of(scene, plan, Cycles::Untold, None)?
+    };
+
+    let mut text = format!("{}: {} splats\n\n", path.display(), scene.splats.len());
+    for choice in &plan.choices {
+        _ = writeln!(text, "  {:22} {:14} {}", choice.part, choice.chosen, choice.reason);
+    }
+    _ = write!(text, "\n{}", prices(&costs, arguments.measure));
+    _ = writeln!(text, "\n  {:22} {:>12} {:>12} {:>8}", "area proxy", "this scene", "everything", "saved");
+    for (name, planned, full) in area::rows(&planned.design, &full.design) {
+        let saved = 100.0 * (1.0 - planned as f64 / full.max(1) as f64);
+        _ = writeln!(text, "  {name:22} {planned:>12} {full:>12} {saved:>7.1}%");
+    }
+    if let (Some(planned), Some(everything), Some(saved)) =
+        (costs.planned.cycles, costs.everything.cycles, costs.cycles_saved())
+    {
+        _ = writeln!(text, "  {:22} {planned:>12} {everything:>12} {:>7.1}%", "cycles", 100.0 * saved);
+    }
+    _ = writeln!(text, "\n  {:22} {:>9} {:>9}", "datapath", "latency", "interval");
+    for (unit, manifest) in &planned.manifests {
+        _ = writeln!(text, "  {unit:22} {:>9} {:>9}", manifest.latency, manifest.initiation_interval);
+    }
+    let document = json!({
+        "scene": path,
+        "splats": scene.splats.len(),
+        "config": plan.config,
+        "choices": plan.choices,
+        "effects": costs.effects,
+        "planned": costs.planned,
+        "everything": costs.everything,
+        "area": area::document(&planned.design),
+        "area_with_everything": area::document(&full.design),
+        "datapaths": planned.manifests,
+    });
+    Ok((text, document))
+}
+
+fn table(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let estimator = arguments.estimator()?;
+    let (mut text, mut documents) = (TABLE_HEAD.to_owned(), Vec::new());
+    for path in &arguments.scenes {
+        let (scene, plan) = load(path, &arguments.settings)?;
+        let costs = Costs::whole(&scene, &plan, Cycles::Measured, Some(&estimator))?;
+        let name = scene_name(path);
+        _ = write!(text, "\n{}", table_row(&name, &plan, &costs));
+        documents.push(
+            json!({ "scene": path, "config": plan.config, "planned": costs.planned, "everything": costs.everything }),
+        );
+    }
+    output.print(&documents, &text);
+    Ok(())
+}

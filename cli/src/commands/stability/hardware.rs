@@ -1,0 +1,44 @@
+//! Hard cases through the generated hardware, in lockstep with its model.
+
+use crate::commands::{Failure, Figures, progress};
+use pointcore::generated::verilate;
+use pointcore::splat::{Core, Runner};
+use pointcore_lab::stability::frames::{FRAME_SPLATS, config, frame};
+use pointcore_tb::lockstep::Stall;
+use pointcore_tb::verilated::Trace;
+
+/// Share of the cycles in which streams are held back.
+const STALL_SHARE: f64 = 0.2;
+
+/// Runs so many splats, frame by frame, every output compared in every cycle under stalls, and fragments with those of the model without.
+pub fn figures(splats: u64, seed: u64, figures: &mut Figures) -> Result<(), Failure> {
+    let config = config();
+    let core = Core::generate(&config)?;
+    let library = progress::with_spinner("verilating and compiling (cached for the next time)", || {
+        verilate(&core.design, Trace::Off)
+    })?;
+    let (mut cycles, mut timing_differences) = (0, 0_u64);
+    let frames = splats.div_ceil(FRAME_SPLATS);
+    for index in 0..frames {
+        eprintln!("hardware: frame {} of {frames}", index + 1);
+        let first = index * FRAME_SPLATS;
+        let frame = frame(&config, first, FRAME_SPLATS.min(splats - first), seed);
+        let stalled = Runner {
+            config: &config,
+            frame: &frame,
+            stall: Stall::Random(STALL_SHARE),
+            seed: seed + index,
+            progress: &|_, _| {},
+            stop_after: None,
+        };
+        // A difference ends the run.
+        let outcome = stalled.lockstep(&core, &library)?;
+        let free = Runner { stall: Stall::Never, ..stalled }.golden(&core)?;
+        cycles += outcome.simulated_cycles;
+        timing_differences += u64::from(free.fragments != outcome.fragments);
+    }
+    figures.insert("stability.rtl_cases".to_owned(), splats.into());
+    figures.insert("stability.rtl_cycles".to_owned(), cycles.into());
+    figures.insert("stability.timing_differences".to_owned(), timing_differences.into());
+    Ok(())
+}

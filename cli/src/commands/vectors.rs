@@ -1,0 +1,86 @@
+//! `pointcore vectors SCENE -o DIR` and `pointcore vectors --points FILE -o DIR`.
+
+use super::search::Search;
+use super::{Failure, Output, configuration, load, write_bytes};
+use pointcore::driver::{self, Vectors};
+use pointcore::search::{Source, Tree};
+use pointcore::splat::EncodedFrame;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Where memory begins if the user does not say.
+const DEFAULT_BASE: &str = "0x10000000";
+
+/// An address, in decimal or with `0x` in hexadecimal.
+fn address(text: &str) -> Result<u64, String> {
+    let parsed = text.strip_prefix("0x").map_or_else(|| text.parse(), |digits| u64::from_str_radix(digits, 16));
+    parsed.map_err(|_| "expected an address such as 0x10000000".to_owned())
+}
+
+/// Arguments of `vectors`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A scene file: vectors for the renderer.
+    #[arg(required_unless_present = "points", conflicts_with_all = ["points", "Search"])]
+    scene: Option<PathBuf>,
+    /// Replaces a value of the scene file, e.g. `--set overrides.bus.stream_bits=32`; paths are relative to the scene file.
+    #[arg(long = "set", value_name = "KEY=VALUE", conflicts_with = "points")]
+    settings: Vec<String>,
+    /// Points to search in, a PLY or OBJ file or `surface:COUNT`: vectors for the search core.
+    #[arg(long, value_name = "FILE|surface:COUNT")]
+    points: Option<Source>,
+    #[command(flatten)]
+    search: Search,
+    /// Where the memory begins that the core is given, a multiple of 0x1000.
+    #[arg(long, value_name = "ADDRESS", default_value = DEFAULT_BASE, value_parser = address)]
+    base: u64,
+    /// The folder to write into; made if missing.
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+}
+
+impl Arguments {
+    fn frame(&self, scene: &Path) -> Result<(Vectors, String), Failure> {
+        let (scene, plan) = load(scene, &self.settings)?;
+        let vectors = driver::frame(&plan.config, &EncodedFrame::new(&scene, &plan), self.base)?;
+        Ok((vectors, toml::to_string_pretty(&plan.config).expect("a configuration is a TOML table")))
+    }
+
+    fn neighbors(&self, source: &Source) -> Result<(Vectors, String), Failure> {
+        let search = &self.search;
+        search.check()?;
+        let reuse = search.reuse();
+        if reuse.epsilon > 0.0 {
+            let message =
+                "--epsilon: how near a cached answer comes depends on what the memory's timing leaves in the cache";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let (config, points) = search.hardware(source)?;
+        let (queries, _) = search.queries(&config, &points)?;
+        let tree = Tree::build(&config, &points, search.tree)?;
+        let vectors = driver::search(&config, tree, &queries, reuse, self.base)?;
+        Ok((vectors, configuration::search_text(&config)))
+    }
+}
+
+/// Writes the vectors of a frame or a search.
+pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
+    let (vectors, config) = match (&arguments.scene, &arguments.points) {
+        (Some(scene), _) => arguments.frame(scene),
+        (None, Some(points)) => arguments.neighbors(points),
+        (None, None) => Err(Failure::Usage("expected a scene or --points".to_owned())),
+    }?;
+    let mut document = json!(vectors);
+    document["generator"] = Value::from(concat!("pointcore ", env!("CARGO_PKG_VERSION")));
+    let text = serde_json::to_string_pretty(&document).expect("vectors have string keys");
+    let files = [("vectors.json", (text + "\n").into_bytes()), ("config.toml", config.into_bytes())];
+    let files = files.iter().map(|(name, contents)| (*name, contents.as_slice())).chain(vectors.files());
+    let mut names = Vec::new();
+    for (name, contents) in files {
+        let path = arguments.output.join(name);
+        write_bytes(&path, contents)?;
+        names.push(path.display().to_string());
+    }
+    output.print(&json!({ "top": vectors.top, "files": names }), &names.join("\n"));
+    Ok(())
+}

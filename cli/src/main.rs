@@ -1,0 +1,117 @@
+//! The `pointcore` command.
+
+mod commands;
+
+use clap::{Parser, Subcommand};
+use commands::{Failure, accuracy, area, bench, generate, inspect, knn, plan, run, stability, vectors};
+use pointcore::driver::Error as DriverError;
+use pointcore::search::Error as SearchError;
+use pointcore::synthesis::SynthesisError;
+use pointcore_lab::accuracy::AccuracyError;
+use std::process::ExitCode;
+
+/// Generates, simulates and measures hardware for point-based graphics.
+///
+/// Start with `pointcore run scenes/knot.toml`: it derives the hardware the scene calls for, writes its Verilog, runs it under
+/// Verilator in lockstep with a bit-exact model, and leaves picture and report in out/knot/. `pointcore knn --points surface:100000` does the
+/// same for nearest neighbors.
+///
+/// Exit codes: 0 success, 1 the hardware and its model, or the record of its figures, disagree, 2 wrong input or a folder that cannot be written, 3 a tool is missing or failed.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct Arguments {
+    /// Print one JSON document instead of text.
+    #[arg(long, global = true)]
+    json: bool,
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Show which hardware a scene calls for, what is left out, and why.
+    Plan(plan::Arguments),
+    /// Write Verilog, manifest and constraints for a scene or a configuration.
+    Gen(generate::Arguments),
+    /// Render a scene on the generated hardware and report on it.
+    Run(run::Arguments),
+    /// Search the nearest neighbors of points on the generated hardware and report on it.
+    ///
+    /// Hardware and model search together, every output compared in every cycle, which takes its time: only the first 2000 queries are
+    /// asked unless --limit says otherwise. Without --config the hardware is derived: four points a cycle, the tree as deep as the points
+    /// need, the queues as long as k. Neighbors go to out/knn/neighbors.csv, the report beside them.
+    Knn(Box<knn::Arguments>),
+    /// Write what a driver sends to a core over AXI and what must come back, from the golden model.
+    ///
+    /// For bringing up a board. vectors.json names the registers to write (docs/interfaces.md), the packets to send and to expect, and
+    /// the memory images, each a binary file beside it: packets one after the other, in the layout of registers.h. config.toml is the
+    /// hardware they are for: `pointcore gen DIR/config.toml -o DIR/verilog`. Fragments come in the given order; results of a query too, but
+    /// queries in any order. Of a packet with `end` set nothing else counts.
+    Vectors(Box<vectors::Arguments>),
+    /// Describe a model file: points, normals, spacing.
+    Inspect(inspect::Arguments),
+    /// Measure the project's figures and merge them into out/bench.json.
+    Bench(bench::Arguments),
+    /// Check the arithmetic of the renderer's geometry on hard cases, beside an exact truth and other methods (docs/stability.md).
+    Stability(stability::Arguments),
+    /// Sweep the knobs that trade accuracy for time and hardware, and find the cheapest configuration that is accurate enough (docs/accuracy.md).
+    Accuracy(Box<accuracy::Arguments>),
+    /// Measure area and clock of units on FPGA tools.
+    Area(area::Arguments),
+}
+
+fn main() -> ExitCode {
+    let Arguments { json, command } = Arguments::parse();
+    let output = if json { commands::Output::Json } else { commands::Output::Text };
+    let result = match command {
+        Command::Plan(arguments) => plan::run(&arguments, output),
+        Command::Gen(arguments) => generate::run(&arguments, output),
+        Command::Run(arguments) => run::run(&arguments, output),
+        Command::Knn(arguments) => knn::run(&arguments, output),
+        Command::Vectors(arguments) => vectors::run(&arguments, output),
+        Command::Inspect(arguments) => inspect::run(&arguments, output),
+        Command::Bench(arguments) => bench::run(&arguments, output),
+        Command::Stability(arguments) => stability::run(&arguments, output),
+        Command::Accuracy(arguments) => accuracy::run(&arguments, output),
+        Command::Area(arguments) => area::run(&arguments, output),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("pointcore: {failure}");
+            failure.exit_code()
+        }
+    }
+}
+
+impl Failure {
+    fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Mismatch(_) | Self::Neighbors(_) | Self::Stale { .. } | Self::Vectors(DriverError::Frame(_)) => 1,
+            Self::Search(error) | Self::Vectors(DriverError::Search(error)) => match error {
+                SearchError::Lockstep(_) | SearchError::Stuck { .. } => 1,
+                SearchError::Generate(_) | SearchError::Verilated(_) => 3,
+                _ => 2,
+            },
+            Self::Accuracy(error) => match error {
+                AccuracyError::Lockstep(_) | AccuracyError::Neighbors(_) => 1,
+                AccuracyError::Search(SearchError::Lockstep(_) | SearchError::Stuck { .. }) => 1,
+                AccuracyError::Search(SearchError::Generate(_) | SearchError::Verilated(_)) => 3,
+                AccuracyError::Generate(_) | AccuracyError::Verilated(_) => 3,
+                _ => 2,
+            },
+            Self::Scene(_)
+            | Self::Plan { .. }
+            | Self::Excluded { .. }
+            | Self::Configuration(_)
+            | Self::Usage(_)
+            | Self::Synthesis(SynthesisError::TooLarge { .. })
+            | Self::Write { .. }
+            | Self::Picture(_)
+            | Self::Plot(_) => 2,
+            Self::Vectors(DriverError::Generate(_)) => 3,
+            Self::Vectors(_) => 2,
+            Self::Generate(_) | Self::Package(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
+        })
+    }
+}

@@ -1,0 +1,7 @@
+//! Commands as a user runs them.
+mod command;
+mod command_accuracy;
+mod command_area;
+mod command_knn;
+mod command_vectors;
+mod package;

@@ -1,0 +1,94 @@
+//! What is written for a configuration: whole, and accepted by the usual tools.
+
+use crate::command::{Workplace, json};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// A small renderer.
+const SPLATTING: &str = "width = 64\nheight = 64\nheap_levels = 5\ngeometry = \"f24-ftz\"\ncontinuous = 2\n";
+/// A small search core with a tree cache and a neighbor cache.
+const CACHED: &str =
+    "kind = \"search\"\nthreads = 2\nneighbors = 1\ntree_depth = 3\nbucket = 4\ntree_cache = 16\nneighbor_cache = 2\n";
+/// A small search core whose point memory holds a few points, each in a beat of its own.
+const NARROW: &str =
+    "kind = \"search\"\nthreads = 1\nneighbors = 4\nlanes = 8\ntree_depth = 2\nbucket = 8\nindex_bits = 4\n";
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Simulates the test that goes with a core; whether it passed, and what it printed.
+fn simulated(core: &str, folder: &Path) -> (bool, String) {
+    let program = folder.join(format!("obj_dir/V{core}_test"));
+    if !program.exists() {
+        let compiled = Command::new("verilator")
+            .args(["--binary", "--x-initial", "unique", "-CFLAGS", "-O0", "--top-module", &format!("{core}_test")])
+            .args([format!("{core}_test.sv"), format!("{core}_top.v")])
+            .current_dir(folder)
+            .output()
+            .unwrap_or_else(|error| panic!("cannot run verilator ({error}): run `make setup`"));
+        assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+    }
+    let run = Command::new(program).arg("+verilator+rand+reset+2").current_dir(folder).output();
+    let run = run.expect("verilator has built it");
+    (run.status.success(), String::from_utf8_lossy(&run.stdout).into_owned())
+}
+
+#[test]
+fn the_test_that_goes_with_a_core_passes_and_finds_faults() {
+    let workplace = Workplace::new();
+    for (core, config) in [("splat", SPLATTING), ("search", CACHED)] {
+        workplace.write("config.toml", config);
+        workplace.succeeds(&["gen", "config.toml", "-o", core]);
+        check(core, &workplace.path().join(core));
+    }
+}
+
+fn check(core: &str, folder: &Path) {
+    let (passed, text) = simulated(core, folder);
+    assert!(passed && text.contains("PASSED") && !text.contains(" 0 items"), "{text}");
+
+    let vectors = folder.join(format!("{core}_test.hex"));
+    let recorded = read(&vectors);
+    // The highest bits are the last outputs: events.
+    let wrong = recorded.lines().enumerate().map(|(cycle, vector)| {
+        let other = if vector.starts_with('0') { "1" } else { "0" };
+        if cycle == 100 { format!("{other}{}\n", &vector[1..]) } else { format!("{vector}\n") }
+    });
+    fs::write(&vectors, wrong.collect::<String>()).expect("a temporary folder can be written");
+    let (passed, text) = simulated(core, folder);
+    assert!(!passed && text.contains("cycle 100: event_") && text.contains("FAILED"), "{text}");
+}
+
+#[test]
+fn a_core_names_the_files_that_are_there_and_they_are_accepted() {
+    let workplace = Workplace::new();
+    workplace.write("a.toml", SPLATTING);
+    workplace.write("b.toml", NARROW);
+    for (name, core) in [("a", "splat"), ("b", "search")] {
+        let files = json(&workplace.succeeds(&["gen", &format!("{name}.toml"), "-o", name, "--json"]));
+        let folder = workplace.path().join(name);
+        let description = read(&folder.join(format!("{name}.core")));
+        let named = description.lines().filter_map(|line| line.trim().strip_prefix("- ")?.split_once(": {"));
+        let named: Vec<_> = named.map(|(file, _)| file).collect();
+        assert!(named.contains(&format!("{core}_top.v").as_str()), "{description}");
+        for file in &named {
+            assert!(folder.join(file).is_file(), "{file} is missing");
+        }
+        assert!(description.contains(&format!("\"pointcore:cores:{name}:{}\"", env!("CARGO_PKG_VERSION"))));
+        for module in [format!("{core}_top"), format!("{core}_pins")] {
+            for ending in ["lpf", "xdc", "sdc"] {
+                let constraints = read(&folder.join(format!("{module}.{ending}")));
+                assert!(
+                    constraints.starts_with(&format!("# {module}")) && constraints.contains("clk"),
+                    "{constraints}"
+                );
+            }
+        }
+        assert_eq!(files["files"].as_array().map(Vec::len), fs::read_dir(&folder).ok().map(Iterator::count));
+        let [top, pins] = [format!("{core}_top.v"), format!("{core}_pins.v")];
+        let arguments = ["--lint-only", "-Wall", "--top-module", pins.trim_end_matches(".v"), &pins, &top];
+        workplace.accepts("verilator", &arguments, name);
+    }
+}

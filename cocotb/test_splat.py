@@ -1,0 +1,95 @@
+"""Frames through the renderer on AXI: the golden model's, bit for bit, whatever the bus does."""
+
+import cocotb
+from cocotb.handle import HierarchyObject
+from cocotb.triggers import ClockCycles
+from host import SEEDS, SETTLE_CYCLES, TIMEOUT_MS, Control, Host, Register, Status
+
+FIRST_UNIFORM = 0x100
+
+
+async def receive_frame(host: Host) -> None:
+    """Receives a frame, compares it, and sees the run end."""
+    expected = host.vectors.receive
+    received = await host.receive(len(expected.packets))
+    # Of the last packet only `end` counts.
+    assert received[:-1] == expected.packets[:-1]
+    assert [expected.value(packet, "end") for packet in received[-2:]] == [0, 1]
+    await host.finish()
+    assert await host.read(Register.PACKETS_OUT) == len(expected.packets)
+
+
+@cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
+@cocotb.parametrize(seed=SEEDS)
+async def frames_are_the_models(dut: HierarchyObject, seed: int) -> None:
+    """Two frames without a reset between them; splats wait for the start."""
+    host = await Host.begin(dut, seed)
+    await host.set_up()
+    await host.write(Register.INTERRUPT_ENABLE, 1)
+    for _ in range(2):
+        host.send(host.vectors.send.packets)
+        await ClockCycles(dut.clk, SETTLE_CYCLES)
+        assert not dut.s_axis_splat_tready.value, "splats are taken only during a run"
+        await host.start()
+        await ClockCycles(dut.clk, 2)
+        assert not dut.irq.value, "a start clears `done`"
+        await receive_frame(host)
+        assert dut.irq.value
+        # Samples are evaluated and accumulated in every frame.
+        assert await host.read(Register.EVENTS) > 0
+        assert await host.errors() == {}
+
+
+@cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
+@cocotb.parametrize(seed=SEEDS[-1:])
+async def a_running_core_refuses_what_would_disturb_it(dut: HierarchyObject, seed: int) -> None:
+    """Starts, resets, uniforms and bases during a frame, and broken packets between the good ones."""
+    host = await Host.begin(dut, seed)
+    await host.set_up()
+    await host.start()
+    beat = host.vectors.stream_bytes
+    broken = 0
+    *splats, end = host.vectors.send.packets
+    for splat in splats:
+        if host.random.random() < 0.3:
+            # The end of a frame, too, if it is broken.
+            packet = host.random.choice([splat, end])
+            short = packet[: beat * host.random.randrange(len(packet) // beat)]
+            long = packet + bytes(beat * host.random.randint(1, 3))
+            host.send([short or long])
+            host.send([long])
+            broken += 2
+        host.send([splat])
+    refusals = [
+        (Register.CONTROL, Control.START),
+        (Register.CONTROL, Control.RESET),
+        (Register.CONTROL, Control.START | Control.CLEAR_ERRORS),
+        (Register.BASE, 0),
+        (FIRST_UNIFORM, 0),
+        (FIRST_UNIFORM + 4 * 22, 0),
+    ]
+    for address, value in refusals:
+        await host.refused(address, value)
+    assert await host.read(Register.STATUS) == Status.BUSY | Status.ERROR
+    host.send([end])
+    await receive_frame(host)
+    assert await host.errors() == {"busy_errors": len(refusals), "packet_errors": broken}
+
+
+@cocotb.test(timeout_time=TIMEOUT_MS, timeout_unit="ms")
+@cocotb.parametrize(seed=SEEDS[-1:])
+async def spoilt_answers_are_counted(dut: HierarchyObject, seed: int) -> None:
+    """The data of an answer with an error is used as it came: here it is right."""
+    host = await Host.begin(dut, seed)
+    await host.set_up()
+    # Of what happens without a run, nothing may stay.
+    await host.write(Register.CONTROL, Control.RESET)
+    await host.set_up()
+    expected = host.memories[0].spoil(host.random)
+    host.send(host.vectors.send.packets)
+    await host.start()
+    await receive_frame(host)
+    assert expected["memory_errors"] and expected["burst_errors"], "nothing was spoilt"
+    assert await host.errors() == expected
+    await host.write(Register.CONTROL, Control.CLEAR_ERRORS)
+    assert await host.errors() == {}

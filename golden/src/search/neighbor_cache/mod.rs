@@ -1,0 +1,172 @@
+//! Coherent neighbor cache: answers a query near an earlier one with that one's neighborhood (thesis 6.4.2, 6.5.3 and 6.6.3).
+//!
+//! Queries are checked against all entries in turn, a few queries at a time; those that no entry covers are searched for, and
+//! what is found takes the place of the least recently used entry that nobody reads. An answer is always read from an entry.
+//!
+//! A neighborhood that is reused bears the distances to the query it was found for. Of neighborhoods that cover a query the one
+//! with the lowest number answers it.
+
+mod check;
+mod copy;
+mod coverage;
+mod deliver;
+mod entries;
+mod ports;
+#[cfg(test)]
+mod tests;
+mod tickets;
+
+pub use ports::{In, Out};
+
+use super::CacheLatencies;
+use super::events::Served;
+use super::records::{CacheSetup, CachedQuery, Query, Shape};
+use crate::stream::Skid;
+use crate::unit::Model;
+use check::{Check, Verdict};
+use copy::{Copy, Step};
+use deliver::{Answer, Deliver};
+use entries::Entries;
+use pointcore_contract::search::Config;
+use tickets::Tickets;
+
+/// A neighbor in an entry.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Neighbor {
+    index: u32,
+    distance2: u32,
+}
+
+/// The coherent neighbor cache.
+#[derive(Clone, Debug)]
+pub struct NeighborCache {
+    shape: Shape,
+    setup: CacheSetup,
+    check: Check,
+    tickets: Tickets,
+    search: Skid<Query>,
+    copy: Copy,
+    entries: Entries,
+    neighborhoods: Vec<Vec<Neighbor>>,
+    deliver: Deliver,
+    events: Served,
+}
+
+impl NeighborCache {
+    /// The unit after reset, of a configuration that has one.
+    #[must_use]
+    pub fn new(config: &Config, latencies: CacheLatencies) -> Self {
+        let (entries, neighbors) = (config.neighbor_cache as usize, config.neighbors as usize);
+        Self {
+            shape: Shape::new(config),
+            setup: CacheSetup::default(),
+            check: Check::new(config.geometry, latencies.check),
+            tickets: Tickets::new(config.tickets()),
+            search: Skid::default(),
+            copy: Copy::new(config.geometry, latencies.cover),
+            entries: Entries::new(entries),
+            neighborhoods: vec![vec![Neighbor::default(); neighbors]; entries],
+            deliver: Deliver::new(),
+            events: Served::default(),
+        }
+    }
+
+    /// The verdict on the item that leaves the check in this cycle.
+    fn leaving(&self) -> Option<Verdict> {
+        self.check.verdict(self.copy.target()).filter(|verdict| match verdict {
+            Verdict::Hit { .. } => self.deliver.in_ready(),
+            Verdict::Miss { .. } => self.search.in_ready(),
+            Verdict::Pass => true,
+        })
+    }
+
+    /// The query that goes to the search, under its ticket; a complete neighborhood gives back its own.
+    fn search_for(&mut self, verdict: Option<Verdict>, step: &Step) -> Option<Query> {
+        let searched = match verdict {
+            Some(Verdict::Miss { query: CachedQuery { query, .. } }) => Some(query),
+            _ => None,
+        };
+        let returns = match step {
+            Step::Take { result, .. } if result.last => Some(result.number),
+            _ => None,
+        };
+        let ticket = self.tickets.clock(searched, returns);
+        searched.zip(ticket).map(|(query, number)| Query { number, ..query })
+    }
+
+    /// Writes a neighbor to its place.
+    fn store(&mut self, step: &Step) {
+        let Step::Take { copying, result } = step else { return };
+        if result.found {
+            let place = &mut self.neighborhoods[copying.entry][usize::from(copying.copied)];
+            *place = Neighbor { index: result.index, distance2: result.distance2 };
+        }
+    }
+}
+
+/// The answer that a hit or a complete neighborhood gives; they never come together.
+const fn answer(verdict: Option<Verdict>, step: &Step) -> Option<Answer> {
+    match (verdict, step) {
+        (Some(Verdict::Hit { entry, query }), _) => Some(Answer { entry, number: query.query.number, cached: true }),
+        (_, Step::Take { copying, result }) if result.last => {
+            Some(Answer { entry: copying.entry, number: copying.query.number, cached: false })
+        }
+        _ => None,
+    }
+}
+
+impl Model for NeighborCache {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out {
+            query_ready: self.check.in_ready(),
+            search: self.search.out().copied(),
+            found_ready: self.copy.in_ready(),
+            result: self.deliver.out().copied(),
+            events: self.events,
+        }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        // All decisions are made on the registers as they were at the start of the cycle.
+        let verdict = self.leaving();
+        let hit = matches!(verdict, Some(Verdict::Hit { .. }));
+        let miss = matches!(verdict, Some(Verdict::Miss { .. }));
+        let step = self.copy.step(&self.entries, hit, self.deliver.in_ready());
+        let answer = answer(verdict, &step);
+
+        let admits = self.tickets.admit(self.check.compared());
+        self.check.clock(inputs.query, verdict, self.copy.target(), admits, &self.entries, &self.setup);
+        let released = self.deliver.clock(answer, &self.entries, &self.neighborhoods, inputs.result_ready);
+        let started = match step {
+            Step::Start { ticket, .. } => Some(self.tickets.query(ticket)),
+            Step::Wait | Step::Take { .. } => None,
+        };
+        let searched = self.search_for(verdict, &step);
+        self.search.step(searched, inputs.search_ready);
+        self.store(&step);
+        self.copy.clock(inputs.found, &step, started, &mut self.entries, &self.setup);
+
+        if let Some(answer) = answer {
+            self.entries.add_reader(answer.entry);
+        }
+        if let Some(entry) = released {
+            self.entries.remove_reader(entry);
+        }
+        if let Some(Verdict::Hit { entry, .. }) = verdict {
+            self.entries.touch(entry);
+        }
+        if let Some(setup) = inputs.setup {
+            self.setup = setup;
+            self.entries.forget();
+        }
+        self.events = Served { hit, miss };
+    }
+}

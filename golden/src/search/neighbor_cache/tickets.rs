@@ -1,0 +1,52 @@
+//! Tickets: the queries that are searched for, each under a number of its own.
+
+use crate::search::records::Query;
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Ticket {
+    taken: bool,
+    query: Query,
+}
+
+/// All tickets.
+#[derive(Clone, Debug)]
+pub(super) struct Tickets {
+    tickets: Vec<Ticket>,
+    /// The one that the next search is given; it is taken already.
+    next: Option<u32>,
+}
+
+impl Tickets {
+    pub(super) fn new(tickets: u32) -> Self {
+        Self { tickets: vec![Ticket::default(); tickets as usize], next: None }
+    }
+
+    /// Whether one more query may be compared while so many are.
+    pub(super) fn admit(&self, compared: usize) -> bool {
+        let taken = self.tickets.iter().filter(|ticket| ticket.taken).count();
+        compared + taken - usize::from(self.next.is_some()) < self.tickets.len()
+    }
+
+    pub(super) fn query(&self, ticket: u32) -> Query {
+        self.tickets[ticket as usize].query
+    }
+
+    /// One clock edge: gives the query that is `searched` for, if there is one, its ticket, and takes back one that `returns`.
+    pub(super) fn clock(&mut self, searched: Option<Query>, returns: Option<u32>) -> Option<u32> {
+        let given = searched.map(|query| {
+            let ticket = self.next.take().expect("a ticket is there for every query that was admitted");
+            self.tickets[ticket as usize].query = query;
+            ticket
+        });
+        if self.next.is_none()
+            && let Some(lowest) = self.tickets.iter().position(|ticket| !ticket.taken)
+        {
+            self.tickets[lowest].taken = true;
+            self.next = Some(lowest as u32);
+        }
+        if let Some(ticket) = returns {
+            self.tickets[ticket as usize].taken = false;
+        }
+        given
+    }
+}

@@ -1,0 +1,359 @@
+//! Accumulator: depth test and sums of every sample on its pixel, in the slots of the tile cache (eqs. 5.8, 5.11, 5.12).
+//!
+//! Weights and depths are summed as exact integers, attributes as their [format](super::attribute) has it, stored operand first. A blend
+//! whose weight sum would overflow changes nothing. A sample waits while an earlier one of the same pixel is under way, so that the
+//! sums depend on the order of samples alone.
+
+use super::attribute::Arithmetic;
+use super::depth_test;
+use super::records::{Pixel, Shape, WeightedSample};
+use super::tile_cache::{Fill, Slot, SlotPixel};
+use crate::stream::Fifo;
+use crate::unit::{Model, Record, Visitor, optional, stream};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, WEIGHT_SUM_BITS};
+use std::collections::VecDeque;
+
+const WEIGHT_SUM_MAX: u32 = (1 << WEIGHT_SUM_BITS) - 1;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Samples.
+    pub input: Option<WeightedSample>,
+    /// A bit for each slot that may be accumulated into.
+    pub slot_ready: u64,
+    /// Write to a slot.
+    pub fill: Option<Fill>,
+    /// Read of a slot.
+    pub drain: Option<SlotPixel>,
+}
+
+/// What the unit shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Out {
+    /// Whether a sample is accepted.
+    pub in_ready: bool,
+    /// The last sample of a copy is accumulated.
+    pub retire: Option<Slot>,
+    /// Every sample of the frame is accumulated.
+    pub frame_end: bool,
+    /// The pixel of the last [`In::drain`] but one.
+    pub drained: Pixel,
+    /// What happened in the cycle before.
+    pub events: Events,
+}
+
+/// Why the accumulator worked or waited.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Events {
+    /// It took a sample inside a splat.
+    pub accumulate: bool,
+    /// An earlier sample of the pixel was under way.
+    pub hazard: bool,
+    /// The slot was not ready.
+    pub slot_wait: bool,
+}
+
+/// A sample under way.
+#[derive(Clone, Copy, Debug)]
+struct Stage {
+    /// The pixel's index in the slots, if the sample lies inside its splat.
+    index: Option<usize>,
+    retire: Option<Slot>,
+    /// The pixel's new value, if it changes.
+    result: Option<Pixel>,
+}
+
+/// The accumulator.
+#[derive(Clone, Debug)]
+pub struct Accumulator {
+    shape: Shape,
+    attribute: Arithmetic,
+    input: Fifo<WeightedSample>,
+    /// The sample that issues next.
+    head: Option<WeightedSample>,
+    /// [`In::slot_ready`] of the cycle before.
+    slot_ready: u64,
+    /// The pixels of all slots.
+    pixels: Vec<Pixel>,
+    /// Front: the sample issued last. As many as a sum takes, and one that writes.
+    stages: VecDeque<Option<Stage>>,
+    retire: Option<Slot>,
+    frame_end: bool,
+    /// The pixel that was read last for the tile cache, and the one before.
+    read: Pixel,
+    drained: Pixel,
+    events: Events,
+}
+
+impl Accumulator {
+    /// The unit after reset.
+    #[must_use]
+    pub fn new(config: &Config) -> Self {
+        Self {
+            shape: Shape::new(config),
+            attribute: Arithmetic(config.attribute),
+            input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
+            head: None,
+            slot_ready: 0,
+            pixels: vec![Pixel::default(); (config.tile_slots * TILE_PIXELS) as usize],
+            stages: vec![None; config.accumulate_stages as usize + 1].into(),
+            retire: None,
+            frame_end: false,
+            read: Pixel::default(),
+            drained: Pixel::default(),
+            events: Events::default(),
+        }
+    }
+
+    /// Whether the sample at the head waits, and for what.
+    fn stall(&self, sample: &WeightedSample) -> Events {
+        let place = &sample.place;
+        let index = index(place.slot, place.pixel);
+        let slot_wait = place.inside && self.slot_ready >> place.slot & 1 == 0;
+        let hazard = place.inside && !slot_wait && self.stages.iter().flatten().any(|stage| stage.index == Some(index));
+        Events { accumulate: place.inside && !slot_wait && !hazard, hazard, slot_wait }
+    }
+
+    fn start(&self, sample: &WeightedSample) -> Stage {
+        let place = &sample.place;
+        let index = place.inside.then(|| index(place.slot, place.pixel));
+        let result = index.and_then(|index| self.accumulate(&self.pixels[index], sample));
+        Stage { index, retire: place.last.then_some(Slot { slot: place.slot }), result }
+    }
+
+    /// The pixel with the sample in it; `None` if it does not change.
+    #[must_use]
+    pub fn accumulate(&self, stored: &Pixel, sample: &WeightedSample) -> Option<Pixel> {
+        let weight = sample.place.weight;
+        let WeightedSample { depth_low, depth_high, .. } = *sample;
+        let limits = depth_test::In { weight: stored.weight, depth: stored.depth, depth_low, depth_high };
+        let outcome = depth_test::test(&limits);
+        if outcome.fail {
+            return None;
+        }
+        let mut attributes = sample.attributes;
+        if outcome.pass {
+            for sum in &mut attributes[..self.shape.continuous] {
+                *sum = self.attribute.alone(*sum);
+            }
+            let (weight_sum, depth) = (u32::from(weight), sample.weighted_depth);
+            return Some(Pixel { weight: weight_sum, depth, peak: weight, attributes });
+        }
+        let weight_sum = stored.weight + u32::from(weight);
+        if weight_sum > WEIGHT_SUM_MAX {
+            return None;
+        }
+        let stronger = stored.peak < weight;
+        let peak = if stronger { weight } else { stored.peak };
+        for (index, (new, old)) in attributes.iter_mut().zip(stored.attributes).enumerate() {
+            if index < self.shape.continuous {
+                *new = self.attribute.add(old, *new);
+            } else if !stronger {
+                *new = old;
+            }
+        }
+        Some(Pixel { weight: weight_sum, depth: stored.depth + sample.weighted_depth, peak, attributes })
+    }
+}
+
+fn index(slot: u8, pixel: u8) -> usize {
+    usize::from(slot) * TILE_PIXELS as usize + usize::from(pixel)
+}
+
+impl Model for Accumulator {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out {
+            in_ready: self.input.in_ready(),
+            retire: self.retire,
+            frame_end: self.frame_end,
+            drained: self.drained,
+            events: self.events,
+        }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        self.frame_end = false;
+        self.events = Events::default();
+        let mut issued = false;
+        let mut started = None;
+        if let Some(sample) = &self.head {
+            if sample.place.end {
+                issued = self.stages.iter().all(Option::is_none);
+                self.frame_end = issued;
+            } else {
+                self.events = self.stall(sample);
+                issued = !self.events.hazard && !self.events.slot_wait;
+                started = issued.then(|| self.start(sample));
+            }
+        }
+        if let Some(SlotPixel { slot, pixel }) = inputs.drain {
+            self.drained = std::mem::replace(&mut self.read, self.pixels[index(slot, pixel)]);
+        }
+
+        let finished = self.stages.pop_back().flatten();
+        self.stages.push_front(started);
+        self.retire = finished.and_then(|stage| stage.retire);
+        if let Some(Stage { index: Some(index), result: Some(result), .. }) = finished {
+            self.pixels[index] = result;
+        }
+        if let Some(Fill { place, value }) = inputs.fill {
+            self.pixels[index(place.slot, place.pixel)] = value;
+        }
+        self.slot_ready = inputs.slot_ready;
+        let taken = issued || self.head.is_none();
+        if taken {
+            self.head = self.input.out().copied();
+        }
+        self.input.step(inputs.input, taken);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("slot_ready", &mut self.slot_ready);
+        stream(visitor, shape, "fill_", &mut self.fill);
+        optional(visitor, shape, "drain_", "enable", &mut self.drain);
+    }
+}
+
+impl Record<Shape> for Out {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        visitor.field("in_ready", &mut self.in_ready);
+        stream(visitor, shape, "retire_", &mut self.retire);
+        visitor.field("frame_end", &mut self.frame_end);
+        visitor.prefix("drain_");
+        self.drained.visit(shape, visitor);
+        visitor.prefix("");
+        self.events.visit(visitor);
+    }
+}
+
+impl Events {
+    pub(super) fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.field("event_accumulate", &mut self.accumulate);
+        visitor.field("event_hazard", &mut self.hazard);
+        visitor.field("event_slot_wait", &mut self.slot_wait);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::splat::records::SamplePlace;
+
+    /// A sample whose ε-band reaches 100 to either side.
+    fn sample(pixel: u8, weight: u16, depth: u32) -> WeightedSample {
+        let place = SamplePlace { end: false, last: true, inside: true, slot: 1, pixel, weight };
+        let weighted_depth = u64::from(weight) * u64::from(depth);
+        let mut attributes = [0; 14];
+        attributes[0] = 0x3c00; // 1.0 in f16
+        attributes[1] = u64::from(weight);
+        WeightedSample { place, weighted_depth, depth_low: depth - 100, depth_high: depth + 100, attributes }
+    }
+
+    /// Feeds the samples as fast as they are taken, with slot 1 ready from a cycle on; returns the unit and when copies retired.
+    fn run(config: &Config, samples: &[WeightedSample], ready_from: u32) -> (Accumulator, Vec<u32>, Events) {
+        let mut unit = Accumulator::new(config);
+        let mut samples = samples.iter().copied();
+        let mut input = samples.next();
+        let (mut retired, mut seen) = (Vec::new(), Events::default());
+        for cycle in 0..200 {
+            let out = unit.outputs();
+            retired.extend(out.retire.map(|_| cycle));
+            seen.hazard |= out.events.hazard;
+            seen.slot_wait |= out.events.slot_wait;
+            unit.clock(&In { input, slot_ready: u64::from(cycle >= ready_from) << 1, fill: None, drain: None });
+            if out.in_ready {
+                input = samples.next();
+            }
+        }
+        (unit, retired, seen)
+    }
+
+    fn config() -> Config {
+        Config { continuous: 1, cardinal: 1, accumulate_stages: 5, ..Config::default() }
+    }
+
+    #[test]
+    fn other_pixels_follow_at_once_and_the_same_pixel_waits() {
+        let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(2, 5, 1000)], 0);
+        // Two cycles to the queue's output, one to the head, issue, E + 1 stages, then the register.
+        assert_eq!(retired, [10, 11]);
+        assert!(!seen.hazard && !seen.slot_wait);
+        let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000), sample(1, 5, 1000)], 0);
+        assert_eq!(retired, [10, 17], "issued in the cycle after stage E + 1 wrote");
+        assert!(seen.hazard && !seen.slot_wait);
+        let (_, retired, seen) = run(&config(), &[sample(1, 5, 1000)], 50);
+        assert_eq!(retired, [58], "issued in the cycle after the slot was seen to be ready");
+        assert!(seen.slot_wait);
+    }
+
+    #[test]
+    fn pixels_are_blended_replaced_and_kept() {
+        let pixel = |samples: &[WeightedSample]| {
+            let unit = run(&config(), samples, 0).0;
+            let Pixel { weight, depth, peak, attributes } = unit.pixels[index(1, 9)];
+            (weight, depth, peak, attributes[0], attributes[1])
+        };
+        let base = [sample(9, 10, 1000), sample(9, 20, 1050)];
+        let blended = (30, 31_000, 20, 0x4000, 20);
+        assert_eq!(pixel(&base), blended);
+        assert_eq!(pixel(&[base[0], base[1], sample(9, 7, 9000)]), blended, "hidden");
+        assert_eq!(pixel(&[base[0], base[1], sample(9, 7, 1000)]), (37, 38_000, 20, 0x4200, 20), "a smaller weight");
+        assert_eq!(pixel(&[base[1], sample(9, 7, 500)]), (7, 3500, 7, 0x3c00, 7), "nearer");
+    }
+
+    #[test]
+    fn a_full_weight_sum_takes_no_more() {
+        let unit = Accumulator::new(&config());
+        let stored =
+            Pixel { weight: WEIGHT_SUM_MAX - 5, depth: u64::from(WEIGHT_SUM_MAX - 5) * 1000, ..Pixel::default() };
+        assert_eq!(unit.accumulate(&stored, &sample(0, 5, 1000)).map(|pixel| pixel.weight), Some(WEIGHT_SUM_MAX));
+        assert_eq!(unit.accumulate(&stored, &sample(0, 6, 1000)), None);
+    }
+
+    #[test]
+    fn a_full_attribute_sum_stays_the_largest_number() {
+        let unit = Accumulator::new(&config());
+        for (sign, largest) in [(0, 0x7bff), (0x8000, 0xfbff)] {
+            let mut sample = sample(0, 5, 1000);
+            sample.attributes[0] = sign | 0x7800; // 32,768 in f16
+            let twice = [sample; 2]
+                .iter()
+                .fold(Pixel::default(), |pixel, sample| unit.accumulate(&pixel, sample).expect("it blends"));
+            assert_eq!(twice.attributes[0], largest);
+            assert_eq!(unit.accumulate(&twice, &sample).map(|pixel| pixel.attributes[0]), Some(largest));
+            sample.attributes[0] ^= 0x8000;
+            let less = unit.accumulate(&twice, &sample).map(|pixel| pixel.attributes[0]);
+            assert_eq!(less, Some(sign | 0x77fe), "and can be lowered");
+        }
+    }
+
+    #[test]
+    fn the_end_comes_after_every_sample() {
+        let end =
+            WeightedSample { place: SamplePlace { end: true, ..SamplePlace::default() }, ..WeightedSample::default() };
+        let mut unit = Accumulator::new(&config());
+        let mut ended = None;
+        let mut retired = None;
+        for cycle in 0..20 {
+            let out = unit.outputs();
+            retired = out.retire.map(|_| cycle).or(retired);
+            ended = if out.frame_end { Some(cycle) } else { ended };
+            let input = [Some(sample(1, 5, 1000)), Some(end)].get(cycle).copied().flatten();
+            unit.clock(&In { input, slot_ready: 2, fill: None, drain: None });
+        }
+        assert_eq!((retired, ended), (Some(10), Some(11)), "all stages are empty when the last sample retires");
+    }
+}

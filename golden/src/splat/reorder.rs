@@ -1,0 +1,166 @@
+//! Reorder stage: sorts copies by tile while many are on their way (thesis 5.5.2).
+//!
+//! The heap sorts tiles and pointers; the rest of a copy waits in a payload memory. An end record leaves after all copies before
+//! it, and nothing after it enters until it left.
+
+use super::heap::{self, Heap, HeapEntry};
+use super::records::{Shape, SplatCopy};
+use crate::stream::{Fifo, HalfBuffer};
+use crate::unit::{Model, ThroughIn, ThroughOut};
+use pointcore_contract::splat::Config;
+
+/// What the unit sees.
+pub type In = ThroughIn<SplatCopy>;
+
+/// What the unit shows.
+pub type Out = ThroughOut<SplatCopy>;
+
+/// The reorder stage.
+#[derive(Clone, Debug)]
+pub struct Reorder {
+    shape: Shape,
+    input: HalfBuffer<SplatCopy>,
+    heap: Heap,
+    payloads: Vec<SplatCopy>,
+    /// Pointers never used yet count up to the number of payloads.
+    fresh: usize,
+    returned: Fifo<u16>,
+    /// The pointer that the next copy gets.
+    free: Option<u16>,
+    /// An end record waits for the copies before it.
+    draining: bool,
+    read: Option<SplatCopy>,
+    caught: HalfBuffer<SplatCopy>,
+    out: HalfBuffer<SplatCopy>,
+}
+
+impl Reorder {
+    /// The unit after reset.
+    #[must_use]
+    pub fn new(config: &Config) -> Self {
+        let pointers = 1 << config.heap_levels;
+        Self {
+            shape: Shape::new(config),
+            input: HalfBuffer::default(),
+            heap: Heap::new(config),
+            payloads: vec![SplatCopy::default(); pointers],
+            fresh: 0,
+            returned: Fifo::new(pointers),
+            free: None,
+            draining: false,
+            read: None,
+            caught: HalfBuffer::default(),
+            out: HalfBuffer::default(),
+        }
+    }
+}
+
+impl Model for Reorder {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out { in_ready: self.input.in_ready(), out: self.out.out().copied() }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let heap = self.heap.outputs();
+        let head = self.input.out().filter(|_| !self.draining);
+        let ends = head.is_some_and(|copy| copy.end);
+        let offer = head.filter(|copy| !copy.end).and_then(|copy| {
+            let pointer = self.free?;
+            Some((HeapEntry { tile: copy.tile, pointer }, *copy))
+        });
+
+        // The output side, as the registers stand before this cycle.
+        let has_room = self.caught.in_ready();
+        let advances = self.read.is_none() || has_room;
+        let drained = self.draining && heap.empty && self.read.is_none() && has_room;
+        let pushed = if drained { Some(SplatCopy { end: true, ..SplatCopy::default() }) } else { self.read };
+        let leaving = heap.out.filter(|_| advances);
+        if advances {
+            self.read = leaving.map(|entry| self.payloads[usize::from(entry.pointer)]);
+        }
+
+        let inserted = offer.filter(|_| heap.in_ready);
+        let mut takes_returned = false;
+        match self.free {
+            Some(_) => self.free = self.free.filter(|_| inserted.is_none()),
+            None if self.fresh < self.payloads.len() => {
+                self.free = Some(self.fresh as u16);
+                self.fresh += 1;
+            }
+            None => {
+                self.free = self.returned.out().copied();
+                takes_returned = true;
+            }
+        }
+        self.returned.step(leaving.map(|entry| entry.pointer), takes_returned);
+        if let Some((entry, copy)) = inserted {
+            self.payloads[usize::from(entry.pointer)] = copy;
+        }
+        self.draining = ends || (self.draining && !drained);
+        self.heap.clock(&heap::In { input: offer.map(|(entry, _)| entry), out_ready: advances });
+        self.input.step(inputs.input, ends || inserted.is_some());
+        let out_has_room = self.out.in_ready();
+        self.out.step(self.caught.out().copied(), inputs.out_ready);
+        self.caught.step(pushed, out_has_room);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::for_each_seed;
+
+    /// Frames of copies, random stalls: what leaves is what entered, frame by frame, in order of arrival within a tile.
+    #[test]
+    fn copies_of_a_tile_stay_in_order_and_frames_apart() {
+        for_each_seed("reorder", |random| {
+            let mut reorder = Reorder::new(&Config { heap_levels: 3, sequence_bits: 4, ..Config::default() });
+            let copy = |number: u32, random: &mut fastrand::Rng| {
+                let mut copy = SplatCopy { end: number % 50 == 49, tile: random.u32(0..6), ..SplatCopy::default() };
+                copy.attributes[0] = number;
+                copy
+            };
+            let mut sent: Vec<Vec<SplatCopy>> = vec![Vec::new()];
+            let mut received = sent.clone();
+            let mut number = 0;
+            let mut input = None;
+            let mut changes = 0;
+            while received.len() < 5 {
+                let out = reorder.outputs();
+                if input.is_none() && number < 200 && random.u8(0..4) > 0 {
+                    input = Some(copy(number, random));
+                    number += 1;
+                }
+                let out_ready = random.u8(0..4) == 0;
+                if let Some(copy) = out.out.filter(|_| out_ready) {
+                    let frame = received.last_mut().expect("there is a frame from the start on");
+                    if copy.end {
+                        received.push(Vec::new());
+                    } else {
+                        changes += usize::from(frame.last().is_none_or(|last| last.tile != copy.tile));
+                        frame.push(copy);
+                    }
+                }
+                reorder.clock(&In { input, out_ready });
+                if let Some(copy) = input.take_if(|_| out.in_ready) {
+                    let frame = sent.last_mut().expect("there is a frame from the start on");
+                    if copy.end { sent.push(Vec::new()) } else { frame.push(copy) }
+                }
+            }
+            for (sent, received) in sent.iter_mut().zip(&mut received) {
+                sent.sort_by_key(|copy| copy.tile);
+                received.sort_by_key(|copy| copy.tile);
+                assert_eq!(sent, received, "both sorts are stable");
+            }
+            assert!(changes < 130, "196 copies changed the tile {changes} times");
+        });
+    }
+}

@@ -1,0 +1,140 @@
+//! Transform unit: model-view transformation (thesis 5.4.1, table 5.1).
+//!
+//! A datapath of interval `transform_interval`, in the geometry format. Splats whose centre is not beyond the near plane are
+//! dropped. Attributes become finite.
+
+use super::attribute::Arithmetic;
+use super::records::{Attributes, Shape, Splat};
+use super::uniforms::TransformUniforms;
+use crate::datapath::Datapath;
+use crate::number::Number;
+use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
+use pointcore_contract::Format;
+use pointcore_contract::splat::Config;
+
+/// What the unit sees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct In {
+    /// Splats in world space.
+    pub input: Option<Splat>,
+    /// Whether the consumer is ready.
+    pub out_ready: bool,
+    /// Constants of the frame.
+    pub uniforms: TransformUniforms,
+}
+
+/// What the unit shows.
+pub type Out = ThroughOut<Splat>;
+
+/// The transform unit.
+#[derive(Clone, Debug)]
+pub struct Transform {
+    shape: Shape,
+    geometry: Format,
+    attribute: Arithmetic,
+    datapath: Datapath<Splat>,
+}
+
+impl Transform {
+    /// The unit with a pipeline of `latency` stages.
+    #[must_use]
+    pub fn new(config: &Config, latency: u32) -> Self {
+        Self {
+            shape: Shape::new(config),
+            geometry: config.geometry,
+            attribute: Arithmetic(config.attribute),
+            datapath: Datapath::new(latency, config.transform_interval),
+        }
+    }
+
+    /// The splat in camera space; `None` if its centre is not beyond the near plane.
+    #[must_use]
+    pub fn transform(&self, splat: &Splat, uniforms: &TransformUniforms) -> Option<Splat> {
+        if splat.end {
+            return Some(Splat { end: true, ..Splat::default() });
+        }
+        let number = |bits| Number::new(self.geometry, bits);
+        let matrix = uniforms.model_view.map(|row| row.map(number));
+        let rotate = |[x, y, z]: [Number; 3]| matrix.map(|m| m[0] * x + m[1] * y + m[2] * z);
+        let rotated = rotate(splat.center.map(number));
+        let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
+        let [a1, a2] = splat.tangents.map(|tangent| rotate(tangent.map(number)));
+
+        number(uniforms.near_plane).is_below(center[2]).then(|| Splat {
+            center: center.map(Number::bits),
+            tangents: [a1, a2].map(|tangent| tangent.map(Number::bits)),
+            attributes: self.finite(splat.attributes),
+            end: false,
+        })
+    }
+
+    /// Attributes as numbers, of which every later sum is one.
+    fn finite(&self, mut attributes: Attributes) -> Attributes {
+        for bits in &mut attributes[..self.shape.continuous] {
+            *bits = self.attribute.finite(*bits);
+        }
+        attributes
+    }
+}
+
+impl Model for Transform {
+    type Shape = Shape;
+    type In = In;
+    type Out = Out;
+
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn outputs(&self) -> Out {
+        Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
+        let accepted = accepted.and_then(|splat| self.transform(splat, &inputs.uniforms));
+        self.datapath.step(accepted, inputs.out_ready);
+    }
+}
+
+impl Record<Shape> for In {
+    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
+        stream(visitor, shape, "in_", &mut self.input);
+        visitor.field("out_ready", &mut self.out_ready);
+        self.uniforms.visit(shape, visitor);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_contract::splat::{AttributeFormat, Fraction};
+
+    #[test]
+    fn moves_centers_and_rotates_tangents() {
+        let bits = f32::to_bits;
+        let unit = Transform::new(&Config::default(), 1);
+        // A quarter turn about z and 3 along it.
+        let model_view = [[0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 3.0]].map(|row| row.map(bits));
+        let uniforms = TransformUniforms { model_view, near_plane: bits(1.0) };
+        let tangents = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].map(|tangent| tangent.map(bits));
+        let splat = |z: f32| Splat { center: [bits(1.0), bits(2.0), bits(z)], tangents, ..Splat::default() };
+        let moved = unit.transform(&splat(5.0), &uniforms).expect("it lies beyond the near plane");
+        assert_eq!(moved.center.map(f32::from_bits), [-2.0, 1.0, 8.0]);
+        assert_eq!(moved.tangents.map(|tangent| tangent.map(f32::from_bits)), [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        assert_eq!(unit.transform(&splat(-2.0), &uniforms), None, "at the near plane");
+        assert_eq!(unit.transform(&splat(f32::NAN), &uniforms), None, "is nowhere");
+    }
+
+    #[test]
+    fn attributes_become_finite() {
+        let unit = Transform::new(&Config { continuous: 6, cardinal: 1, ..Config::default() }, 1);
+        let attributes = |values: [u32; 7]| std::array::from_fn(|i| values.get(i).copied().unwrap_or(0));
+        let given = attributes([0x7c00, 0xfc00, 0x7e00, 0xfc01, 0xfbff, 0x8001, 0x7c00]);
+        let passed = attributes([0x7bff, 0xfbff, 0, 0, 0xfbff, 0x8001, 0x7c00]);
+        assert_eq!(unit.finite(given), passed, "a cardinal one is no number");
+        let attribute = AttributeFormat::Fixed(Fraction::Sixteen);
+        let fixed = Transform::new(&Config { continuous: 6, cardinal: 1, attribute, ..Config::default() }, 1);
+        assert_eq!(fixed.finite(given), given, "every fraction is finite");
+    }
+}

@@ -1,0 +1,195 @@
+//! Runs the composed core: feeds splats, answers its memory port, collects fragments, stalling every stream at random.
+
+use fastrand::Rng;
+use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::ports::UNIFORMS;
+use pointcore_contract::splat::{AttributeFormat, Config, UniformFormat};
+use pointcore_contract::{Camera, Format, Rendering, Splat};
+use pointcore_golden::float;
+use pointcore_golden::splat::Latencies;
+use pointcore_golden::splat::records::{Fragment, Pixel, Splat as SplatRecord};
+use pointcore_golden::splat::top::{In, Top};
+use pointcore_golden::splat::uniforms::UniformWrite;
+use pointcore_golden::unit::Model;
+use std::collections::VecDeque;
+
+/// Pipelines of plausible lengths.
+pub const LATENCIES: Latencies = Latencies { transform: 17, setup: 60, rasterizer: 41, weighting: 5, normalizer: 23 };
+
+/// Cycles without any transfer after which the core counts as stuck.
+const PATIENCE: u32 = 100_000;
+
+/// How often a stream pauses.
+#[derive(Clone, Copy, Debug)]
+pub enum Stalls {
+    /// Never.
+    None,
+    /// At random, in stretches, by this seed.
+    Random(u64),
+}
+
+/// A number in one of the core's formats.
+pub fn encode(format: Format, number: f32) -> u32 {
+    float::convert(Format::F32, format, u64::from(number.to_bits())) as u32
+}
+
+/// The number that a format's bits encode.
+pub fn decode(format: Format, bits: u32) -> f64 {
+    f64::from(f32::from_bits(float::convert(format, Format::F32, u64::from(bits)) as u32))
+}
+
+/// An attribute as the host sends it.
+pub fn encode_attribute(format: AttributeFormat, number: f32) -> u32 {
+    match format {
+        AttributeFormat::Float(format) => encode(format, number),
+        AttributeFormat::Fixed(fraction) => {
+            let (width, one) = (fraction.width(), 0.5_f32.powi(1 - fraction.width() as i32));
+            let number = (number * one).round().clamp(-one, one - 1.0) as i32;
+            number as u32 & ((1 << width) - 1)
+        }
+    }
+}
+
+/// The number that an attribute's bits encode.
+pub fn decode_attribute(format: AttributeFormat, bits: u32) -> f64 {
+    match format {
+        AttributeFormat::Float(format) => decode(format, bits),
+        AttributeFormat::Fixed(fraction) => {
+            let one = 1_i32 << (fraction.width() - 1);
+            let number = bits as i32;
+            f64::from(if number < one { number } else { number - 2 * one }) / f64::from(one)
+        }
+    }
+}
+
+/// A splat as the core receives it; the material is the only cardinal attribute.
+pub fn record(config: &Config, splat: &Splat) -> SplatRecord {
+    let geometry = |vector: [f32; 3]| vector.map(|number| encode(config.geometry, number));
+    let continuous = splat.attributes.iter().map(|number| encode_attribute(config.attribute, *number));
+    let mut attributes = [0; 14];
+    let values = continuous.take(config.continuous as usize).chain([u32::from(splat.material)]);
+    attributes.iter_mut().zip(values).for_each(|(place, value)| *place = value);
+    SplatRecord { end: false, center: geometry(splat.center), tangents: splat.tangents.map(geometry), attributes }
+}
+
+/// Values of the uniform registers, in their order.
+pub fn uniforms(config: &Config, camera: &Camera, rendering: &Rendering) -> Vec<u32> {
+    let radius = rendering.filter_radius_px.unwrap_or(1.0);
+    let mut numbers: Vec<f64> = camera.model_view.into_iter().flatten().collect();
+    numbers.extend([camera.scale_x, camera.scale_y, camera.center_x, camera.center_y]);
+    numbers.extend([camera.depth_a, camera.depth_b, camera.near]);
+    numbers.extend([rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)]);
+    let word = |(name, number): (&str, f64)| match config.uniform_format(name) {
+        UniformFormat::Float(format) => encode(format, number as f32),
+        UniformFormat::Fixed(fixed) => (number * f64::from(1 << fixed.fraction)).round() as u32,
+    };
+    UNIFORMS.into_iter().zip(numbers).map(word).collect()
+}
+
+/// The reconstruction buffer's memory: answers reads in order, each after the writes that came before it.
+struct Memory {
+    tiles: Vec<[Pixel; TILE_PIXELS as usize]>,
+    beats: VecDeque<Pixel>,
+}
+
+/// Whether a stream may move in this cycle; changes its mind rarely, so that queues fill and empty.
+struct Gate {
+    open: bool,
+}
+
+impl Gate {
+    fn step(&mut self, random: &mut Option<Rng>) -> bool {
+        if let Some(random) = random {
+            self.open ^= random.u8(0..8) == 0;
+        }
+        self.open
+    }
+}
+
+/// The core with everything around it.
+pub struct Bench {
+    top: Top,
+    memory: Memory,
+    random: Option<Rng>,
+    gates: [Gate; 5],
+    /// Cycles run.
+    pub cycles: u64,
+    /// Pixels written to memory.
+    pub writes: u64,
+}
+
+impl Bench {
+    pub fn new(config: &Config, latencies: &Latencies, stalls: Stalls) -> Self {
+        let random = match stalls {
+            Stalls::None => None,
+            Stalls::Random(seed) => Some(Rng::with_seed(seed)),
+        };
+        Self {
+            top: Top::new(config, latencies),
+            // Contents before the first write must not matter.
+            memory: Memory { tiles: vec![[GARBAGE; 64]; 1 << config.tile_bits()], beats: VecDeque::new() },
+            random,
+            gates: [(); 5].map(|()| Gate { open: true }),
+            cycles: 0,
+            writes: 0,
+        }
+    }
+
+    pub fn write_uniforms(&mut self, values: &[u32]) {
+        for (address, &data) in (0..).zip(values) {
+            self.top.clock(&In { uniform: Some(UniformWrite { address, data }), ..In::default() });
+        }
+    }
+
+    /// Renders frames back to back: the splats of the next follow at once.
+    pub fn render(&mut self, frames: &[Vec<SplatRecord>]) -> Vec<Vec<Fragment>> {
+        let end = SplatRecord { end: true, ..SplatRecord::default() };
+        let mut splats = frames.iter().flat_map(|frame| frame.iter().copied().chain([end])).peekable();
+        let mut images = vec![Vec::new()];
+        let mut patience = PATIENCE;
+        while images.len() <= frames.len() {
+            let [splat, data, read, write, fragment] = self.gates.each_mut().map(|gate| gate.step(&mut self.random));
+            let out = self.top.outputs();
+            let inputs = In {
+                uniform: None,
+                splat: if splat { splats.peek().copied() } else { None },
+                read_ready: read && self.memory.beats.is_empty(),
+                data: if data { self.memory.beats.front().copied() } else { None },
+                write_ready: write,
+                fragment_ready: fragment,
+            };
+            patience -= 1;
+            if inputs.splat.is_some() && out.splat_ready {
+                splats.next();
+                patience = PATIENCE;
+            }
+            if inputs.data.is_some() && out.data_ready {
+                self.memory.beats.pop_front();
+                patience = PATIENCE;
+            }
+            if let Some(read) = out.read.filter(|_| inputs.read_ready) {
+                self.memory.beats.extend(self.memory.tiles[read.tile as usize]);
+            }
+            if let Some(placed) = out.write.filter(|_| inputs.write_ready) {
+                self.memory.tiles[placed.tile as usize][usize::from(placed.pixel)] = placed.value;
+                self.writes += 1;
+                patience = PATIENCE;
+            }
+            if let Some(fragment) = out.fragment.filter(|_| inputs.fragment_ready) {
+                patience = PATIENCE;
+                if fragment.end {
+                    images.push(Vec::new());
+                } else {
+                    images.last_mut().expect("there is an image from the start on").push(fragment);
+                }
+            }
+            self.top.clock(&inputs);
+            self.cycles += 1;
+            assert!(patience > 0, "the core is stuck in cycle {}: {:?}", self.cycles, self.top.outputs());
+        }
+        images.pop();
+        images
+    }
+}
+
+const GARBAGE: Pixel = Pixel { weight: 12_345, depth: 678_910, peak: 11, attributes: [0x1234; 14] };

@@ -1,0 +1,84 @@
+//! Coherent neighbor cache (thesis 6.4.2, 6.5.3, 6.6.3): answers a query that lies well inside the ball of an earlier one with
+//! that one's neighbors, and has the others searched for; golden twin: `pointcore_golden::search::neighbor_cache`.
+
+mod check;
+mod copy;
+mod cover;
+mod deliver;
+mod lru;
+mod neighborhoods;
+mod tickets;
+
+use pointcore_contract::search::{Config, records};
+
+use crate::compiler::{CompileError, Manifest, Options};
+use crate::units::records::pulse_in;
+use rtl::Module;
+
+use check::{Check, Resources};
+use copy::copy;
+use cover::Covers;
+use deliver::Deliveries;
+use lru::{Chosen, Entries, Uses};
+use neighborhoods::Neighborhoods;
+use tickets::Tickets;
+
+/// The unit's module and what the compiler decided about its datapaths.
+pub struct NeighborCache {
+    /// The module, `search_neighbor_cache`.
+    pub module: Module,
+    /// Of the datapath that compares a query with an entry.
+    pub check: Manifest,
+    /// Of the datapath that computes an entry's comparison value.
+    pub cover: Manifest,
+}
+
+/// The unit; ports as in `contract::search::ports::neighbor_cache`.
+///
+/// # Errors
+/// What the compiler rejects.
+pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, CompileError> {
+    let mut m = Module::new("search_neighbor_cache", "Answers coherent queries with the neighbors of earlier ones.");
+    m.parameter("entries", config.neighbor_cache);
+    m.parameter("neighbors", config.neighbors);
+    m.parameter("tickets", config.tickets());
+    let setup = pulse_in(&mut m, "setup", &records::cache_setup(config));
+    let settings = setup.record.register(&mut m, "", &setup.valid);
+    let entries = Entries::new(&mut m, config);
+    let covers = Covers::new(&mut m, config);
+    let neighborhoods = Neighborhoods::new(&mut m, config);
+    let tickets = Tickets::new(&mut m, config);
+    let deliveries = Deliveries::new(&mut m, config);
+    let room = deliveries.room.clone();
+
+    let copying = m.forward("copied", 1);
+    let target = m.forward("copied_entry", config.entry_bits() as usize);
+    let copied = Chosen { valid: copying.expr(), entry: target.expr() };
+    let resources = Resources {
+        entries: &entries,
+        covers: &covers,
+        tickets: &tickets,
+        settings: &settings,
+        copied: &copied,
+        room: &room,
+    };
+    let check = Check::new(&mut m, config, options, &resources)?;
+    let (hit, is_ball) = (&check.hit, settings.get("ball"));
+    let copy = copy(&mut m, config, (&entries, &tickets, &neighborhoods), (&is_ball, &hit.by.valid, &room));
+    m.drive(&copying, &copy.target.valid);
+    m.drive(&target, &copy.target.entry);
+    let (judged, cover) = covers.judge(&mut m, config, options, &settings, (&copy.end.by.valid, &copy.reach))?;
+    let release = deliveries.send(&mut m, config, [hit, &copy.end], &neighborhoods);
+
+    tickets.update(&mut m, &check, &copy.end.by.valid, &copy.ticket);
+    let uses = Uses {
+        setup: &setup.valid,
+        hit: &hit.by,
+        start: &copy.start,
+        end: &copy.end.by,
+        judged: &judged,
+        release: &release,
+    };
+    entries.update(&mut m, &uses);
+    Ok(NeighborCache { module: m, check: check.manifest, cover })
+}

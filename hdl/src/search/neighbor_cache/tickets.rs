@@ -1,0 +1,62 @@
+//! The searches under way: a search bears a ticket in place of its query's number, under which the query is kept.
+
+use pointcore_contract::search::{Config, records};
+use pointcore_contract::splat::config::index_bits;
+
+use super::check::Check;
+use crate::search::sets::{decode, index_of, lowest};
+use crate::units::records::{Record, width};
+use rtl::{Expr, Memory, Module, Reg, address_width};
+
+/// The tickets and the queries they stand for.
+pub(super) struct Tickets {
+    taken: Reg,
+    queries: Memory,
+    /// Queries that hold a ticket or may still ask for one.
+    under_way: Reg,
+    /// `next` is a ticket: it is one whenever a query misses.
+    pub any: Reg,
+    /// The ticket of the next query that misses, found ahead: the way on is long enough without the search for a free one.
+    pub next: Reg,
+}
+
+impl Tickets {
+    /// All free after reset.
+    pub fn new(m: &mut Module, config: &Config) -> Self {
+        let count = config.tickets() as usize;
+        let bits = address_width(count);
+        let taken = m.reg_reset("taken", count, 0);
+        let queries = m.memory("tickets", 1 << bits, width(&records::query(config)));
+        let any = m.reg_reset("any_ticket", 1, 0);
+        let next = m.reg("next_ticket", bits);
+        let under_way = m.reg_reset("under_way", index_bits(config.tickets() + 1) as usize, 0);
+        Self { taken, queries, under_way, any, next }
+    }
+
+    /// One more query may be compared: none waits for a ticket afterwards.
+    pub fn admit(&self) -> Expr {
+        self.under_way.lt_lit(self.taken.width() as u128)
+    }
+
+    /// The query of the ticket that a result bears; read where `enable` is set.
+    pub fn query(&self, m: &mut Module, config: &Config, enable: &Expr, number: &Expr) -> Record {
+        let query = m.read_if(&self.queries, "ticket_query", enable, &number.trunc(self.next.width()));
+        Record::unpack(&records::query(config), &query)
+    }
+
+    /// The next ticket is given to a query that misses; the one that a result bears comes back where `returns` is set.
+    pub fn update(self, m: &mut Module, check: &Check, returns: &Expr, number: &Expr) {
+        m.write(&self.queries, &check.misses, &self.next, &check.query.pack());
+        let (count, bits) = (self.taken.width(), self.next.width());
+        let lowest = m.wire("lowest_ticket", &lowest(&!&self.taken));
+        let takes = m.wire("takes_ticket", &(!&self.any | &check.misses));
+        m.next_if(&self.any, &takes, &!self.taken.all());
+        m.next_if(&self.next, &takes, &index_of(&lowest, bits));
+        m.assert("a_miss_has_a_ticket", &(!&check.misses | &self.any));
+        let returned = decode(returns, &number.trunc(bits), count);
+        let [enters, answered, returns] =
+            [&check.enters, &check.answered, returns].map(|change| change.zext(self.under_way.width()));
+        m.next(&self.under_way, &(&self.under_way + enters - answered - returns));
+        m.next(&self.taken, &((&self.taken | (lowest & takes.repeat(count))) & !returned));
+    }
+}

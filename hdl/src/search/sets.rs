@@ -1,0 +1,42 @@
+//! Sets of threads or lanes, a bit each.
+
+use rtl::{Expr, bit, cat, lit};
+
+/// The members' bits side by side, the first lowest.
+pub(super) fn set(members: &[Expr]) -> Expr {
+    cat(&members.iter().rev().collect::<Vec<_>>())
+}
+
+/// The set of one number where `valid`, else of none, whatever the number: a shift would be unknown where that is.
+pub(super) fn decode(valid: &Expr, number: &Expr, count: usize) -> Expr {
+    let members: Vec<_> = (0..count).map(|member| valid & number.eq_lit(member as u128)).collect();
+    set(&members)
+}
+
+/// Whether a number is in a set.
+pub(super) fn contains(set: &Expr, number: &Expr) -> Expr {
+    set.shr_by(number).bit(0)
+}
+
+/// The set's lowest member alone.
+pub(super) fn lowest(set: &Expr) -> Expr {
+    set & (lit(set.width(), 0) - set)
+}
+
+/// The number of a set's only member.
+pub(super) fn index_of(single: &Expr, bits: usize) -> Expr {
+    let digits: Vec<Expr> = (0..bits)
+        .map(|digit| {
+            let with_digit = (0..single.width()).filter(|number| number >> digit & 1 == 1);
+            let mask = with_digit.fold(0, |mask, number| mask | 1 << number);
+            (single & lit(single.width(), mask)).any()
+        })
+        .collect();
+    set(&digits)
+}
+
+/// Whether a set has more than one member, each against those before it: sooner known than which is the lowest.
+pub(super) fn several(set: &Expr) -> Expr {
+    let pair = |member: usize| set.bit(member) & set.trunc(member).any();
+    (1..set.width()).map(pair).fold(bit(false), |any, pair| any | pair)
+}

@@ -1,0 +1,46 @@
+//! Hashes the sources that decide what a frame looks like and how long it takes, so that results kept on disk are used only by programs
+//! that would come to the same.
+
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+/// Folders and files below the workspace's root.
+const SOURCES: [&str; 11] = [
+    "contract/src",
+    "golden/src",
+    "hdl/src",
+    "lab/src/accuracy/figures.rs",
+    "lab/src/accuracy/measure.rs",
+    "pointcore/src/splat",
+    "pointcore/src/number.rs",
+    "pointcore/src/picture.rs",
+    "pointcore/src/plan.rs",
+    "pointcore/src/scene",
+    "pointcore/src/shading.rs",
+];
+
+/// All files of a folder, or the file itself.
+fn files(path: &Path) -> Vec<PathBuf> {
+    if path.is_file() {
+        return vec![path.to_owned()];
+    }
+    let entries = fs::read_dir(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let mut files: Vec<_> = entries.flat_map(|entry| files(&entry.expect("a folder's entry").path())).collect();
+    files.sort();
+    files
+}
+
+fn main() {
+    let root = Path::new("..");
+    // Another compiler may come to another hash; results are then measured again.
+    let mut hash = DefaultHasher::new();
+    for source in SOURCES {
+        println!("cargo::rerun-if-changed=../{source}");
+        for path in files(&root.join(source)) {
+            let text = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            (path, text).hash(&mut hash);
+        }
+    }
+    println!("cargo::rustc-env=POINTCORE_MODEL_SOURCES={:016x}", hash.finish());
+}

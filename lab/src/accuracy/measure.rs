@@ -1,0 +1,75 @@
+//! One point: rendered, compared, timed.
+
+use super::AccuracyError;
+use super::figures::{Compared, Engine, Figures, Hardware};
+use super::point::Method;
+use pointcore::area::proxy::Proxy;
+use pointcore::generated::verilate;
+use pointcore::picture::Picture;
+use pointcore::plan::Plan;
+use pointcore::scene::Scene;
+use pointcore::shading::picture;
+use pointcore::splat::{Core, DEPTH_ROUNDING, EncodedFrame, Runner, assemble};
+use pointcore_golden::reference::{Frame, Mapping, render};
+use pointcore_tb::lockstep::Stall;
+use pointcore_tb::verilated::Trace;
+
+/// Seed of the hardware's uninitialized values.
+const SEED: u64 = 1;
+
+/// A point that was rendered.
+pub(super) struct Rendered {
+    /// What it came to.
+    pub figures: Figures,
+    /// What it looks like.
+    pub picture: Picture,
+}
+
+/// The scene in f64.
+pub(super) fn reference(scene: &Scene, mapping: Mapping) -> Frame {
+    render(&scene.splats, &scene.camera, &scene.rendering, mapping)
+}
+
+/// The frame on hardware, and what that took.
+fn hardware(scene: &Scene, plan: &Plan, engine: Engine) -> Result<(Frame, Hardware), AccuracyError> {
+    let config = &plan.config;
+    let core = Core::generate(config)?;
+    let frame = EncodedFrame::new(scene, plan);
+    let runner =
+        Runner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after: None };
+    let outcome = match engine {
+        Engine::Lockstep => runner.lockstep(&core, &verilate(&core.design, Trace::Off)?)?,
+        Engine::Golden | Engine::F64 => runner.golden(&core)?,
+    };
+    let rendered = assemble(plan, &scene.splats, &outcome.fragments);
+    let taken = Hardware { cycles: outcome.counters.cycles, proxy: Proxy::of(&core.design), config: config.clone() };
+    Ok((rendered, taken))
+}
+
+/// Renders a scene as a point says.
+pub(super) fn measure(
+    scene: &Scene,
+    plan: &Plan,
+    method: Method,
+    engine: Engine,
+    truth: &Picture,
+) -> Result<Rendered, AccuracyError> {
+    let reference_frame = reference(scene, Mapping::Backward);
+    let (frame, taken) = match method {
+        Method::Hardware => {
+            let (frame, taken) = hardware(scene, plan, engine)?;
+            (frame, Some(taken))
+        }
+        Method::Backward => (reference_frame.clone(), None),
+        Method::Forward => (reference(scene, Mapping::Forward), None),
+    };
+    let picture_of_it = picture(&frame, scene);
+    let compared = Compared {
+        psnr_db: picture_of_it.psnr_db(&picture(&reference_frame, scene)),
+        frame: &frame,
+        reference: &reference_frame,
+        depth_tolerance: scene.rendering.epsilon_bias.max(DEPTH_ROUNDING),
+    };
+    let figures = Figures::new(engine, &picture_of_it, truth, &compared, taken);
+    Ok(Rendered { figures, picture: picture_of_it })
+}

@@ -1,0 +1,201 @@
+//! A sweep: which points there are, what of them is kept already, and measuring the rest.
+//!
+//! Every finished point is an entry of a cache, by the hash of the scene, the truth, the configuration and the sources of models and
+//! hardware. Any number of processes may fill one cache: a sweep that was interrupted goes on where it was, and one that was spread over
+//! machines is put together by running it again.
+
+use super::figures::{Engine, Figures};
+use super::measure::{measure, reference};
+use super::point::{Method, Point};
+use super::{AccuracyError, read_result, write_result};
+use pointcore::picture::Picture;
+use pointcore::plan::Plan;
+use pointcore::scene::Scene;
+use pointcore::shading::picture;
+use pointcore_golden::reference::Mapping;
+use pointcore_tb::cache::{Cache, digest, key};
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Hash of the sources that decide what a point comes to; the build script makes it.
+pub(super) const SOURCES: &str = env!("POINTCORE_MODEL_SOURCES");
+/// What the truth is rendered with: so many samples along each edge of a pixel, whole kernels, and each sample's own depth.
+const TRUTH: [&str; 4] = ["image.samples=4", "image.sampling=center", "splatting.cutoff=1.0", "splatting.depth=plane"];
+/// How much difference pictures magnify.
+const MAGNIFICATION: f64 = 16.0;
+/// The picture of an entry, or of the truth.
+pub const FRAME: &str = "frame.png";
+/// Its difference from the truth, magnified.
+pub const DIFFERENCE: &str = "difference.png";
+
+/// A scene and the hash of everything in it.
+struct Loaded {
+    scene: Scene,
+    digest: String,
+}
+
+/// A scene under different settings; those that only change the hardware share what was loaded.
+struct Scenes {
+    path: PathBuf,
+    settings: Vec<String>,
+    loaded: Mutex<HashMap<Vec<String>, Arc<Loaded>>>,
+}
+
+/// A point that is ready to be measured.
+pub struct Planned {
+    /// The point.
+    pub point: Point,
+    scene: Arc<Loaded>,
+    plan: Plan,
+}
+
+/// A point that was measured.
+pub struct Measured {
+    /// The point.
+    pub point: Point,
+    /// What it came to.
+    pub figures: Figures,
+    /// Where its pictures are: [`FRAME`] and [`DIFFERENCE`].
+    pub folder: PathBuf,
+}
+
+/// A sweep over a scene.
+pub struct Sweep {
+    scenes: Scenes,
+    cache: Cache,
+    hardware: Engine,
+    truth: Arc<Loaded>,
+    truth_picture: Mutex<Option<Arc<Picture>>>,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // What is behind the locks here is whole at any time.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Scenes {
+    /// The scene with more settings.
+    fn load(&self, settings: &[String]) -> Result<Arc<Loaded>, AccuracyError> {
+        let all = [&self.settings[..], settings].concat();
+        let mut loaded = locked(&self.loaded);
+        if let Some(known) = loaded.get(&all) {
+            return Ok(known.clone());
+        }
+        let scene = Scene::load(&self.path, &all)?;
+        let digest = digest(&Scene { overrides: toml::Table::new(), ..scene.clone() });
+        let new = Arc::new(Loaded { scene, digest });
+        loaded.insert(all, new.clone());
+        Ok(new)
+    }
+
+    /// The scene of a point, and its hardware.
+    fn plan(&self, point: &Point) -> Result<(Arc<Loaded>, Plan), AccuracyError> {
+        let is_hardware = |setting: &String| setting.starts_with("overrides.");
+        let (hardware, picture): (Vec<_>, Vec<_>) = point.arguments().into_iter().partition(is_hardware);
+        let loaded = self.load(&picture)?;
+        let all = [&self.settings[..], &picture, &hardware].concat();
+        let overrides = Scene::overrides(&self.path, &all)?;
+        let plan = Plan::with_overrides(&loaded.scene, &overrides)?;
+        Ok((loaded, plan))
+    }
+}
+
+impl Sweep {
+    /// A sweep over the scene of a file, with settings as [`Scene::load`] takes them; its points are kept in `folder`. Hardware is rendered on
+    /// `hardware`.
+    ///
+    /// # Errors
+    /// The scene cannot be loaded.
+    pub fn open(path: &Path, settings: &[String], folder: PathBuf, hardware: Engine) -> Result<Self, AccuracyError> {
+        let scenes = Scenes { path: path.to_owned(), settings: settings.to_vec(), loaded: Mutex::default() };
+        let truth = scenes.load(&TRUTH.map(str::to_owned))?;
+        Ok(Self { scenes, cache: Cache::new(folder), hardware, truth, truth_picture: Mutex::default() })
+    }
+
+    /// Makes points ready; of those that come to the same the first stays. Those that the scene or the hardware does not admit come second, with
+    /// the reason.
+    #[must_use]
+    pub fn plan(&self, points: Vec<Point>) -> (Vec<Planned>, Vec<(Point, AccuracyError)>) {
+        let (mut planned, mut refused, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
+        for point in points {
+            match self.scenes.plan(&point) {
+                Ok((scene, plan)) => {
+                    let ready = Planned { point, scene, plan };
+                    if seen.insert(self.key(&ready, self.hardware)) {
+                        planned.push(ready);
+                    }
+                }
+                Err(error) => refused.push((point, error)),
+            }
+        }
+        (planned, refused)
+    }
+
+    fn key(&self, planned: &Planned, hardware: Engine) -> String {
+        let Planned { point, scene, plan } = planned;
+        let engine = point.engine(hardware);
+        let config = match point.method {
+            Method::Hardware => toml::to_string(&plan.config).expect("a configuration is a TOML table"),
+            Method::Backward | Method::Forward => String::new(),
+        };
+        let method = format!("{:?}", point.method);
+        key([SOURCES, &scene.digest, &self.truth.digest, &config, &method, engine.name()])
+    }
+
+    fn read(planned: &Planned, folder: PathBuf) -> Result<Measured, AccuracyError> {
+        Ok(Measured { point: planned.point.clone(), figures: read_result(&folder)?, folder })
+    }
+
+    /// What is kept of a point; what was measured in lockstep counts for the model, too.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn kept(&self, planned: &Planned) -> Result<Option<Measured>, AccuracyError> {
+        let engines = [Engine::Lockstep, self.hardware];
+        let folder = engines.into_iter().find_map(|engine| self.cache.existing(&self.key(planned, engine)));
+        folder.map(|folder| Self::read(planned, folder)).transpose()
+    }
+
+    /// Measures a point that is not kept.
+    ///
+    /// # Errors
+    /// It cannot be rendered or kept.
+    pub fn measure(&self, planned: &Planned) -> Result<Measured, AccuracyError> {
+        let folder = self.cache.entry(&self.key(planned, self.hardware), |folder| {
+            let Planned { point, scene, plan } = planned;
+            let truth = self.truth();
+            let rendered = measure(&scene.scene, plan, point.method, point.engine(self.hardware), &truth)?;
+            rendered.picture.save_png(&folder.join(FRAME))?;
+            rendered.picture.difference(&truth, MAGNIFICATION).save_png(&folder.join(DIFFERENCE))?;
+            write_result(folder, &rendered.figures)
+        })?;
+        Self::read(planned, folder)
+    }
+
+    /// The truth, rendered when it is first asked for.
+    fn truth(&self) -> Arc<Picture> {
+        let mut known = locked(&self.truth_picture);
+        let scene = &self.truth.scene;
+        known.get_or_insert_with(|| Arc::new(picture(&reference(scene, Mapping::Backward), scene))).clone()
+    }
+
+    /// The folder that has the truth as [`FRAME`].
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn truth_folder(&self) -> Result<PathBuf, AccuracyError> {
+        self.cache.entry(&key(["truth", SOURCES, &self.truth.digest]), |folder| {
+            Ok::<_, AccuracyError>(self.truth().save_png(&folder.join(FRAME))?)
+        })
+    }
+
+    /// A scene file that renders a point: `pointcore run` takes it.
+    ///
+    /// # Errors
+    /// The scene cannot be read.
+    pub fn scene_file(&self, point: &Point) -> Result<String, AccuracyError> {
+        let settings = [&self.scenes.settings[..], &point.arguments()].concat();
+        Ok(Scene::text(&self.scenes.path, &settings)?)
+    }
+}

@@ -1,0 +1,155 @@
+//! Hardware floating-point operators against the golden ones, all operators of a format in one model.
+
+mod operations;
+
+use crate::vectors::FloatCases;
+use operations::{Operation, operations};
+use pointcore_contract::Format;
+use pointcore_tb::verilated::{Builder, Model, Optimization, Options, Source, VerilatedError};
+use rtl::{ElaborationError, Module, elaborate};
+use std::fmt;
+
+/// What became of one operator.
+#[derive(Clone, Debug)]
+pub struct OperatorReport {
+    /// The operator, and its other format where it has one.
+    pub operation: String,
+    /// Results compared.
+    pub cases: u64,
+    /// Results that differed.
+    pub mismatches: u64,
+    /// The first of them.
+    pub first: Option<Mismatch>,
+}
+
+/// A result that differed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mismatch {
+    /// The operands `a`, `b`, `c`, used or not.
+    pub operands: [u64; 3],
+    /// What the hardware said.
+    pub hardware: u64,
+    /// What it should have said.
+    pub golden: u64,
+}
+
+impl fmt::Display for OperatorReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {} of {} cases differ", self.operation, self.mismatches, self.cases)?;
+        if let Some(Mismatch { operands: [a, b, c], hardware, golden }) = self.first {
+            write!(f, ", first a={a:#x} b={b:#x} c={c:#x}: hardware {hardware:#x}, golden {golden:#x}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Why operators could not be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum FloatCheckError {
+    /// The description has a fault.
+    #[error(transparent)]
+    Elaboration(#[from] ElaborationError),
+    /// The model could not be built or run.
+    #[error(transparent)]
+    Verilated(#[from] VerilatedError),
+}
+
+/// Whether the operators are held up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Enable {
+    /// Never: a case every cycle.
+    Always,
+    /// At random, half of the cycles, with other operands waiting.
+    Random,
+}
+
+/// Pipeline registers of the operators under test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stages {
+    /// Each operator's default.
+    Default,
+    /// This many, as far as an operator allows.
+    Fixed(u32),
+}
+
+/// Runs `cases` operand triples through every operator of `format`.
+///
+/// # Errors
+/// When the hardware cannot be described, built or run; differences are no errors but in the reports.
+pub fn check_format(
+    format: Format,
+    stages: Stages,
+    enable: Enable,
+    cases: u64,
+    seed: u64,
+) -> Result<Vec<OperatorReport>, FloatCheckError> {
+    let operations = operations(format, stages);
+    let design = elaborate(&top(format, &operations))?;
+    let source = Source::from(&design);
+    let options = Options { optimization: Optimization::Quick, ..Options::default() };
+    let mut model = Builder::new()?.build(&source, options)?.instantiate(seed);
+    compare(&mut model, &operations, FloatCases::new(format, seed), enable, cases)
+}
+
+/// All operators side by side.
+fn top(format: Format, operations: &[Operation]) -> Module {
+    let mut module = Module::new("float_check", "Every floating-point operator of one format.");
+    module.parameter("format", format);
+    let width = format.width() as usize;
+    let enable = module.input("enable", 1);
+    let operands = ["a", "b", "c"].map(|name| module.input(name, width));
+    for operation in operations {
+        let instance = module.instance(&operation.name, operation.operator.module.clone());
+        module.connect(&instance, "enable", &enable);
+        for (port, value) in operation.connections(&operands) {
+            module.connect(&instance, port, &value);
+        }
+        let result = module.out(&instance, "y");
+        module.output(&format!("y_{}", operation.name), &result);
+    }
+    module
+}
+
+fn compare(
+    model: &mut Model,
+    operations: &[Operation],
+    mut source: FloatCases,
+    enable: Enable,
+    cases: u64,
+) -> Result<Vec<OperatorReport>, FloatCheckError> {
+    let mut reports: Vec<OperatorReport> = operations
+        .iter()
+        .map(|operation| OperatorReport { operation: operation.name.clone(), cases: 0, mismatches: 0, first: None })
+        .collect();
+    let longest = operations.iter().map(|operation| operation.operator.latency).max().unwrap_or(0);
+    let mut stall = fastrand::Rng::with_seed(0);
+    // The triples that entered last, at their number modulo the length.
+    let mut entered = vec![[0; 3]; longest as usize + 1];
+    let slots = entered.len() as u64;
+    let (mut outputs, mut accepted) = (vec![0; operations.len()], 0);
+    let mut waiting = [0; 3];
+    while accepted < cases + u64::from(longest) {
+        let enabled = enable == Enable::Always || stall.bool();
+        waiting = if enabled || stall.bool() { source.next().unwrap_or(waiting) } else { waiting };
+        let [a, b, c] = waiting;
+        model.step(&[0, u64::from(enabled), a, b, c], &mut outputs)?;
+        for ((operation, report), &hardware) in operations.iter().zip(&mut reports).zip(&outputs) {
+            let Some(number) = accepted.checked_sub(u64::from(operation.operator.latency)) else { continue };
+            if number >= cases {
+                continue;
+            }
+            let operands = entered[(number % slots) as usize];
+            let golden = (operation.golden)(operands);
+            report.cases += 1;
+            if hardware != golden {
+                report.mismatches += 1;
+                report.first.get_or_insert(Mismatch { operands, hardware, golden });
+            }
+        }
+        if enabled {
+            entered[(accepted % slots) as usize] = waiting;
+            accepted += 1;
+        }
+    }
+    Ok(reports)
+}

@@ -1,0 +1,81 @@
+//! Hard cases as frames for the whole core.
+
+use super::case::{Case, Lens};
+use super::families::{Family, LEVELS, case};
+use pointcore::splat::EncodedFrame;
+use pointcore_contract::splat::{Config, Feature, records};
+
+/// Splats of a frame: more than the heap holds, on a few tiles.
+pub const FRAME_SPLATS: u64 = 5000;
+
+/// A small image, so that what covers all of it costs little, with a heap that holds 4,095 copies, and sequence numbers that wrap around
+/// within a frame.
+#[must_use]
+pub fn config() -> Config {
+    Config {
+        width: 16,
+        height: 8,
+        heap_levels: 12,
+        sequence_bits: 13,
+        tile_slots: 2,
+        culling: Feature::On,
+        screen_filter: Feature::On,
+        ..Config::default()
+    }
+}
+
+/// Cases from `first` on, families and severities in turns, before the same camera.
+#[must_use]
+pub fn frame(config: &Config, first: u64, splats: u64, seed: u64) -> EncodedFrame {
+    let format = config.geometry;
+    let families = Family::ALL.len() as u64;
+    let mut words = Vec::new();
+    for index in first..first + splats {
+        let level = ((index / families) % u64::from(LEVELS)) as u8;
+        let case = case(Family::ALL[(index % families) as usize], level, format, (seed << 40) ^ index);
+        words.extend(record(config, &case));
+    }
+    let record_words = records::splat(config).len();
+    let end = words.len();
+    words.resize(end + record_words, 0);
+    words[end] = 1;
+    EncodedFrame { records: words, record_words, uniforms: uniforms(config) }
+}
+
+fn record(config: &Config, case: &Case) -> Vec<u64> {
+    let splat = &case.splat;
+    let geometry = splat.center.iter().chain(splat.tangents.as_flattened());
+    let attributes = splat.attributes.iter().take(config.attributes() as usize);
+    std::iter::once(0).chain(geometry.chain(attributes).map(|&bits| u64::from(bits))).collect()
+}
+
+/// In the order of [`pointcore_contract::splat::ports::UNIFORMS`].
+fn uniforms(config: &Config) -> Vec<u64> {
+    let ordinary = case(Family::Ordinary, 0, config.geometry, 0);
+    // The image is a part of that of all cases, magnified to the same angle.
+    let scale = Lens::new(config.geometry, 1.0, 1000.0).scale / 32.0;
+    let origin = [config.width, config.height].map(|edge| f64::from(edge) / 2.0);
+    let case = Case { lens: Lens { scale, origin, ..ordinary.lens }, ..ordinary };
+    let (transform, setup) = (case.transform_uniforms(), case.setup_uniforms());
+    let viewport = [setup.scale, setup.origin, [setup.depth_a, setup.depth_b]];
+    let tests =
+        [transform.near_plane, setup.epsilon_scale, setup.epsilon_bias, setup.filter_radius, case.filter_scale()];
+    let registers = transform.model_view.as_flattened().iter().chain(viewport.as_flattened()).chain(&tests);
+    registers.map(|&bits| u64::from(bits)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_contract::splat::ports::UNIFORMS;
+
+    #[test]
+    fn a_frame_has_its_splats_an_end_and_all_registers() {
+        let config = config();
+        assert_eq!(config.validate(), Ok(()));
+        let frame = frame(&config, 7, 30, 1);
+        assert_eq!((frame.count(), frame.uniforms.len()), (31, UNIFORMS.len()));
+        let ends: Vec<_> = frame.records.chunks(frame.record_words).map(|record| record[0]).collect();
+        assert_eq!((ends.iter().sum::<u64>(), ends[30]), (1, 1));
+    }
+}

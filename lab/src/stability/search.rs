@@ -1,0 +1,137 @@
+//! Samples of a splat that are not where the hardware looks for them.
+
+use super::case::IMAGE_EDGE_PX;
+use super::check::ROUGHLY;
+use super::hardware::Analysis;
+use super::truth::Truth;
+use fastrand::Rng;
+use pointcore_golden::splat::records::SetupSplat;
+
+/// Columns or rows tried beyond each edge.
+const LINES: u32 = 48;
+/// Samples tried anywhere.
+const ANYWHERE: usize = 24;
+
+/// A rectangle of pixels, inclusive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Area {
+    /// Its first column and row.
+    pub first: [u32; 2],
+    /// Its last ones.
+    pub last: [u32; 2],
+}
+
+impl Area {
+    /// One of its pixels, often at a corner.
+    pub fn pixel(&self, random: &mut Rng) -> [u32; 2] {
+        [0, 1].map(|axis| match random.u8(0..8) {
+            0 => self.first[axis],
+            1 => self.last[axis],
+            _ => random.u32(self.first[axis]..=self.last[axis]),
+        })
+    }
+
+    /// Whether a pixel lies in it.
+    #[must_use]
+    pub fn holds(&self, pixel: [u32; 2]) -> bool {
+        [0, 1].into_iter().all(|axis| (self.first[axis]..=self.last[axis]).contains(&pixel[axis]))
+    }
+
+    /// The pixels about a rectangle in f64, within the image.
+    #[must_use]
+    pub fn about(low: [f64; 2], high: [f64; 2]) -> Option<Self> {
+        let edge = f64::from(IMAGE_EDGE_PX - 1);
+        let is_seen = [0, 1].into_iter().all(|axis| low[axis] <= edge + 2.0 && high[axis] >= -1.0);
+        is_seen.then(|| Self {
+            first: low.map(|low| (low - 1.0).clamp(0.0, edge) as u32),
+            last: high.map(|high| (high + 1.0).clamp(0.0, edge) as u32),
+        })
+    }
+}
+
+/// The image.
+#[must_use]
+pub const fn whole_image() -> Area {
+    Area { first: [0; 2], last: [IMAGE_EDGE_PX - 1; 2] }
+}
+
+/// The bounds of a splat.
+#[must_use]
+pub fn area(drawn: &SetupSplat) -> Area {
+    let bounds = &drawn.bounds;
+    Area { first: [bounds.left, bounds.top].map(u32::from), last: [bounds.right, bounds.bottom].map(u32::from) }
+}
+
+/// A search for samples that lie exactly inside a splat.
+pub struct Search<'a> {
+    /// The splat.
+    pub truth: &'a Truth,
+    /// Where it lies, roughly.
+    pub analysis: &'a Analysis,
+    /// What need not be searched.
+    pub bounds: Option<Area>,
+}
+
+impl Search<'_> {
+    /// Samples inside the splat, with their `ρ²`. Those of a splat before the eye are found along lines beyond the bounds; others, and those
+    /// of a filter's disc, where chance has it.
+    pub fn samples(&self, random: &mut Rng) -> impl Iterator<Item = ([u32; 2], f64)> {
+        let mut pixels: Vec<_> = (0..ANYWHERE).map(|_| self.around().pixel(random)).collect();
+        pixels.extend(self.disc());
+        if self.truth.is_whole() {
+            for axis in [0, 1] {
+                for line in self.lines(axis) {
+                    pixels.extend(self.on_line(axis, line));
+                }
+            }
+        }
+        pixels.retain(|&pixel| self.bounds.is_none_or(|bounds| !bounds.holds(pixel)));
+        let hits = pixels.into_iter().map(|pixel| (pixel, self.truth.hit(pixel, ROUGHLY)));
+        let inside = hits.filter(|(_, hit)| hit.is_inside);
+        inside.map(|(pixel, hit)| (pixel, hit.squared_distance)).collect::<Vec<_>>().into_iter()
+    }
+
+    /// Where samples are likely.
+    fn around(&self) -> Area {
+        let [[low_x, high_x], [low_y, high_y]] = self.analysis.bounds.map(|ends| ends.map(|bound| bound.value));
+        let known = [low_x, high_x, low_y, high_y].iter().all(|end| end.is_finite()) && self.truth.is_whole();
+        let about = known.then(|| Area::about([low_x, low_y], [high_x, high_y])).flatten();
+        about.unwrap_or(whole_image())
+    }
+
+    /// Pixels about the projected centre.
+    fn disc(&self) -> Vec<[u32; 2]> {
+        let [x, y] = self.analysis.center().map(|center| center.floor());
+        let offsets = [-1.0, 0.0, 1.0];
+        let pixels = offsets.into_iter().flat_map(|dx| offsets.map(|dy| [x + dx, y + dy]));
+        let seen = 0.0..f64::from(IMAGE_EDGE_PX);
+        pixels.filter(|pixel| pixel.iter().all(|x| seen.contains(x))).map(|pixel| pixel.map(|x| x as u32)).collect()
+    }
+
+    /// Columns (axis 0) or rows to look along.
+    fn lines(&self, axis: usize) -> Vec<u32> {
+        let around = self.around();
+        match self.bounds {
+            Some(bounds) => {
+                let below = (around.first[axis]..bounds.first[axis]).rev().take(LINES as usize);
+                below.chain((bounds.last[axis] + 1..=around.last[axis]).take(LINES as usize)).collect()
+            }
+            None => (around.first[axis]..=around.last[axis]).take(LINES as usize).collect(),
+        }
+    }
+
+    /// Both ends and the middle of a line's chord.
+    fn on_line(&self, axis: usize, line: u32) -> Vec<[u32; 2]> {
+        let Some(chord) = self.truth.chord(axis, line) else { return Vec::new() };
+        let (start, end) = chord.into_inner();
+        let edge = i64::from(IMAGE_EDGE_PX - 1);
+        if end < 0 || start > edge {
+            return Vec::new();
+        }
+        let (start, end) = (start.clamp(0, edge), end.clamp(0, edge));
+        let mut places = vec![start, start + 1, (start + end) / 2, end - 1, end];
+        places.retain(|place| (start..=end).contains(place));
+        places.dedup();
+        places.into_iter().map(|place| if axis == 0 { [line, place as u32] } else { [place as u32, line] }).collect()
+    }
+}

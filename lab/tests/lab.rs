@@ -1,0 +1,3 @@
+//! The laboratory measures what it says.
+mod stability;
+mod synthesis;

@@ -1,0 +1,45 @@
+//! What a core holds, counted before synthesis, as it is kept of every point.
+
+use crate::splat::area::total;
+use rtl::Design;
+use serde::{Deserialize, Serialize};
+
+/// Totals over a design, as `pointcore plan` shows them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Proxy {
+    /// Bits of registers.
+    pub register_bits: u64,
+    /// Bits of memories and tables.
+    pub memory_bits: u64,
+    /// Multipliers.
+    pub multipliers: u64,
+    /// Bits of their products.
+    pub product_bits: u64,
+    /// Bits of sums, differences and ordered comparisons.
+    pub adder_bits: u64,
+    /// Bits of two-way choices.
+    pub mux_bits: u64,
+}
+
+impl Proxy {
+    /// Counts a design.
+    #[must_use]
+    pub fn of(design: &Design) -> Self {
+        let area = total(design);
+        Self {
+            register_bits: area.register_bits as u64,
+            memory_bits: area.memory_bits as u64,
+            multipliers: area.multipliers as u64,
+            product_bits: area.multiplier_bits as u64,
+            adder_bits: area.adder_bits as u64,
+            mux_bits: area.mux_bits as u64,
+        }
+    }
+
+    /// What look-up tables may be spent on.
+    #[must_use]
+    pub const fn logic(&self) -> [f64; 4] {
+        [self.adder_bits as f64, self.mux_bits as f64, self.product_bits as f64, self.register_bits as f64]
+    }
+}

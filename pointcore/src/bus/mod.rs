@@ -1,0 +1,101 @@
+//! A core's bus: the file of its AXI top beside the core's own, and what a driver's author needs to know of it.
+
+mod header;
+mod markdown;
+
+use crate::generated::GenerateError;
+use pointcore_contract::bus::packets::{self, Packet};
+use pointcore_contract::bus::registers;
+use pointcore_contract::bus::{Config, Register};
+use pointcore_contract::{search, splat};
+use pointcore_hdl::bus;
+use pointcore_hdl::compiler::Options;
+use rtl::{Design, elaborate, elaborate_beside};
+
+/// Which of the cores a bus belongs to, as names have it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Core {
+    A,
+    B,
+}
+
+impl Core {
+    /// `splat`, `search`.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::A => "splat",
+            Self::B => "search",
+        }
+    }
+}
+
+/// What software meets: registers, packets and memory records of a core.
+pub struct Interface {
+    core: Core,
+    config: Config,
+    registers: Vec<Register>,
+    packets: Vec<Packet>,
+}
+
+impl Interface {
+    /// The renderer's.
+    #[must_use]
+    pub fn splat(config: &splat::Config) -> Self {
+        let (registers, packets) = (registers::splat(config), packets::splat(config));
+        Self { core: Core::A, config: config.bus, registers, packets }
+    }
+
+    /// The search core's.
+    #[must_use]
+    pub fn search(config: &search::Config) -> Self {
+        let (registers, packets) = (registers::search(config), packets::search(config));
+        Self { core: Core::B, config: config.bus, registers, packets }
+    }
+
+    /// `registers.md`.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        markdown::document(self)
+    }
+
+    /// `registers.h`.
+    #[must_use]
+    pub fn header(&self) -> String {
+        header::document(self)
+    }
+}
+
+/// A top on AXI.
+pub struct Bus {
+    /// What the core's own file does not have; its ports are the top's.
+    pub design: Design,
+    core: Design,
+}
+
+impl Bus {
+    /// Generates `splat_axi`.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn splat(config: &splat::Config) -> Result<Self, GenerateError> {
+        Self::of(&bus::splat::core(config, &Options::default())?)
+    }
+
+    /// Generates `search_axi`.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn search(config: &search::Config) -> Result<Self, GenerateError> {
+        Self::of(&bus::search::core(config, &Options::default())?)
+    }
+
+    fn of(top: &bus::Top) -> Result<Self, GenerateError> {
+        Ok(Self { design: elaborate_beside(&top.module, &top.core)?, core: elaborate(&top.core)? })
+    }
+
+    /// The whole design: the top's file and the core's.
+    #[must_use]
+    pub fn verilog(&self) -> String {
+        format!("{}\n{}", self.design.verilog(), self.core.verilog())
+    }
+}

@@ -1,0 +1,44 @@
+//! A frame for `splat_axi`.
+
+use super::{Error, Memory, Packets, Region, Vectors, writes};
+use crate::splat::{Core, EncodedFrame, Runner};
+use pointcore_contract::bus::{Layout, registers};
+use pointcore_contract::splat::config::TILE_PIXELS;
+use pointcore_contract::splat::{Config, ports, records};
+use pointcore_tb::lockstep::Stall;
+
+/// A frame, with the reconstruction buffer at `base`. Fragments come in the order of the vectors, however the bus stalls.
+///
+/// # Errors
+/// The buffer has no place, or the golden model does not come to its end.
+pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors, Error> {
+    let stride = Layout::of(&records::pixel(config)).stride(config.bus.memory_bits);
+    let bytes = (u64::from(TILE_PIXELS) * u64::from(stride)) << config.tile_bits();
+    let buffer_base = Memory::new(base)?.take("a reconstruction buffer", bytes)?;
+    let runner = Runner { config, frame, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
+    let fragments = runner.golden(&Core::generate(config)?)?.fragments;
+
+    let splats = frame.records.chunks_exact(frame.record_words).map(<[u64]>::to_vec);
+    let fields = records::fragment(config);
+    let words = fields.len();
+    let end = std::iter::once([vec![1], vec![0; words - 1]].concat());
+    let fragments = fragments.chunks_exact(words - 1).map(|fragment| [&[0], fragment].concat());
+    let uniforms = ports::UNIFORMS.into_iter().zip(frame.uniforms.iter().map(|value| *value as u32));
+    Ok(Vectors {
+        top: "splat_axi",
+        stream_bits: config.bus.stream_bits,
+        memory_bits: config.bus.memory_bits,
+        registers: writes(&registers::splat(config), [("buffer_base", buffer_base)].into_iter().chain(uniforms)),
+        send: Packets::new("splat", &records::splat(config), &config.bus, splats),
+        receive: Packets::new("fragment", &fields, &config.bus, fragments.chain(end)),
+        memory: vec![Region {
+            name: "pixel",
+            port: "m_axi",
+            base: buffer_base,
+            bytes,
+            stride,
+            file: None,
+            contents: None,
+        }],
+    })
+}

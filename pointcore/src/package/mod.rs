@@ -1,0 +1,179 @@
+//! What is written for a configuration: Verilog, manifest, constraints, a test, and the FuseSoC core that names them.
+
+mod constraints;
+mod fusesoc;
+mod recording;
+mod testbench;
+
+pub use fusesoc::fusesoc_name;
+pub use recording::Recording;
+
+use crate::bus::{Bus, Interface};
+use crate::configuration::{self, Configuration};
+use crate::generated::GenerateError;
+use crate::search;
+use crate::splat::{self, area};
+use crate::synthesis::{Unit, arguments_for_a_core, shell};
+use pointcore_contract::search::Config as SearchConfig;
+use pointcore_contract::splat::Config as SplatConfig;
+use pointcore_hdl::compiler::Manifest;
+use pointcore_tb::lockstep::LockstepError;
+use rtl::Design;
+use serde_json::json;
+use std::collections::BTreeMap;
+
+/// What generated files say of their origin.
+const GENERATOR: &str = concat!("pointcore ", env!("CARGO_PKG_VERSION"));
+
+/// A core that cannot be packaged: a fault of the generator, not of its input.
+#[derive(Debug, thiserror::Error)]
+pub enum PackageError {
+    /// The hardware.
+    #[error(transparent)]
+    Generate(#[from] GenerateError),
+    /// The frame that is recorded for a test.
+    #[error(transparent)]
+    Frame(#[from] LockstepError),
+    /// The search that is recorded for a test.
+    #[error(transparent)]
+    Search(#[from] search::Error),
+}
+
+/// What a file is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// The design: Verilog-2005.
+    Verilog,
+    /// The design's AXI top, beside the design.
+    Bus,
+    /// The module around the design that has few pins, and the constraints of both.
+    Pins,
+    /// The test, and what it reads.
+    Test,
+    /// For people and programs, not for the tools of a design.
+    Document,
+}
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Its name, without a folder.
+    pub name: String,
+    /// What stands in it.
+    pub text: String,
+    /// What it is for.
+    pub role: Role,
+}
+
+/// A core and everything that goes with it.
+#[derive(Clone, Debug)]
+pub struct Package {
+    /// The configuration's name.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: &'static str,
+    /// The module that designs instantiate.
+    pub top: String,
+    /// The files, without the FuseSoC core.
+    files: Vec<File>,
+    /// How it is placed and routed on an ECP5.
+    nextpnr: Vec<&'static str>,
+}
+
+impl Package {
+    /// The renderer's files for the configuration of this name.
+    ///
+    /// # Errors
+    /// A fault of the generator, or of the model that makes the test.
+    pub fn splat(name: &str, core: &splat::Core, config: &SplatConfig) -> Result<Self, PackageError> {
+        let text = toml::to_string_pretty(config).expect("a configuration is a TOML table");
+        let mut package = Self::new(name, "surface splatting", &core.design, &core.manifests, text);
+        package.add_bus(&Bus::splat(config)?, &Interface::splat(config));
+        package.add_pins(Configuration::Splat(config.clone()))?;
+        package.add_test(&core.design, &splat::record(config, core)?);
+        Ok(package)
+    }
+
+    /// The search core's files for the configuration of this name.
+    ///
+    /// # Errors
+    /// A fault of the generator, or of the model that makes the test.
+    pub fn search(name: &str, core: &search::Core, config: &SearchConfig) -> Result<Self, PackageError> {
+        let text = configuration::search_text(config);
+        let mut package = Self::new(name, "neighbor search", &core.design, &core.manifests, text);
+        package.add_bus(&Bus::search(config)?, &Interface::search(config));
+        package.add_pins(Configuration::Search(config.clone()))?;
+        package.add_test(&core.design, &search::record(config, core)?);
+        Ok(package)
+    }
+
+    fn new(
+        name: &str,
+        title: &'static str,
+        design: &Design,
+        datapaths: &BTreeMap<String, Manifest>,
+        config: String,
+    ) -> Self {
+        let top = design.top().to_owned();
+        let manifest = json!({
+            "generator": GENERATOR,
+            "top": top,
+            "datapaths": datapaths,
+            "modules": area::modules(design),
+            "area": area::document(design),
+        });
+        let manifest = serde_json::to_string_pretty(&manifest).expect("manifests have string keys");
+        let mut package = Self { name: name.to_owned(), title, top, files: Vec::new(), nextpnr: Vec::new() };
+        package.add(format!("{}.v", package.top), design.verilog().to_owned(), Role::Verilog);
+        package.add("manifest.json", manifest + "\n", Role::Document);
+        package.add("config.toml", config, Role::Document);
+        for (ending, text) in constraints::of(&package.top) {
+            package.add(format!("{}.{ending}", package.top), text, Role::Document);
+        }
+        package
+    }
+
+    /// Adds a file.
+    pub fn add(&mut self, name: impl Into<String>, text: String, role: Role) {
+        self.files.push(File { name: name.into(), text, role });
+    }
+
+    /// The AXI top, and its registers for people and for C.
+    fn add_bus(&mut self, bus: &Bus, interface: &Interface) {
+        self.add(format!("{}.v", bus.design.top()), bus.design.verilog().to_owned(), Role::Bus);
+        self.add("registers.md", interface.markdown(), Role::Document);
+        self.add("registers.h", interface.header(), Role::Document);
+    }
+
+    /// The core between registers and behind few pins: what can be placed on a device and loaded as it is.
+    fn add_pins(&mut self, configuration: Configuration) -> Result<(), GenerateError> {
+        let name = format!("{}_pins", self.top.trim_end_matches("_top"));
+        self.nextpnr = arguments_for_a_core(&configuration).collect();
+        let shell = shell::wrap_named(&name, Unit::core(&name, configuration).module()?)?;
+        self.add(format!("{name}.v"), shell.outermost(), Role::Pins);
+        for (ending, text) in constraints::of(&name) {
+            self.add(format!("{name}.{ending}"), text, Role::Pins);
+        }
+        Ok(())
+    }
+
+    /// A test that replays what the golden model did.
+    fn add_test(&mut self, design: &Design, recording: &Recording) {
+        let name = format!("{}_test", self.top.trim_end_matches("_top"));
+        let vectors = format!("{name}.hex");
+        self.add(format!("{name}.sv"), testbench::text(&name, &vectors, design, recording), Role::Test);
+        self.add(vectors, recording.hexadecimal(), Role::Test);
+    }
+
+    /// All files, the FuseSoC core among them.
+    #[must_use]
+    pub fn files(&self) -> Vec<File> {
+        let core = File { name: format!("{}.core", self.name), text: fusesoc::text(self), role: Role::Document };
+        self.files.iter().cloned().chain([core]).collect()
+    }
+
+    /// The files for a purpose.
+    fn files_for(&self, role: Role) -> impl Iterator<Item = &File> {
+        self.files.iter().filter(move |file| file.role == role)
+    }
+}

@@ -1,0 +1,219 @@
+//! Which hardware a scene calls for: the smallest configuration that renders it, with the reason for every choice.
+//!
+//! No bit of the frame hangs on what is left out: that is asked of the golden models, splat by splat, and where samples are too many, of
+//! bounds on their rounding that hold with a margin of two.
+
+mod attributes;
+mod cost;
+mod demand;
+mod effect;
+mod error;
+mod given;
+mod overrides;
+mod table;
+
+pub use cost::{CostError, Costs, Cycles, Figures, Priced};
+pub use effect::{Effect, Extent};
+pub use error::PlanError;
+pub use table::{TABLE_HEAD, choices_row, table_row};
+
+use crate::scene::Scene;
+use attributes::{attributes, filter_conflict, material_conflict};
+use demand::Demand;
+use given::{Conflict, conflict};
+use overrides::overridden;
+use pointcore_contract::splat::config::{Config, Feature};
+use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
+use pointcore_contract::{FragmentDepth, Sampling};
+use serde::Serialize;
+
+/// What was chosen for a scene, and why.
+#[derive(Clone, Debug, Serialize)]
+pub struct Choice {
+    /// The effect whose extent was chosen, if it is one.
+    pub effect: Option<Effect>,
+    /// What was chosen about.
+    pub part: &'static str,
+    /// What was chosen.
+    pub chosen: String,
+    /// Why, in terms of the scene.
+    pub reason: String,
+}
+
+/// The hardware for a scene.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The configuration.
+    pub config: Config,
+    /// Columns and rows of the scene's image, which may be smaller than the hardware's.
+    pub image: [usize; 2],
+    /// Index into [`pointcore_contract::Splat::attributes`] of each continuous attribute the hardware is given.
+    pub attributes: Vec<usize>,
+    /// Values of the attributes that are the same for all splats, and so need no hardware.
+    pub constants: [Option<f32>; CONTINUOUS_ATTRIBUTES],
+    /// What was chosen and why.
+    pub choices: Vec<Choice>,
+    /// Whether the scene has a screen filter at all.
+    is_filtered: bool,
+}
+
+impl Plan {
+    /// Derives the hardware from the scene; its `[overrides]` have the last word.
+    ///
+    /// # Errors
+    /// Overrides that are no keys of the configuration, that the scene contradicts, or that the hardware cannot hold.
+    pub fn of(scene: &Scene) -> Result<Self, PlanError> {
+        Self::with_overrides(scene, &scene.overrides)
+    }
+
+    /// Derives the hardware from the scene, with overrides in the place of its own.
+    ///
+    /// # Errors
+    /// As [`Plan::of`].
+    pub fn with_overrides(scene: &Scene, overrides: &toml::Table) -> Result<Self, PlanError> {
+        let edge = |edge: usize| u32::try_from(edge).unwrap_or(u32::MAX);
+        let mut config = Config {
+            width: edge(scene.rendering.width),
+            height: edge(scene.rendering.height),
+            sampling: scene.rendering.sampling,
+            depth: scene.rendering.depth,
+            kernel_gamma: scene.rendering.kernel_gamma,
+            ..Config::default()
+        };
+        // What a splat asks for depends on the number format.
+        let asked = overridden(&config, overrides)?;
+        asked.validate()?;
+        if let Some((value, reason)) = filter_conflict(scene, asked.raster_format()) {
+            let alternative = " or choose another `splatting.filter_radius_px`";
+            return Err(PlanError::Conflict { key: "rasterizer", value, reason, alternative });
+        }
+        let demand = Demand::of(scene, &everything(scene, &asked));
+        let (attributes, constants) = attributes(scene);
+
+        config.culling = feature(demand.back_facing > 0);
+        config.screen_filter = feature(demand.filtered > 0 && is_filtered(scene));
+        config.eye_plane = feature(demand.crossing > 0);
+        config.continuous = u32::try_from(attributes.len()).unwrap_or(u32::MAX);
+        config.cardinal = has_materials(scene).into();
+        config.heap_levels = config.heap_levels.min((demand.copies.max(2).ilog2() + 1).max(2));
+        let [columns, rows] = demand.tiles();
+        config.tile_slots = config.tile_slots.min((columns * rows).max(2));
+        let mut choices = choices(scene, &config, &demand);
+
+        config = overridden(&config, overrides)?;
+        if let Some(Conflict { effect, value, reason, alternative }) = conflict(scene, &config, &demand) {
+            return Err(PlanError::Conflict { key: effect.key(), value, reason, alternative });
+        }
+        if let Some((value, reason)) = material_conflict(scene, config.attribute) {
+            return Err(PlanError::Conflict {
+                key: "attribute",
+                value,
+                reason,
+                alternative: " or choose a wider format",
+            });
+        }
+        for (key, value) in overrides {
+            let (chosen, reason) = (format!("{key} = {value}"), "the scene's [overrides] say so".to_owned());
+            choices.push(Choice { effect: None, part: "override", chosen, reason });
+        }
+        config.validate()?;
+        let image = [scene.rendering.width, scene.rendering.height];
+        Ok(Self { config, image, attributes, constants, choices, is_filtered: is_filtered(scene) })
+    }
+}
+
+/// What was chosen and why, before overrides.
+fn choices(scene: &Scene, config: &Config, demand: &Demand) -> Vec<Choice> {
+    let of = |effect: Effect, chosen: String, reason: String| Choice {
+        effect: Some(effect),
+        part: effect.name(),
+        chosen,
+        reason,
+    };
+    let fixed = |part, chosen: &str, reason: &str| Choice {
+        effect: None,
+        part,
+        chosen: chosen.to_owned(),
+        reason: reason.to_owned(),
+    };
+    let Demand { back_facing, filtered, crossing, drawn, copies, .. } = *demand;
+    let [columns, rows] = demand.tiles();
+    let (continuous, total) = (config.continuous, scene.splats.len());
+    let filter = match scene.rendering.filter_radius_px {
+        Some(radius) => {
+            format!("{filtered} of {drawn} drawn splats are narrower on the screen than the filter's {radius} px")
+        }
+        None => "the scene switches it off".to_owned(),
+    };
+    let unlit = if scene.is_lit() { "" } else { "; without light shading reads no normal" };
+    let attributes = format!(
+        "{continuous} of {CONTINUOUS_ATTRIBUTES} (normal, color) differ between splats; the others are constants of the scene{unlit}"
+    );
+    let sampling = match scene.rendering.sampling {
+        Sampling::Center => {
+            ("center", "a sample in the middle of every pixel, or of the parts that `image.samples` makes of it")
+        }
+        Sampling::Flipquad => ("flipquad", "the scene shares samples between pixels"),
+    };
+    let depth = match scene.rendering.depth {
+        FragmentDepth::Center => ("center", "all samples of a splat have its depth"),
+        FragmentDepth::Plane => ("plane", "the scene gives each sample the depth of its splat's plane"),
+    };
+    let materials = if config.cardinal > 0 { "splats differ in material" } else { "all splats shine alike" };
+    vec![
+        of(Effect::Culling, on_off(config.culling), format!("{back_facing} of {total} splats face away from the eye")),
+        of(Effect::ScreenFilter, on_off(config.screen_filter), filter),
+        of(
+            Effect::EyePlane,
+            on_off(config.eye_plane),
+            format!(
+                "{crossing} of {drawn} drawn splats reach the eye plane, or might have a sample taken from behind it"
+            ),
+        ),
+        of(Effect::Continuous, continuous.to_string(), attributes),
+        of(Effect::Cardinal, config.cardinal.to_string(), materials.to_owned()),
+        of(
+            Effect::HeapLevels,
+            format!("{} levels", config.heap_levels),
+            format!("{copies} splat copies pass the reorder stage, it holds {}", config.heap_capacity()),
+        ),
+        of(
+            Effect::TileSlots,
+            config.tile_slots.to_string(),
+            format!(
+                "what is drawn lies in {columns} × {rows} tiles; one loads while others are in use, more than there are stay empty"
+            ),
+        ),
+        fixed("sampling", sampling.0, sampling.1),
+        fixed("depth", depth.0, depth.1),
+        fixed("lighting", "on the host", "fragments are shaded after the frame, whatever the light"),
+        fixed("motion", "none", "splats stand still within a frame; there is no hardware for anything else"),
+    ]
+}
+
+/// The configuration with every effect that the scene may have: what decides which of them it needs.
+fn everything(scene: &Scene, config: &Config) -> Config {
+    let screen_filter = feature(is_filtered(scene));
+    Config { culling: Feature::On, eye_plane: Feature::On, screen_filter, ..config.clone() }
+}
+
+const fn is_filtered(scene: &Scene) -> bool {
+    scene.rendering.filter_radius_px.is_some()
+}
+
+/// Whether fragments must say of which material they are.
+fn has_materials(scene: &Scene) -> bool {
+    let first = scene.splats.first().map_or(0, |splat| splat.material);
+    scene.splats.iter().any(|splat| splat.material != first)
+}
+
+const fn feature(needed: bool) -> Feature {
+    if needed { Feature::On } else { Feature::Off }
+}
+
+fn on_off(feature: Feature) -> String {
+    if feature.is_on() { "generated" } else { "left out" }.to_owned()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,229 @@
+//! What a frame asks of the hardware, splat by splat, by the hardware's own arithmetic: the golden models of transform and setup with
+//! everything in are asked what they do with a splat, so that a part is left out only if no bit of the frame hangs on it.
+//!
+//! Samples are too many to be tried one by one. What follows bounds the rasterizer's rounding, with `u` half a unit in the last place relative
+//! to a number, `S = |x|(|A_y| + |B_y|) + |y|(|A_x| + |B_x|)` at most over the bounds, and all numbers those that setup has stored.
+//!
+//! **Eye plane.** `D = Δ − ⟨s, (α, β)⟩` up to order and signs (docs/splat.md), so that `|s| ≥ |Δ − D|/√q`. Rounding moves `|s|` by at most
+//! `3uS` and `D` by at most `6uS + 4u|Δ|`. A sample that the hardware takes for one behind the eye has a `D` of the other sign than `Δ`, or one
+//! within its rounding of zero; then `|s| ≥ (|Δ| + |D|)/√q` less rounding, and since `q < 1 − clearance` its `ρ² = |s|²/D²` comes out at 1 or
+//! more unless `|Δ|` is within `10u(S + |Δ|)` of zero. At 1 and more a sample is outside, as it is at infinity. The few splats whose `Δ`
+//! is so small are sampled.
+//!
+//! **Screen filter.** `|s| ≤ σ_max·dist`, `D ≥ Δ − √q|s|` and `Δ = σ_min·σ_max` of the projection's Jacobian, so that
+//! `ρ ≤ dist/(σ_min − √q·dist)`, which is below the filter's `dist/radius` within the radius if `σ_min ≥ radius(1 + √q)`. The margin is for
+//! rounding, which moves every factor by a few `u` and `Δ` by `4uσ_max²`.
+//!
+//! **In fixed point** rounding is that of offsets and coefficients, absolute rather than relative, and neither argument holds near a splat's
+//! centre. There every splat's samples are tried, with the part and without.
+
+use crate::number::decode;
+use crate::scene::Scene;
+use crate::splat::{uniforms, word};
+use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::{Config, Feature, RasterFormat};
+use pointcore_contract::{Format, Splat};
+use pointcore_golden::splat::records::{Footprint, Rectangle, SetupSplat, Splat as Record};
+use pointcore_golden::splat::uniforms::Uniforms;
+use pointcore_golden::splat::{Rasterizer, Setup, Slant, Transform};
+use rayon::prelude::*;
+
+/// Share by which a splat must be wider than the screen filter, if only for the radius' own rounding.
+const FILTER_MARGIN: f64 = 1.0 / 256.0;
+/// The same in units of rounding, of which a sample's distances collect less than half as many.
+const FILTER_MARGIN_UNITS: f64 = 128.0;
+/// Twice the roundings that the bound on `|s|` and `D` collects, in `u(S + |Δ|)`: more than those of a footprint's conversion, too.
+const SIDE_UNITS: f64 = 20.0;
+/// Numbers between these neither overflow nor vanish when squared.
+const SQUARABLE: std::ops::RangeInclusive<f64> = 1e-12..=1e18;
+/// Splats of more samples are not tried sample by sample: the part that they may need costs less than that.
+const SAMPLES_TRIED: usize = 1 << 14;
+
+/// What the splats of a frame ask for together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Demand {
+    /// Splats that culling drops and nothing else would.
+    pub back_facing: usize,
+    /// Splats of whose samples or bounds the screen filter may decide one.
+    pub filtered: usize,
+    /// Splats that reach the eye plane, or with samples of which only the side of the eye says that they are outside.
+    pub crossing: usize,
+    /// The first of them.
+    pub first_crossing: Option<usize>,
+    /// Splats that are drawn.
+    pub drawn: usize,
+    /// Copies of them, one a tile.
+    pub copies: usize,
+    /// Tile columns and rows that they lie in.
+    tiles: Option<[[u32; 2]; 2]>,
+}
+
+impl Demand {
+    /// What the frame of a scene asks for on hardware with everything in.
+    pub(super) fn of(scene: &Scene, everything: &Config) -> Self {
+        let units = Units::new(scene, everything);
+        scene
+            .splats
+            .par_iter()
+            .enumerate()
+            .map(|(index, splat)| units.demand(index, splat))
+            .reduce(Self::default, Self::sum)
+    }
+
+    fn sum(self, other: Self) -> Self {
+        let tiles = match (self.tiles, other.tiles) {
+            (Some(a), Some(b)) => Some([0, 1].map(|axis: usize| {
+                let ([a_first, a_last], [b_first, b_last]) = (a[axis], b[axis]);
+                [a_first.min(b_first), a_last.max(b_last)]
+            })),
+            (a, b) => a.or(b),
+        };
+        Self {
+            back_facing: self.back_facing + other.back_facing,
+            filtered: self.filtered + other.filtered,
+            crossing: self.crossing + other.crossing,
+            first_crossing: self.first_crossing.into_iter().chain(other.first_crossing).min(),
+            drawn: self.drawn + other.drawn,
+            copies: self.copies + other.copies,
+            tiles,
+        }
+    }
+
+    /// Columns and rows of the rectangle of tiles in which all drawn splats lie.
+    pub(super) fn tiles(&self) -> [u32; 2] {
+        self.tiles.map_or([0, 0], |axes| axes.map(|[first, last]| last - first + 1))
+    }
+}
+
+/// The units that decide, with a frame's constants.
+struct Units<'a> {
+    config: &'a Config,
+    uniforms: Uniforms,
+    transform: Transform,
+    setup: Setup,
+    without_culling: Setup,
+    without_filter: Setup,
+    rasterizer: Rasterizer,
+    without_side: Rasterizer,
+    without_disc: Rasterizer,
+}
+
+impl<'a> Units<'a> {
+    fn new(scene: &Scene, config: &'a Config) -> Self {
+        let mut registers = Uniforms::default();
+        for (address, &data) in (0..).zip(&uniforms(&scene.camera, &scene.rendering, config)) {
+            registers.write(address, data as u32);
+        }
+        Self {
+            config,
+            uniforms: registers,
+            transform: Transform::new(config, 1),
+            setup: Setup::new(config, 1),
+            without_culling: Setup::new(&Config { culling: Feature::Off, ..config.clone() }, 1),
+            without_filter: Setup::new(&Config { screen_filter: Feature::Off, ..config.clone() }, 1),
+            rasterizer: Rasterizer::new(config, 1),
+            without_side: Rasterizer::new(&Config { eye_plane: Feature::Off, ..config.clone() }, 1),
+            without_disc: Rasterizer::new(&Config { screen_filter: Feature::Off, ..config.clone() }, 1),
+        }
+    }
+
+    fn demand(&self, index: usize, splat: &Splat) -> Demand {
+        let encode = |vector: [f32; 3]| vector.map(|value| word(self.config.geometry, value) as u32);
+        let record = Record { center: encode(splat.center), tangents: splat.tangents.map(encode), ..Record::default() };
+        let Some(splat) = self.transform.transform(&record, &self.uniforms.transform) else { return Demand::default() };
+        let Some(drawn) = self.setup.setup(&splat, &self.uniforms.setup) else {
+            let is_culled = self.without_culling.setup(&splat, &self.uniforms.setup).is_some();
+            return Demand { back_facing: is_culled.into(), ..Demand::default() };
+        };
+        let slant = self.setup.slant_of(&splat);
+        let covers_filter = self.covers_filter(&drawn, &slant)
+            && self.without_filter.setup(&splat, &self.uniforms.setup) == Some(drawn);
+        let Rectangle { left, right, top, bottom } = drawn.bounds;
+        let tile = |pixel: u16| u32::from(pixel) / TILE_SIZE;
+        let tiles = [[left, right], [top, bottom]].map(|range| range.map(tile));
+        let [columns, rows] = tiles.map(|[first, last]| (last - first + 1) as usize);
+        let is_crossing = !slant.is_whole || self.needs_side(&drawn);
+        Demand {
+            back_facing: 0,
+            filtered: (!covers_filter).into(),
+            crossing: is_crossing.into(),
+            first_crossing: is_crossing.then_some(index),
+            drawn: 1,
+            copies: columns * rows,
+            tiles: Some(tiles),
+        }
+    }
+
+    /// Whether the side of the eye may decide of a sample of a whole splat.
+    fn needs_side(&self, drawn: &SetupSplat) -> bool {
+        let RasterFormat::Float(format) = self.config.raster_format() else {
+            return self.differs(drawn, &self.without_side);
+        };
+        let Footprint { center, a, b, delta, .. } = drawn.footprint;
+        let value = |bits| value(format, bits);
+        let delta = value(delta).abs();
+        // A splat seen edge-on: every distance is NaN, on whichever side.
+        if delta.is_nan() {
+            return false;
+        }
+        let Rectangle { left, right, top, bottom } = drawn.bounds;
+        let reach = |center: u32, columns: u32, first: u16, last: u16| {
+            // Between these edges of pixels lie all samples. Their places are rounded where a format has fewer digits than an image pixels.
+            let edges = [u32::from(first) / columns, u32::from(last) / columns + 1].map(f64::from);
+            let offset = |edge: f64| (edge - value(center)).abs() + rounding(format) * edge;
+            edges.map(offset).into_iter().fold(0.0, f64::max)
+        };
+        let columns = self.config.sampling.columns();
+        let [x, y] = [reach(center[0], columns, left, right), reach(center[1], 1, top, bottom)];
+        let [extent_x, extent_y] = [0, 1].map(|axis| value(a[axis]).abs() + value(b[axis]).abs());
+        let sum = x * extent_y + y * extent_x + delta;
+        let is_far = delta >= SIDE_UNITS * rounding(format) * sum;
+        let is_squarable = SQUARABLE.contains(&delta) && SQUARABLE.contains(&sum);
+        !(is_far && is_squarable) && self.differs(drawn, &self.without_side)
+    }
+
+    /// Whether any sample of a splat comes out otherwise without a part of the rasterizer, by trying them; splats of very many are said to
+    /// need it.
+    fn differs(&self, drawn: &SetupSplat, without: &Rasterizer) -> bool {
+        let Rectangle { left, right, top, bottom } = drawn.bounds;
+        let (columns, rows) = (left..=right, top..=bottom);
+        if columns.len() * rows.len() > SAMPLES_TRIED {
+            return true;
+        }
+        let outcome = |unit: &Rasterizer, pixel: [u32; 2]| {
+            let squared = unit.squared_distance(&drawn.footprint, pixel, self.uniforms.filter_scale);
+            (Rasterizer::is_inside(squared), unit.weight(squared))
+        };
+        let pixels = rows.flat_map(|row| columns.clone().map(move |column| [column, row].map(u32::from)));
+        pixels.into_iter().any(|pixel| outcome(&self.rasterizer, pixel) != outcome(without, pixel))
+    }
+
+    /// Whether the splat's projection holds the screen filter's disc, so that the filter never decides.
+    fn covers_filter(&self, drawn: &SetupSplat, slant: &Slant) -> bool {
+        let RasterFormat::Float(format) = self.config.raster_format() else {
+            return !self.differs(drawn, &self.without_disc);
+        };
+        let footprint = &drawn.footprint;
+        let value = |bits| value(format, bits);
+        if !slant.is_whole || value(footprint.delta).is_nan() {
+            return false;
+        }
+        let radius = f64::from(decode(self.config.geometry, self.uniforms.setup.filter_radius));
+        let ([ax, ay], [bx, by]) = (footprint.a.map(value), footprint.b.map(value));
+        let (sum, difference) = ((ax + by).hypot(ay - bx), (ax - by).hypot(ay + bx));
+        let (smallest, largest) = ((sum - difference).abs() / 2.0, (sum + difference) / 2.0);
+        let steepness = f64::from(slant.alpha.value()).hypot(slant.beta.value().into());
+        let margin = FILTER_MARGIN.max(FILTER_MARGIN_UNITS * rounding(format));
+        smallest - 8.0 * rounding(format) * largest >= radius * (1.0 + steepness) * (1.0 + margin)
+    }
+}
+
+/// A number of a footprint.
+fn value(format: Format, bits: u32) -> f64 {
+    decode(format, bits).into()
+}
+
+/// `u`: what a rounding may change a footprint's number by, relative to it.
+fn rounding(format: Format) -> f64 {
+    0.5_f64.powi(format.mantissa as i32 + 1)
+}

@@ -1,0 +1,63 @@
+//! Why a scene has no hardware, or cannot be rendered on some.
+
+use pointcore_contract::splat::config::ConfigError;
+
+/// Hardware that does not fit a scene.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PlanError {
+    /// A key of `[overrides]` that is no parameter of the hardware.
+    #[error("`overrides.{key}` is unknown: expected one of {expected}")]
+    Unknown {
+        /// The key.
+        key: String,
+        /// The keys there are.
+        expected: String,
+    },
+    /// A parameter that follows from the scene.
+    #[error("`overrides.{key}` follows from the scene and cannot be overridden: {place}")]
+    Determined {
+        /// The key.
+        key: &'static str,
+        /// Where the scene says it.
+        place: &'static str,
+    },
+    /// A value of the wrong type, or none of the values there are.
+    #[error("`overrides.{key}` = {value}: {problem}")]
+    Value {
+        /// The key.
+        key: String,
+        /// Its value.
+        value: toml::Value,
+        /// What would be right.
+        problem: String,
+    },
+    /// A value of `[overrides]` that the scene contradicts.
+    #[error("`overrides.{key}` = \"{value}\", but {reason}: remove the override{alternative}")]
+    Conflict {
+        /// The key.
+        key: &'static str,
+        /// Its value.
+        value: &'static str,
+        /// What the scene needs.
+        reason: String,
+        /// What else to do.
+        alternative: &'static str,
+    },
+    /// An effect that a given configuration has not.
+    #[error("the scene calls for {effect} ({reason}), which the configuration's `{key}` = {value} excludes: {remedy}")]
+    Excluded {
+        /// The effect.
+        effect: &'static str,
+        /// Why the scene calls for it.
+        reason: String,
+        /// The configuration's key.
+        key: &'static str,
+        /// Its value, as the file says it.
+        value: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A number out of range.
+    #[error("[overrides]: {0}")]
+    Range(#[from] ConfigError),
+}

@@ -1,0 +1,260 @@
+//! The scene file as it is written: TOML tables whose keys are all known.
+
+use super::error::SceneError;
+use super::model::NormalSource;
+use pointcore_contract::{FragmentDepth, Sampling};
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+
+/// A scene file.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SceneFile {
+    pub camera: CameraTable,
+    pub image: ImageTable,
+    #[serde(default)]
+    pub light: Light,
+    #[serde(default)]
+    pub splatting: SplattingTable,
+    #[serde(default, rename = "material")]
+    pub materials: Vec<Material>,
+    #[serde(rename = "object")]
+    pub objects: Vec<ObjectTable>,
+    #[serde(default)]
+    pub overrides: toml::Table,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CameraTable {
+    pub eye: [f64; 3],
+    pub target: [f64; 3],
+    #[serde(default = "y_axis")]
+    pub up: [f64; 3],
+    /// Vertical opening angle.
+    pub fov_degrees: f64,
+    pub near: f64,
+    pub far: f64,
+}
+
+fn y_axis() -> [f64; 3] {
+    [0.0, 1.0, 0.0]
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ImageTable {
+    pub width: usize,
+    pub height: usize,
+    #[serde(default)]
+    pub background: [f64; 3],
+    /// Samples along each edge of a pixel.
+    #[serde(default = "one_sample")]
+    pub samples: usize,
+    /// Where samples lie.
+    #[serde(default)]
+    pub sampling: Sampling,
+}
+
+fn one_sample() -> usize {
+    1
+}
+
+/// The one light, infinitely far away.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields, default)]
+pub struct Light {
+    /// From the surface towards the light, in world space; of any length but zero.
+    pub direction: [f64; 3],
+    /// Linear intensity that reaches every surface.
+    pub ambient: f64,
+    /// Linear intensity of the light.
+    pub diffuse: f64,
+}
+
+impl Default for Light {
+    fn default() -> Self {
+        Self { direction: [0.5, 1.0, 0.8], ambient: 0.08, diffuse: 0.92 }
+    }
+}
+
+/// How a surface reflects the light besides its color; splats refer to it by its index.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields, default)]
+pub struct Material {
+    /// Share of the light that is mirrored.
+    pub specular: f64,
+    /// Exponent of the highlight: the larger, the smaller it is.
+    pub shininess: f64,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self { specular: 0.15, shininess: 24.0 }
+    }
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct SplattingTable {
+    pub kernel_gamma: Option<f64>,
+    /// Share of a splat's radius at which its kernel is cut off.
+    pub cutoff: Option<f64>,
+    /// Zero switches the filter off.
+    pub filter_radius_px: Option<f64>,
+    pub epsilon_scale: Option<f64>,
+    /// By default derived from the splats' radii.
+    pub epsilon_bias: Option<f64>,
+    /// Whether samples have their splat's depth, or that of its plane.
+    pub depth: FragmentDepth,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Kind {
+    Sphere,
+    Torus,
+    TorusKnot,
+    Plane,
+    File,
+}
+
+impl Kind {
+    /// As the scene file spells it.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Sphere => "sphere",
+            Self::Torus => "torus",
+            Self::TorusKnot => "torus_knot",
+            Self::Plane => "plane",
+            Self::File => "file",
+        }
+    }
+}
+
+/// The radius of an object's splats before [`ObjectTable::radius_scale`].
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged, expecting = "expected a number or \"spacing\"")]
+pub(super) enum Radius {
+    Length(f64),
+    Derived(DerivedRadius),
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum DerivedRadius {
+    Spacing,
+}
+
+/// An object of any kind; which keys apply to which is settled when it is built.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ObjectTable {
+    pub kind: Kind,
+
+    pub points: Option<usize>,
+    pub outer_radius: Option<f64>,
+    pub tube_radius: Option<f64>,
+    pub knot_radius: Option<f64>,
+    pub windings: Option<[u32; 2]>,
+    pub size: Option<f64>,
+    pub checks: Option<[u32; 2]>,
+    pub checker_color: Option<[f64; 3]>,
+
+    pub path: Option<PathBuf>,
+    pub normals: Option<NormalSource>,
+
+    #[serde(default)]
+    pub translate: [f64; 3],
+    /// About the fixed axes x, then y, then z.
+    #[serde(default)]
+    pub rotate_degrees: [f64; 3],
+    #[serde(default = "one")]
+    pub scale: f64,
+    pub color: Option<[f64; 3]>,
+    #[serde(default)]
+    pub material: u16,
+    #[serde(default = "by_spacing")]
+    pub radius: Radius,
+    #[serde(default = "one")]
+    pub radius_scale: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn by_spacing() -> Radius {
+    Radius::Derived(DerivedRadius::Spacing)
+}
+
+fn read(path: &Path) -> Result<String, SceneError> {
+    std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
+}
+
+fn syntax(path: &Path, error: &toml::de::Error) -> SceneError {
+    SceneError::Syntax { path: path.to_owned(), message: error.to_string().trim_end().to_owned() }
+}
+
+impl SceneFile {
+    /// Reads a scene file, with `key.path=value` settings replacing what it says.
+    pub(super) fn load(path: &Path, settings: &[String]) -> Result<Self, SceneError> {
+        let text = read(path)?;
+        let syntax = |error| syntax(path, &error);
+        // The text itself is always checked, since only its errors can tell the line.
+        let scene = toml::from_str(&text).map_err(syntax);
+        if settings.is_empty() {
+            return scene;
+        }
+        Self::table(path, settings)?.try_into().map_err(syntax)
+    }
+
+    /// The file's tables with settings applied.
+    fn table(path: &Path, settings: &[String]) -> Result<toml::Value, SceneError> {
+        let text = read(path)?;
+        let table = toml::from_str(&text).map_err(|error| syntax(path, &error))?;
+        let mut table = toml::Value::Table(table);
+        for setting in settings {
+            apply(&mut table, setting).map_err(|problem| SceneError::Setting { setting: setting.clone(), problem })?;
+        }
+        Ok(table)
+    }
+
+    /// The file's text with settings applied and the models' paths made absolute.
+    pub(super) fn text(path: &Path, settings: &[String]) -> Result<String, SceneError> {
+        Self::load(path, settings)?;
+        let mut table = Self::table(path, settings)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        for object in table.get_mut("object").and_then(toml::Value::as_array_mut).into_iter().flatten() {
+            let Some(toml::Value::String(model)) = object.get_mut("path") else { continue };
+            let absolute = std::path::absolute(folder.join(&*model));
+            *model = absolute.unwrap_or_else(|_| folder.join(&*model)).to_string_lossy().into_owned();
+        }
+        Ok(toml::to_string(&table).expect("it was TOML before"))
+    }
+}
+
+/// Replaces or adds the value that a setting such as `object.0.path=scan.ply` names.
+fn apply(root: &mut toml::Value, setting: &str) -> Result<(), String> {
+    let (keys, text) = setting.split_once('=').ok_or("expected `key=value`, e.g. `object.0.path=scan.ply`")?;
+    // What is not a TOML value is a string that the shell has stripped of its quotes.
+    let parsed = toml::from_str::<toml::Table>(&format!("value = {text}")).ok().filter(|table| table.len() == 1);
+    let value = parsed.and_then(|mut table| table.remove("value")).unwrap_or_else(|| text.into());
+
+    let (parents, last) = keys.rsplit_once('.').unwrap_or(("", keys));
+    let mut place = root;
+    for key in parents.split('.').filter(|key| !key.is_empty()) {
+        place = match place {
+            toml::Value::Array(items) => {
+                let count = items.len();
+                let item = key.parse().ok().and_then(|index: usize| items.get_mut(index));
+                item.ok_or_else(|| format!("`{key}` is not an index below {count}"))?
+            }
+            toml::Value::Table(table) => table.entry(key).or_insert_with(|| toml::Value::Table(toml::Table::new())),
+            _ => return Err(format!("`{key}` lies below a plain value")),
+        };
+    }
+    let toml::Value::Table(table) = place else { return Err(format!("`{last}` is not a key of a table")) };
+    table.insert(last.to_owned(), value);
+    Ok(())
+}

@@ -1,0 +1,203 @@
+//! An object of the scene file becomes splats: shape, radius, placement, color.
+
+use super::camera::Problem;
+use super::error::SceneError;
+use super::file::{DerivedRadius, Kind, ObjectTable, Radius};
+use super::model::{COORDINATE_LIMIT, Model};
+use super::{SPLAT_LIMIT, neighbors, shapes};
+use crate::shading::linear_from_srgb;
+use glam::{DQuat, DVec2, DVec3, EulerRot};
+use pointcore_contract::Splat;
+use std::ops::RangeInclusive;
+use std::path::Path;
+
+/// Radii of splats after scaling, whose squares stay within single precision.
+const SPLAT_RADIUS_RANGE: RangeInclusive<f64> = 1e-12..=COORDINATE_LIMIT;
+/// Windings beyond this leave no room between the turns of a tube.
+const WINDING_LIMIT: u32 = 1000;
+/// sRGB gray of objects without any color.
+const DEFAULT_COLOR: [f64; 3] = [0.8; 3];
+
+/// An object's points before placement.
+struct Surface {
+    points: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    colors: Vec<[f32; 3]>,
+}
+
+/// Builds the splats of an object; `scene` is the path of its scene file, `key` names it there.
+pub(super) fn build(object: &ObjectTable, scene: &Path, key: &str) -> Result<Vec<Splat>, SceneError> {
+    let value =
+        |(name, problem): Problem| SceneError::Value { path: scene.to_owned(), key: format!("{key}.{name}"), problem };
+    check_keys(object).map_err(value)?;
+    check_placement(object).map_err(value)?;
+    let color = linear(object.color.unwrap_or(DEFAULT_COLOR));
+    let (surface, source) = if object.kind == Kind::File {
+        let relative = required(object.path.as_deref(), "path", Kind::File).map_err(value)?;
+        let path = scene.parent().unwrap_or(Path::new("")).join(relative);
+        let surface = file_surface(object, &path, color).map_err(|error| match error {
+            SceneError::Read { path, source } => {
+                let (path, example) = (path.display(), format!("--set {key}.path=FILE"));
+                let problem =
+                    format!("leads to {path}, which cannot be read ({source}): set another, e.g. by `{example}`");
+                value(("path", problem))
+            }
+            other => other,
+        })?;
+        (surface, path)
+    } else {
+        (shape_surface(object, color).map_err(value)?, scene.to_owned())
+    };
+    let radii = match object.radius {
+        Radius::Length(length) => vec![length; surface.points.len()],
+        Radius::Derived(DerivedRadius::Spacing) => {
+            neighbors::spacing(&surface.points).map_err(|problem| SceneError::model(&source, problem))?
+        }
+    };
+
+    let [x, y, z] = object.rotate_degrees.map(f64::to_radians);
+    let rotation = DQuat::from_euler(EulerRot::XYZEx, x, y, z);
+    let translation = DVec3::from_array(object.translate);
+    let splat = |index: usize| {
+        let center = rotation * (object.scale * surface.points[index]) + translation;
+        let normal = rotation * surface.normals[index];
+        let radius = object.scale * object.radius_scale * radii[index];
+        if !SPLAT_RADIUS_RANGE.contains(&radius) || center.abs().max_element() > COORDINATE_LIMIT {
+            let (low, high) = SPLAT_RADIUS_RANGE.into_inner();
+            let center = center.to_array();
+            let problem = format!(
+                "and the object's size put splat {index} of radius {radius:e} at {center:?}: expected radii from {low:e} \
+                 to {high:e} and coordinates up to {COORDINATE_LIMIT:e}"
+            );
+            return Err(value(("scale", problem)));
+        }
+        // Any two axes of a circle will do.
+        let (first, second) = normal.any_orthonormal_pair();
+        let [nx, ny, nz] = normal.as_vec3().to_array();
+        let [red, green, blue] = surface.colors[index];
+        Ok(Splat {
+            center: center.as_vec3().to_array(),
+            tangents: [first, second].map(|axis| (radius * axis).as_vec3().to_array()),
+            attributes: [nx, ny, nz, red, green, blue],
+            material: object.material,
+        })
+    };
+    (0..surface.points.len()).map(splat).collect()
+}
+
+fn linear(color: [f64; 3]) -> [f32; 3] {
+    color.map(|component| linear_from_srgb(component) as f32)
+}
+
+/// Rejects keys that belong to other kinds of objects: they would be ignored silently.
+fn check_keys(object: &ObjectTable) -> Result<(), Problem> {
+    use Kind::{File, Plane, Sphere, Torus, TorusKnot};
+    let procedural: &[Kind] = &[Sphere, Torus, TorusKnot, Plane];
+    let uses: [(&'static str, bool, &[Kind]); 10] = [
+        ("points", object.points.is_some(), procedural),
+        ("outer_radius", object.outer_radius.is_some(), &[Sphere, Torus, TorusKnot]),
+        ("tube_radius", object.tube_radius.is_some(), &[Torus, TorusKnot]),
+        ("knot_radius", object.knot_radius.is_some(), &[TorusKnot]),
+        ("windings", object.windings.is_some(), &[TorusKnot]),
+        ("size", object.size.is_some(), &[Plane]),
+        ("checks", object.checks.is_some(), procedural),
+        ("checker_color", object.checker_color.is_some(), procedural),
+        ("path", object.path.is_some(), &[File]),
+        ("normals", object.normals.is_some(), &[File]),
+    ];
+    match uses.iter().find(|(_, given, kinds)| *given && !kinds.contains(&object.kind)) {
+        Some((key, _, kinds)) => {
+            let kinds: Vec<_> = kinds.iter().map(|kind| format!("`{}`", kind.name())).collect();
+            Err((key, format!("belongs to {}, but the object is a `{}`", kinds.join(", "), object.kind.name())))
+        }
+        None if object.checks.is_some() != object.checker_color.is_some() => {
+            Err(("checks", "and `checker_color` need each other: give both or none".to_owned()))
+        }
+        None => Ok(()),
+    }
+}
+
+fn check_placement(object: &ObjectTable) -> Result<(), Problem> {
+    positive(object.scale, "scale")?;
+    positive(object.radius_scale, "radius_scale")?;
+    if let Radius::Length(length) = object.radius {
+        positive(length, "radius")?;
+    }
+    for (key, vector) in [("translate", object.translate), ("rotate_degrees", object.rotate_degrees)] {
+        if !vector.iter().all(|component| component.abs() <= COORDINATE_LIMIT) {
+            return Err((key, format!("is {vector:?}: expected numbers up to {COORDINATE_LIMIT:e}")));
+        }
+    }
+    for (key, color) in [("color", object.color), ("checker_color", object.checker_color)] {
+        check_color(color.unwrap_or_default()).map_err(|problem| (key, problem))?;
+    }
+    Ok(())
+}
+
+/// Colors are written as sRGB components from 0 to 1.
+pub(super) fn check_color(color: [f64; 3]) -> Result<(), String> {
+    let valid = color.iter().all(|component| (0.0..=1.0).contains(component));
+    valid.then_some(()).ok_or_else(|| format!("is {color:?}: expected red, green and blue from 0 to 1"))
+}
+
+fn positive(value: f64, key: &'static str) -> Result<f64, Problem> {
+    let valid = value > 0.0 && value <= COORDINATE_LIMIT;
+    valid
+        .then_some(value)
+        .ok_or_else(|| (key, format!("is {value}: expected a positive number up to {COORDINATE_LIMIT:e}")))
+}
+
+fn required<T>(value: Option<T>, key: &'static str, kind: Kind) -> Result<T, Problem> {
+    value.ok_or_else(|| (key, format!("is missing: a `{}` needs it", kind.name())))
+}
+
+fn shape_surface(object: &ObjectTable, color: [f32; 3]) -> Result<Surface, Problem> {
+    let kind = object.kind;
+    let count = required(object.points, "points", kind)?;
+    if !(1..=SPLAT_LIMIT).contains(&count) {
+        return Err(("points", format!("is {count}: expected 1 to {SPLAT_LIMIT}")));
+    }
+    let length = |value: Option<f64>, key| positive(required(value, key, kind)?, key);
+    let samples = match kind {
+        Kind::Sphere => shapes::sphere(count, length(object.outer_radius, "outer_radius")?),
+        Kind::Plane => shapes::plane(count, length(object.size, "size")?),
+        Kind::Torus | Kind::TorusKnot => {
+            let (knot_radius, windings) = if kind == Kind::Torus {
+                (0.0, [1, 0])
+            } else {
+                (length(object.knot_radius, "knot_radius")?, required(object.windings, "windings", kind)?)
+            };
+            if windings[0] == 0 || windings.iter().any(|turns| *turns > WINDING_LIMIT) {
+                let problem = format!("is {windings:?}: expected up to {WINDING_LIMIT} turns, the first at least 1");
+                return Err(("windings", problem));
+            }
+            let outer_radius = length(object.outer_radius, "outer_radius")?;
+            let tube_radius = length(object.tube_radius, "tube_radius")?;
+            shapes::Tube { outer_radius, knot_radius, tube_radius, windings }.sample(count)
+        }
+        Kind::File => unreachable!("files are loaded by `file_surface`"),
+    };
+    let colors = match object.checks.zip(object.checker_color) {
+        None => vec![color; samples.len()],
+        Some((checks, other)) => {
+            let checks = DVec2::new(f64::from(checks[0]), f64::from(checks[1]));
+            let odd = |sample: &shapes::Sample| (sample.parameters * checks).floor().element_sum() % 2.0 != 0.0;
+            samples.iter().map(|sample| if odd(sample) { linear(other) } else { color }).collect()
+        }
+    };
+    Ok(Surface {
+        points: samples.iter().map(|sample| sample.point).collect(),
+        normals: samples.iter().map(|sample| sample.normal).collect(),
+        colors,
+    })
+}
+
+/// A color in the scene overrides the file's.
+fn file_surface(object: &ObjectTable, path: &Path, color: [f32; 3]) -> Result<Surface, SceneError> {
+    let model = Model::load(path)?;
+    let (normals, _) =
+        model.unit_normals(object.normals.unwrap_or_default()).map_err(|problem| SceneError::model(path, problem))?;
+    let uniform = vec![color; model.points.len()];
+    let colors = if object.color.is_some() { uniform } else { model.colors.unwrap_or(uniform) };
+    Ok(Surface { points: model.points, normals, colors })
+}

@@ -1,0 +1,269 @@
+//! What a search cost: figures with their definitions, as JSON and as a page to read.
+
+use super::check::Checked;
+use super::kdtree::Statistics;
+use super::memory::MemorySettings;
+use super::reuse::Reuse;
+use super::run::Outcome;
+use pointcore_contract::search::{Config, ports};
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// A resource and the cycles it would take for a query if it never waited.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Bound {
+    /// What is used.
+    pub name: &'static str,
+    /// Cycles in use, for each query.
+    pub cycles_per_query: f64,
+}
+
+/// How often a cache had what was asked for.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HitRate {
+    /// The cache.
+    pub cache: &'static str,
+    /// Requests it answered.
+    pub hits: u64,
+    /// Requests it passed on.
+    pub misses: u64,
+    /// Share of the requests that it answered.
+    pub rate: f64,
+}
+
+/// Caches with the events that count their hits and misses.
+const CACHES: [(&str, [&str; 2]); 3] = [
+    ("point cache", ports::POINT_CACHE_EVENTS),
+    ("tree cache", ports::TREE_CACHE_EVENTS),
+    ("neighbor cache", ports::NEIGHBOR_CACHE_EVENTS),
+];
+
+/// The run behind a report.
+pub struct Measured<'a> {
+    /// Where the points come from.
+    pub points: &'a str,
+    /// What ran.
+    pub engine: &'a str,
+    /// Where queries lie and how they are ordered.
+    pub order: &'a str,
+    /// The hardware's configuration.
+    pub config: &'a Config,
+    /// The tree.
+    pub tree: Statistics,
+    /// How the tree was divided.
+    pub splitting: &'a str,
+    /// The memory.
+    pub memory: MemorySettings,
+    /// Bytes of a beat of points.
+    pub beat_bytes: u32,
+    /// Neighbors wanted.
+    pub k: u32,
+    /// Radius within which they count.
+    pub radius: Option<f32>,
+    /// What the run brought.
+    pub outcome: &'a Outcome,
+    /// Outputs that differed, where they were compared.
+    pub mismatches: Option<u64>,
+    /// What a comparison with a search through all points brought.
+    pub checked: Option<Checked>,
+    /// What the neighbor cache may answer.
+    pub reuse: Reuse,
+    /// The clock for which times are stated.
+    pub clock_mhz: f64,
+}
+
+/// The figures of a search.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// Where the points come from.
+    pub points: String,
+    /// What ran: `rtl` (in lockstep or not) or `golden`.
+    pub engine: String,
+    /// Where queries lie and how they are ordered.
+    pub order: String,
+    /// How the tree was divided.
+    pub splitting: String,
+    /// The tree.
+    pub tree: Statistics,
+    /// The hardware's configuration.
+    pub config: Config,
+    /// Neighbors wanted.
+    pub k: u32,
+    /// Radius within which they count.
+    pub radius: Option<f32>,
+    /// Queries asked.
+    pub queries: usize,
+    /// Neighbors found.
+    pub neighbors: u64,
+    /// Outputs on which hardware and model differed; absent where they were not compared.
+    pub mismatches: Option<u64>,
+    /// What a comparison with a search through all points brought; absent where there was none.
+    pub checked: Option<Checked>,
+    /// What the neighbor cache may answer; absent where there is none.
+    pub reuse: Option<Reuse>,
+    /// Cycles from the first query to the last result.
+    pub cycles: u64,
+    /// Cycles for each query.
+    pub cycles_per_query: f64,
+    /// The clock for which queries per second are stated.
+    pub clock_mhz: f64,
+    /// Queries answered in a second at that clock.
+    pub queries_per_second: f64,
+    /// The memory's latency.
+    pub latency_cycles: u64,
+    /// The memory's bandwidth.
+    pub bytes_per_cycle: f64,
+    /// Requests to the memory for each query.
+    pub requests_per_query: f64,
+    /// Bytes moved for each query, whole bursts.
+    pub bytes_per_query: f64,
+    /// Every resource of the search.
+    pub bounds: Vec<Bound>,
+    /// The one that limits the search.
+    pub bound: Bound,
+    /// The bound's share of the cycles.
+    pub share_of_bound: f64,
+    /// The caches that the core has.
+    pub hit_rates: Vec<HitRate>,
+    /// Share of the cycles in which a query waited for a free thread.
+    pub thread_wait: f64,
+    /// Share of the cycles in which a beat stayed with the queues for another insertion.
+    pub insert_wait: f64,
+    /// Share of the cycles in which the core did not take a beat that the memory offered.
+    pub beat_wait: f64,
+    /// Cycles simulated in a second.
+    pub simulated_cycles_per_second: f64,
+}
+
+impl Report {
+    /// Derives the figures.
+    #[must_use]
+    pub fn new(run: &Measured) -> Self {
+        let counters = &run.outcome.counters;
+        let (queries, cycles) = (run.outcome.neighbors.len(), counters.cycles);
+        let each = |count: f64| count / queries.max(1) as f64;
+        let share = |count: u64| count as f64 / cycles.max(1) as f64;
+        let bytes_per_cycle = run.memory.bytes_per_cycle.unwrap_or(run.beat_bytes.into());
+        let insertions = counters.event("event_insert");
+        // No event counts the beats that the point cache answers with: its leaves are taken to be as large as those from memory.
+        let [cached, fetched] = ports::POINT_CACHE_EVENTS.map(|event| counters.event(event) as f64);
+        let beats = counters.beats as f64 * (1.0 + cached / fetched.max(1.0));
+        let bounds: Vec<Bound> = [
+            ("nodes visited", counters.event("event_node") as f64),
+            ("paths popped", counters.event("event_pop") as f64),
+            ("beats of points", beats),
+            ("records of the tree from memory", counters.records as f64),
+            ("insertions", insertions as f64),
+            (
+                "beats in the priority queues",
+                (counters.event("event_beat") + counters.event("event_insert_wait")) as f64,
+            ),
+            ("results", counters.results as f64),
+            ("memory bus", counters.bytes as f64 / bytes_per_cycle),
+        ]
+        .map(|(name, count)| Bound { name, cycles_per_query: each(count) })
+        .into();
+        let by_cycles = |a: &&Bound, b: &&Bound| a.cycles_per_query.total_cmp(&b.cycles_per_query);
+        let bound = bounds.iter().max_by(by_cycles).expect("a search uses resources").clone();
+        let rate = |(cache, [hit, miss]): (&'static str, [&str; 2])| {
+            let (hits, misses) = (counters.event(hit), counters.event(miss));
+            let present = counters.events.iter().any(|(event, _)| *event == hit);
+            present.then(|| HitRate { cache, hits, misses, rate: hits as f64 / (hits + misses).max(1) as f64 })
+        };
+        Self {
+            points: run.points.to_owned(),
+            engine: run.engine.to_owned(),
+            order: run.order.to_owned(),
+            splitting: run.splitting.to_owned(),
+            tree: run.tree,
+            config: run.config.clone(),
+            k: run.k,
+            radius: run.radius,
+            queries,
+            neighbors: run.outcome.neighbors.iter().map(|neighbors| neighbors.len() as u64).sum(),
+            mismatches: run.mismatches,
+            checked: run.checked,
+            reuse: (run.config.neighbor_cache > 0).then_some(run.reuse),
+            cycles,
+            cycles_per_query: each(cycles as f64),
+            clock_mhz: run.clock_mhz,
+            queries_per_second: run.clock_mhz * 1e6 / each(cycles as f64).max(f64::MIN_POSITIVE),
+            latency_cycles: run.memory.latency_cycles,
+            bytes_per_cycle,
+            requests_per_query: each(counters.requests as f64),
+            bytes_per_query: each(counters.bytes as f64),
+            share_of_bound: bound.cycles_per_query / each(cycles as f64).max(f64::MIN_POSITIVE),
+            bounds,
+            bound,
+            hit_rates: CACHES.into_iter().filter_map(rate).collect(),
+            thread_wait: share(counters.event("event_thread_wait")),
+            insert_wait: share(counters.event("event_insert_wait")),
+            beat_wait: share(counters.beat_wait),
+            simulated_cycles_per_second: run.outcome.simulated_cycles as f64 / run.outcome.elapsed.as_secs_f64(),
+        }
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let compared = match self.mismatches {
+            Some(count) => format!("{count} mismatches, every output compared in every cycle"),
+            None => "not compared".to_owned(),
+        };
+        let checked = match self.checked {
+            Some(Checked { queries, exact, .. }) if queries == exact => {
+                format!("{queries} of {} queries, every distance equal bit for bit", self.queries)
+            }
+            Some(Checked { queries, exact, worst_ratio }) => format!(
+                "{queries} of {} queries, {exact} exact, the farthest neighbor up to {worst_ratio:.3} times too far",
+                self.queries
+            ),
+            None => "not compared (`--check` does)".to_owned(),
+        };
+        let within = self.radius.map_or(String::new(), |radius| format!(" within {radius}"));
+        let Config { threads, lanes, leaves_in_flight, bucket, geometry, .. } = &self.config;
+        let rows = [
+            ("engine", self.engine.clone()),
+            ("lockstep", compared),
+            ("search through all points", checked),
+            ("points", self.points.clone()),
+            ("tree", format!("{}, {}", self.splitting, self.tree)),
+            (
+                "core",
+                format!(
+                    "{threads} threads, {lanes} lanes, buckets of {bucket}, {leaves_in_flight} leaves in flight, {geometry}"
+                ),
+            ),
+            ("memory", format!("{} cycles latency, {} bytes a cycle", self.latency_cycles, self.bytes_per_cycle)),
+            ("queries", format!("{}, {}, for {} neighbors{within}", self.queries, self.order, self.k)),
+            ("neighbors found", self.neighbors.to_string()),
+            ("cycles", self.cycles.to_string()),
+            ("cycles per query", format!("{:.2}", self.cycles_per_query)),
+            ("queries per second", format!("{:.0} at {} MHz", self.queries_per_second, self.clock_mhz)),
+            ("requests per query", format!("{:.2}", self.requests_per_query)),
+            ("bytes per query", format!("{:.1}", self.bytes_per_query)),
+            ("bound", format!("{}: {} of the cycles", self.bound.name, percent(self.share_of_bound))),
+            ("queries wait for a thread", percent(self.thread_wait)),
+            ("queues stay for another insertion", percent(self.insert_wait)),
+            ("memory waits for the core", percent(self.beat_wait)),
+            ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
+        ];
+        let mut text = "# Nearest neighbors\n\n| figure | value |\n|---|---|\n".to_owned();
+        for (name, value) in rows {
+            _ = writeln!(text, "| {name} | {value} |");
+        }
+        if let Some(Reuse { epsilon, alpha }) = self.reuse {
+            _ = writeln!(text, "| reuse | ε = {epsilon}, α = {alpha} |");
+        }
+        for HitRate { cache, hits, misses, rate } in &self.hit_rates {
+            _ = writeln!(text, "| {cache} | {} of {} requests |", percent(*rate), hits + misses);
+        }
+        text += "\nEvery resource takes one item a cycle; the one with the most items bounds the search.\n\n";
+        text += "| resource | cycles per query |\n|---|---|\n";
+        for Bound { name, cycles_per_query } in &self.bounds {
+            _ = writeln!(text, "| {name} | {cycles_per_query:.2} |");
+        }
+        text
+    }
+}

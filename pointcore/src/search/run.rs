@@ -1,0 +1,137 @@
+//! Queries on the hardware, on its golden model, or on both in lockstep.
+
+use super::Error;
+use super::generate::Core;
+use super::host::{Counters, End, Host, Work};
+use super::query::Neighbor;
+use crate::package::Recording;
+use crate::splat::Progress;
+use pointcore_contract::search::ports;
+use pointcore_contract::splat::ports::count;
+use pointcore_golden::search::Top;
+use pointcore_golden::search::top::Out;
+use pointcore_golden::unit::{Model, Ported, Unit};
+use pointcore_tb::lockstep::{Flow, Lockstep, RESET_CYCLES, Stall, Stalls, Stimulus};
+use pointcore_tb::verilated::Library;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// What a run brought.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// Neighbors by query, nearest first.
+    pub neighbors: Vec<Vec<Neighbor>>,
+    /// What the host counted.
+    pub counters: Counters,
+    /// Cycles simulated, those that load the tree among them.
+    pub simulated_cycles: u64,
+    /// Time the simulation took.
+    pub elapsed: Duration,
+}
+
+/// Queries ready to be run, on one engine or another, with one pattern of stalls or another.
+#[derive(Clone)]
+pub struct Runner<'a> {
+    /// Tree, queries, memory.
+    pub work: Work<'a>,
+    /// When the host holds back.
+    pub stall: Stall,
+    /// Seed of the stalls, of the memory's order and of the hardware's uninitialized values.
+    pub seed: u64,
+    /// Hears of the progress.
+    pub progress: Progress<'a>,
+    /// The command that makes this run, printed with a failure.
+    pub reproduce: &'a str,
+}
+
+impl<'a> Runner<'a> {
+    fn host(&self) -> Host<'a> {
+        let stalls = Stalls::new(self.stall, fastrand::Rng::with_seed(self.seed));
+        Host::new(self.work, stalls, self.seed, self.progress)
+    }
+
+    /// The golden model alone.
+    ///
+    /// # Errors
+    /// The core is stuck.
+    pub fn golden(&self, core: &Core) -> Result<Outcome, Error> {
+        let started = Instant::now();
+        let mut top = Top::new(self.work.config, core.latencies());
+        let mut host = self.host();
+        let (mut cycle, mut outputs) = (0, Out::default());
+        while host.drive(cycle, &outputs) == Flow::Continue {
+            outputs = top.outputs();
+            top.clock(host.inputs());
+            cycle += 1;
+        }
+        finish(host, cycle, started)
+    }
+
+    /// What the golden model's ports carry in every cycle.
+    ///
+    /// # Errors
+    /// The core is stuck.
+    pub fn record(&self, core: &Core) -> Result<Recording, Error> {
+        let list = ports::top(self.work.config);
+        let (inputs, outputs) = count(&list);
+        let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
+        let mut golden = Ported::new(Top::new(self.work.config, core.latencies()));
+        let mut recording = Recording::new(list);
+        let mut host = self.host();
+        let mut cycle = 0;
+        while Stimulus::drive(&mut host, cycle, &outputs, &mut inputs) == Flow::Continue {
+            golden.step(&inputs, &mut outputs);
+            recording.push(&inputs, &outputs);
+            cycle += 1;
+        }
+        finish(host, cycle, Instant::now())?;
+        Ok(recording)
+    }
+
+    /// The hardware alone; with a path, a waveform of the whole run is written there.
+    ///
+    /// # Errors
+    /// An assertion of the hardware fails, or the core is stuck.
+    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<Outcome, Error> {
+        let started = Instant::now();
+        let mut model = library.instantiate(self.seed);
+        if let Some(path) = waveform {
+            model.open_trace(path)?;
+        }
+        let (mut inputs, mut outputs) = (library.reset_inputs(), vec![0; library.outputs().len()]);
+        for _ in 0..RESET_CYCLES {
+            model.step(&inputs, &mut outputs)?;
+        }
+        inputs.fill(0);
+        let mut host = self.host();
+        let mut cycle = 0;
+        while Stimulus::drive(&mut host, cycle, &outputs, &mut inputs) == Flow::Continue {
+            model.step(&inputs, &mut outputs)?;
+            cycle += 1;
+        }
+        finish(host, cycle, started)
+    }
+
+    /// Hardware and model, every output compared in every cycle.
+    ///
+    /// # Errors
+    /// The first difference, or the core is stuck.
+    pub fn lockstep(&self, core: &Core, library: &Arc<Library>) -> Result<Outcome, Error> {
+        let started = Instant::now();
+        let mut golden = Ported::new(Top::new(self.work.config, core.latencies()));
+        let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
+        // The host finds out by itself when nothing moves.
+        let lockstep = Lockstep::new(library, golden, self.seed).limit(u64::MAX);
+        let run = lockstep.reproduced_by(self.reproduce.to_owned()).run(self.host())?;
+        finish(run.stimulus, run.report.cycles, started)
+    }
+}
+
+fn finish(host: Host, cycle: u64, started: Instant) -> Result<Outcome, Error> {
+    if host.end == Some(End::Stuck) {
+        return Err(Error::Stuck { cycle, answered: host.answered(), queries: host.queries() });
+    }
+    let (counters, neighbors) = host.into_results();
+    Ok(Outcome { neighbors, counters, simulated_cycles: cycle, elapsed: started.elapsed() })
+}

@@ -1,0 +1,86 @@
+//! The beginning of a small frame, recorded at the ports of the golden model: the test that goes with generated Verilog.
+
+use super::encode::{Frame, attribute_word, uniforms, word};
+use super::generate::Core;
+use super::run::Runner;
+use crate::package::Recording;
+use fastrand::Rng;
+use pointcore_contract::splat::{Config, records};
+use pointcore_contract::{Camera, Rendering};
+use pointcore_tb::lockstep::{LockstepError, Stall};
+
+/// Splats of the frame: few, so that its first pixels leave the core within the vectors.
+const SPLATS: usize = 3;
+/// Bits of the vectors: the whole frame would take hundreds of times as much.
+const VECTOR_BITS: usize = 3 << 19;
+/// Pixel that the camera's axis meets: near the first tile, for tiles leave the core in their order.
+const CENTER_PX: f64 = 16.0;
+/// Cycles beyond one a tile until the core has cleared its directory of tiles.
+const SETTLING_CYCLES: u64 = 8;
+/// Where the splats lie, and half their size.
+const DEPTH: f32 = 5.0;
+const RADIUS: f32 = 0.05;
+/// The seed of splats.
+const SEED: u64 = 1;
+
+/// A camera at the origin that looks along z, its view one unit high at distance 1.
+fn camera(config: &Config) -> Camera {
+    let height = f64::from(config.height);
+    let (near, far) = (1.0, 10.0);
+    let depth_a = far / (far - near);
+    Camera {
+        model_view: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+        scale_x: height,
+        scale_y: height,
+        center_x: CENTER_PX,
+        center_y: CENTER_PX,
+        depth_a,
+        depth_b: -near * depth_a,
+        near,
+    }
+}
+
+fn rendering(config: &Config) -> Rendering {
+    Rendering {
+        width: config.width as usize,
+        height: config.height as usize,
+        sampling: config.sampling,
+        depth: config.depth,
+        kernel_gamma: Rendering::DEFAULT_KERNEL_GAMMA,
+        filter_radius_px: Some(Rendering::DEFAULT_FILTER_RADIUS_PX),
+        epsilon_scale: Rendering::DEFAULT_EPSILON_SCALE,
+        epsilon_bias: 1e-3,
+    }
+}
+
+/// Splats around the camera's axis that face the eye.
+fn frame(config: &Config) -> Frame {
+    let mut random = Rng::with_seed(SEED);
+    let record_words = records::splat(config).len();
+    let mut words = Vec::new();
+    for _ in 0..SPLATS {
+        let [x, y] = [(); 2].map(|()| (2.0 * random.f32() - 1.0) * RADIUS);
+        // The cross product of the tangents points at the eye.
+        let geometry = [x, y, DEPTH + random.f32(), 0.0, RADIUS, 0.0, RADIUS, 0.0, 0.0];
+        words.push(0);
+        words.extend(geometry.map(|number| word(config.geometry, number)));
+        words.extend((0..config.continuous).map(|_| attribute_word(config.attribute, random.f32())));
+        words.extend((0..config.cardinal).map(|_| 1));
+    }
+    let end = words.len();
+    words.resize(end + record_words, 0);
+    words[end] = 1;
+    Frame { records: words, record_words, uniforms: uniforms(&camera(config), &rendering(config), config) }
+}
+
+/// Records the beginning of a frame on the hardware of a configuration.
+///
+/// # Errors
+/// The frame does not come to its end.
+pub fn record(config: &Config, core: &Core) -> Result<Recording, LockstepError> {
+    let frame = frame(config);
+    let width: usize = core.design.ports().iter().map(|port| port.width).sum();
+    let stop_after = Some((VECTOR_BITS / width) as u64);
+    let runner = Runner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after };
+    runner.recording(core, (1 << config.tile_bits()) + SETTLING_CYCLES)
+}

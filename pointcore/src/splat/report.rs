@@ -1,0 +1,247 @@
+//! What a run says: figures with their definitions, as JSON and as a page to read.
+
+use super::host::Counters;
+use pointcore_contract::splat::ports::EVENTS;
+use pointcore_contract::splat::{AttributeFormat, Config, records};
+use pointcore_golden::reference::Frame;
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// Largest difference of an attribute that rounding explains: beyond it, some depth test came out differently. In coarse fixed point it is
+/// [more](rounding_limit).
+pub const ROUNDING_LIMIT: f64 = 1.0 / 256.0;
+
+/// Units in the last place of a fixed-point attribute that the host's and the normalizer's rounding and the missing one come to.
+const ROUNDED_PLACES: f64 = 2.0;
+
+/// Largest difference of an attribute that rounding explains on a configuration.
+#[must_use]
+pub fn rounding_limit(config: &Config) -> f64 {
+    match config.attribute {
+        AttributeFormat::Float(_) => ROUNDING_LIMIT,
+        AttributeFormat::Fixed(fraction) => {
+            let places = ROUNDED_PLACES * 0.5_f64.powi(fraction.number().fraction as i32);
+            places.max(ROUNDING_LIMIT)
+        }
+    }
+}
+
+/// How far a stored or tested depth may be off: 16 units in the last place of a 24-bit depth, for the roundings of `f32` in setup
+/// and of the fixed-point depths behind it.
+pub const DEPTH_ROUNDING: f64 = 16.0 / (1 << 24) as f64;
+
+/// How far ρ² may be off at the edge of a splat: some 2⁻²⁴ for each of its roundings, magnified by the foreshortening of splats that
+/// are seen almost edge-on.
+pub const EDGE_ROUNDING: f64 = 1.0 / (1 << 14) as f64;
+
+/// The figures of one frame.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The scene's name.
+    pub scene: String,
+    /// What ran: `rtl` (in lockstep or not) or `golden`.
+    pub engine: String,
+    /// Splats sent.
+    pub splats: u64,
+    /// Image size in pixels.
+    pub width: u32,
+    /// Image size in pixels.
+    pub height: u32,
+    /// Outputs on which hardware and model differed; absent where they were not compared.
+    pub mismatches: Option<u64>,
+    /// Cycles from the first splat to the end of the frame.
+    pub cycles: u64,
+    /// Cycles for each splat sent.
+    pub cycles_per_splat: f64,
+    /// Samples evaluated by the rasterizer.
+    pub samples: u64,
+    /// Cycles for each sample evaluated.
+    pub cycles_per_sample: f64,
+    /// Samples inside their splat, which reach the accumulator.
+    pub accumulated: u64,
+    /// Share of the cycles in which the rasterizer evaluates a sample.
+    pub rasterizer_utilisation: f64,
+    /// Share of the cycles in which the accumulator takes a sample.
+    pub accumulator_utilisation: f64,
+    /// Share of the cycles in which the accumulator waits for an earlier sample of the same pixel.
+    pub hazard_fraction: f64,
+    /// Share of the cycles in which the accumulator waits for its tile.
+    pub slot_wait_fraction: f64,
+    /// Share of the cycles in which the rasterizer has nothing to do.
+    pub starved_fraction: f64,
+    /// Share of the cycles in which what follows holds the rasterizer.
+    pub blocked_fraction: f64,
+    /// Bytes read from the reconstruction buffer.
+    pub buffer_read_bytes: u64,
+    /// Bytes written to the reconstruction buffer.
+    pub buffer_write_bytes: u64,
+    /// Fragments of the frame.
+    pub fragments: u64,
+    /// Peak signal-to-noise ratio of the shaded picture against the f64 reference.
+    pub psnr_db: f64,
+    /// Pixels that only one of frame and reference covers.
+    pub coverage_differences: u64,
+    /// Pixels covered by both that took their cardinal attribute from another splat: two weights were nearly equal.
+    pub material_differences: u64,
+    /// Pixels covered by both whose attributes differ by more than rounding of attributes explains ([`rounding_limit`]): a test
+    /// came out differently.
+    pub outcome_differences: u64,
+    /// Of those, pixels where the reference's depth test came within [`DEPTH_ROUNDING`] of another outcome.
+    pub depth_test_differences: u64,
+    /// Of the others, pixels where a sample's ρ² came within [`EDGE_ROUNDING`] of the edge of its splat.
+    pub edge_differences: u64,
+    /// Cycles simulated in a second.
+    pub simulated_cycles_per_second: f64,
+}
+
+/// How a frame differs from its reference.
+#[derive(Default)]
+struct Differences {
+    coverage: u64,
+    material: u64,
+    outcome: u64,
+    depth_test: u64,
+    edge: u64,
+}
+
+impl Differences {
+    fn of(frame: &Frame, reference: &Frame, limit: f64) -> Self {
+        let mut found = Self::default();
+        for (pair, margins) in frame.pixels.iter().zip(&reference.pixels).zip(&reference.margins) {
+            match pair {
+                (Some(a), Some(b)) => {
+                    found.material += u64::from(a.material != b.material);
+                    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > limit;
+                    if a.attributes.iter().zip(&b.attributes).any(apart) {
+                        let depth_test = margins.depth <= DEPTH_ROUNDING;
+                        found.outcome += 1;
+                        found.depth_test += u64::from(depth_test);
+                        found.edge += u64::from(!depth_test && margins.edge <= EDGE_ROUNDING);
+                    }
+                }
+                (None, None) => {}
+                _ => found.coverage += 1,
+            }
+        }
+        found
+    }
+}
+
+/// The run behind a report.
+pub struct Measured<'a> {
+    /// The scene's name.
+    pub scene: &'a str,
+    /// What ran.
+    pub engine: &'a str,
+    /// The hardware's configuration.
+    pub config: &'a Config,
+    /// Splats sent.
+    pub splats: usize,
+    /// What the host counted.
+    pub counters: &'a Counters,
+    /// The frame.
+    pub frame: &'a Frame,
+    /// The f64 reference.
+    pub reference: &'a Frame,
+    /// Of the shaded pictures.
+    pub psnr_db: f64,
+    /// Outputs that differed, where they were compared.
+    pub mismatches: Option<u64>,
+    /// Simulation speed.
+    pub simulated_cycles_per_second: f64,
+}
+
+impl Report {
+    /// Derives the figures.
+    #[must_use]
+    pub fn new(run: &Measured) -> Self {
+        let Counters { cycles, events, pixels_read, pixels_written } = *run.counters;
+        let [samples, starved, blocked, accumulated, hazard, slot_wait] = events;
+        let share = |count: u64| count as f64 / cycles.max(1) as f64;
+        let pixel_bytes = u64::from(records::pixel_bytes(run.config));
+        let differences = Differences::of(run.frame, run.reference, rounding_limit(run.config));
+        Self {
+            scene: run.scene.to_owned(),
+            engine: run.engine.to_owned(),
+            splats: run.splats as u64,
+            width: run.frame.width as u32,
+            height: run.frame.height as u32,
+            mismatches: run.mismatches,
+            cycles,
+            cycles_per_splat: cycles as f64 / run.splats.max(1) as f64,
+            samples,
+            cycles_per_sample: cycles as f64 / samples.max(1) as f64,
+            accumulated,
+            rasterizer_utilisation: share(samples),
+            accumulator_utilisation: share(accumulated),
+            hazard_fraction: share(hazard),
+            slot_wait_fraction: share(slot_wait),
+            starved_fraction: share(starved),
+            blocked_fraction: share(blocked),
+            buffer_read_bytes: pixels_read * pixel_bytes,
+            buffer_write_bytes: pixels_written * pixel_bytes,
+            fragments: run.frame.pixels.iter().flatten().count() as u64,
+            psnr_db: run.psnr_db,
+            coverage_differences: differences.coverage,
+            material_differences: differences.material,
+            outcome_differences: differences.outcome,
+            depth_test_differences: differences.depth_test,
+            edge_differences: differences.edge,
+            simulated_cycles_per_second: run.simulated_cycles_per_second,
+        }
+    }
+
+    /// Why tests came out differently, in words.
+    fn explanation(&self) -> String {
+        let unexplained = self.outcome_differences - self.depth_test_differences - self.edge_differences;
+        format!(
+            "{}: {} whose stored depth lies within rounding of an end of the ε-band, {} with a sample within rounding of its \
+             splat's edge, {unexplained} for other reasons",
+            self.outcome_differences, self.depth_test_differences, self.edge_differences
+        )
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let compared = match self.mismatches {
+            Some(count) => format!("{count} mismatches, every output compared in every cycle"),
+            None => "not compared".to_owned(),
+        };
+        let rows = [
+            ("engine", self.engine.clone()),
+            ("lockstep", compared),
+            ("image", format!("{} × {} px, {} fragments", self.width, self.height, self.fragments)),
+            ("splats", self.splats.to_string()),
+            ("cycles", self.cycles.to_string()),
+            ("cycles per splat", format!("{:.2}", self.cycles_per_splat)),
+            ("samples", format!("{}, {} of them inside their splat", self.samples, self.accumulated)),
+            ("cycles per sample", format!("{:.3}", self.cycles_per_sample)),
+            ("rasterizer busy", percent(self.rasterizer_utilisation)),
+            ("rasterizer without work", percent(self.starved_fraction)),
+            ("rasterizer held back", percent(self.blocked_fraction)),
+            ("accumulator busy", percent(self.accumulator_utilisation)),
+            ("accumulator waits for a pixel (hazard)", percent(self.hazard_fraction)),
+            ("accumulator waits for a tile", percent(self.slot_wait_fraction)),
+            ("reconstruction buffer read", format!("{} bytes", self.buffer_read_bytes)),
+            ("reconstruction buffer written", format!("{} bytes", self.buffer_write_bytes)),
+            ("PSNR against the f64 reference", format!("{:.1} dB", self.psnr_db)),
+            ("pixels covered differently", self.coverage_differences.to_string()),
+            ("pixels with another material", self.material_differences.to_string()),
+            ("pixels where a test came out differently", self.explanation()),
+            ("simulation", format!("{:.0} cycles/s", self.simulated_cycles_per_second)),
+        ];
+        let mut text = format!("# {}\n\n| figure | value |\n|---|---|\n", self.scene);
+        for (name, value) in rows {
+            _ = writeln!(text, "| {name} | {value} |");
+        }
+        text += "\n![frame](frame.png) ![reference](reference.png) ![difference](difference.png)\n\n";
+        text +=
+            "Frame, f64 reference, and their difference magnified 16 times. Rows named after the rasterizer and the ";
+        text += "accumulator count cycles of the frame; waits overlap with each other across the two units.\n";
+        text
+    }
+}
+
+const _: () = assert!(EVENTS.len() == 6, "Report::new names every event");

@@ -1,0 +1,299 @@
+//! Area and clock of the hardware on open tools: yosys for the cells, nextpnr for the clock.
+//!
+//! Every step's result is kept by the hash of all it depends on, so a long series that was interrupted goes on where it was.
+
+mod cells;
+mod record;
+pub(crate) mod shell;
+mod steps;
+mod table;
+mod target;
+mod timing;
+mod tools;
+mod units;
+
+pub use cells::Area;
+pub use record::{Entry, Record, Stale};
+pub use steps::{Progress, State, Step};
+pub use table::{Style, table};
+pub use target::Target;
+pub(crate) use target::arguments_for_a_core;
+pub use timing::Timing;
+pub use units::{Extent, GROUPS, Group, Unit, all, known, standard};
+
+use crate::generated::GenerateError;
+use pointcore_tb::cache::{Cache, FileError, file, key};
+use rayon::prelude::*;
+use serde::Serialize;
+use shell::Shelled;
+use std::fs;
+use std::path::{Path, PathBuf};
+use steps::watched;
+use target::{Device, routing_settings};
+use tools::Tool;
+
+/// Why a unit could not be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum SynthesisError {
+    /// A tool is not there or too old.
+    #[error(
+        "`{tool}` {needed} or newer is neither on the search path nor in target/tools; install it with `make setup-fpga`"
+    )]
+    Missing {
+        /// Its name.
+        tool: &'static str,
+        /// The oldest version that will do.
+        needed: &'static str,
+    },
+    /// A tool stopped.
+    #[error("{} failed on `{unit}`; its last lines:\n{output}", tool.display())]
+    Tool {
+        /// The program.
+        tool: PathBuf,
+        /// What it worked on.
+        unit: String,
+        /// What it said last.
+        output: String,
+    },
+    /// A tool's report could not be read.
+    #[error("the tools' report on `{unit}` is not as expected: {problem}")]
+    Report {
+        /// What was measured.
+        unit: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// The device has not enough of something.
+    #[error(
+        "`{unit}` takes {needed} {resource}, the {device} has {available}; choose a smaller configuration or another target"
+    )]
+    TooLarge {
+        /// What was measured.
+        unit: String,
+        /// What there is not enough of.
+        resource: &'static str,
+        /// The device.
+        device: &'static str,
+        /// How many the unit takes.
+        needed: u64,
+        /// How many the device has.
+        available: u64,
+    },
+    /// The hardware could not be generated.
+    #[error("the hardware of `{unit}` could not be generated: {source}")]
+    Generate {
+        /// What was to be measured.
+        unit: String,
+        /// The generator's fault.
+        source: GenerateError,
+    },
+    /// A file of the cache.
+    #[error(transparent)]
+    File(#[from] FileError),
+}
+
+/// A unit's area and clock.
+#[derive(Clone, Debug, Serialize)]
+pub struct Measurement {
+    /// The unit's name.
+    pub unit: String,
+    /// What it takes.
+    pub area: Area,
+    /// The run with the median frequency, where the target is placed and routed.
+    pub timing: Option<Timing>,
+    /// The frequency with every seed, in MHz.
+    pub fmax_mhz: Vec<f64>,
+}
+
+/// Tools for one target, and the cache of their results.
+pub struct Synthesizer {
+    target: Target,
+    yosys: Tool,
+    router: Option<(&'static Device, Tool)>,
+    cache: Cache,
+}
+
+impl Synthesizer {
+    /// The tools for a target.
+    ///
+    /// # Errors
+    /// When one is missing or too old.
+    pub fn new(target: Target) -> Result<Self, SynthesisError> {
+        let router = target.device().map(|device| Ok::<_, SynthesisError>((device, Tool::nextpnr(device.program)?)));
+        let cache = Cache::new(Cache::default_folder("synthesis"));
+        Ok(Self { target, yosys: Tool::yosys()?, router: router.transpose()?, cache })
+    }
+
+    /// Measures a unit, its clock with seeds 1 to `seeds`; `progress` hears of every step done.
+    ///
+    /// # Errors
+    /// A tool's failure, or a unit that the device cannot hold.
+    pub fn measure(&self, unit: &Unit, seeds: u32, progress: Progress<'_>) -> Result<Measurement, SynthesisError> {
+        let name = &unit.name;
+        let synthesis = watched(name, None, progress, || self.synthesize(name, &design(unit)?))?;
+        let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
+        let area = cells::parse(self.target, &read(&synthesis.0.join(CELLS))?).map_err(report)?;
+        let mut runs = Vec::new();
+        if let Some((device, router)) = &self.router {
+            check_capacity(name, device, &area)?;
+            let route = |seed| {
+                let run = || self.route(unit, device, router, &synthesis, seed);
+                watched(name, Some(seed), progress, run)
+            };
+            runs = (1..=seeds).into_par_iter().map(route).collect::<Result<_, SynthesisError>>()?;
+        }
+        let fmax_mhz = runs.iter().map(|run: &Timing| run.fmax_mhz).collect();
+        Ok(Measurement { unit: name.clone(), area, timing: timing::median(&runs).cloned(), fmax_mhz })
+    }
+
+    /// The technology.
+    #[must_use]
+    pub const fn target(&self) -> Target {
+        self.target
+    }
+
+    /// What the tools say of their versions.
+    #[must_use]
+    pub fn tools(&self) -> Vec<String> {
+        let router = self.router.iter().map(|(_, tool)| tool.description.clone());
+        std::iter::once(self.yosys.description.clone()).chain(router).collect()
+    }
+
+    /// The cache entry with the unit's cells and netlist, and its key.
+    fn synthesize(&self, unit: &str, design: &Shelled) -> Result<(PathBuf, String), SynthesisError> {
+        let script = self.target.script(design);
+        let key = key([design.verilog.as_str(), &script, &self.yosys.description]);
+        let entry = self.cache.entry(&key, |content| {
+            write(&content.join("design.v"), &design.verilog)?;
+            write(&content.join("script.ys"), &script)?;
+            self.yosys.run(unit, content, &["-q", "-s", "script.ys"])
+        })?;
+        Ok((entry, key))
+    }
+
+    /// The clock of a unit with one seed. A core is placed and routed in two steps, each of which takes as long as many units.
+    fn route(
+        &self,
+        unit: &Unit,
+        device: &Device,
+        router: &Tool,
+        synthesis: &(PathBuf, String),
+        seed: u32,
+    ) -> Result<Timing, SynthesisError> {
+        let run = |(start, start_key): &(PathBuf, String), netlist: &str, options: &[&str]| {
+            let seed = seed.to_string();
+            let arguments: Vec<&str> = device.arguments(unit.extent).chain(options.iter().copied()).collect();
+            let parts = [start_key.as_str(), &router.description, &seed];
+            let key = key(parts.into_iter().chain(arguments.iter().copied()));
+            let entry = self.cache.entry(&key, |content| {
+                let copy = content.join(netlist);
+                if netlist == PLACED {
+                    write(&copy, &with_settings(unit.extent, &read(&start.join(netlist))?))?;
+                } else {
+                    fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
+                }
+                let files = ["--seed", &seed, "--json", netlist, "--report", TIMING, "--log", ROUTING];
+                router.run(&unit.name, content, &[&["-q", "--timing-allow-fail"], &files[..], &arguments].concat())?;
+                Ok::<_, SynthesisError>(fs::remove_file(&copy).map_err(file("remove", &copy))?)
+            })?;
+            Ok::<_, SynthesisError>((entry, key))
+        };
+        let (entry, _) = match unit.extent {
+            Extent::Unit => run(synthesis, NETLIST, &[])?,
+            Extent::Core | Extent::CrowdedCore => {
+                let placed = run(synthesis, NETLIST, &["--no-route", "--write", PLACED])?;
+                let key = key([placed.1.as_str(), &with_settings(unit.extent, SETTINGS)]);
+                run(&(placed.0, key), PLACED, &["--no-pack", "--no-place"])?
+            }
+        };
+        timing::parse(&read(&entry.join(TIMING))?)
+            .map_err(|problem| SynthesisError::Report { unit: unit.name.clone(), problem })
+    }
+}
+
+/// A placed design with the router's settings among its own.
+fn with_settings(extent: Extent, design: &str) -> String {
+    let settings: String =
+        routing_settings(extent).iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
+    design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
+}
+
+/// A unit in its shell.
+fn design(unit: &Unit) -> Result<Shelled, SynthesisError> {
+    let design = unit.module().and_then(shell::wrap);
+    design.map_err(|source| SynthesisError::Generate { unit: unit.name.clone(), source })
+}
+
+/// The hash of all that a measurement depends on but the tools' versions: the unit's Verilog, the script, the arguments.
+///
+/// # Errors
+/// A fault of the generator.
+pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError> {
+    let design = design(unit)?;
+    let script = target.script(&design);
+    let arguments: Vec<&str> = target.device().into_iter().flat_map(|device| device.arguments(unit.extent)).collect();
+    let settings = with_settings(unit.extent, SETTINGS);
+    let settings = (target.device().is_some() && settings != SETTINGS).then_some(settings.as_str());
+    Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments).chain(settings)))
+}
+
+/// What yosys counts.
+const CELLS: &str = "cells.json";
+/// What yosys hands to place and route.
+const NETLIST: &str = "netlist.json";
+/// Where a placed design has its settings.
+const SETTINGS: &str = "\"settings\": {";
+/// What placing hands to routing.
+const PLACED: &str = "placed.json";
+/// What place and route say on their way; a whole core takes them most of an hour.
+const ROUTING: &str = "route.log";
+/// What place and route report.
+const TIMING: &str = "timing.json";
+
+/// A clear word before the router gives up after minutes.
+fn check_capacity(unit: &str, device: &Device, area: &Area) -> Result<(), SynthesisError> {
+    for capacity in device.capacities {
+        let (needed, available) = ((capacity.taken)(area), capacity.available);
+        if needed > available {
+            let (unit, device, resource) = (unit.to_owned(), device.name, capacity.name);
+            return Err(SynthesisError::TooLarge { unit, resource, device, needed, available });
+        }
+    }
+    Ok(())
+}
+
+fn read(path: &Path) -> Result<String, FileError> {
+    fs::read_to_string(path).map_err(file("read", path))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), FileError> {
+    fs::write(path, text).map_err(file("write", path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_placed_design_gets_the_routers_settings_once() {
+        let design =
+            with_settings(Extent::CrowdedCore, r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#);
+        let design: serde_json::Value = serde_json::from_str(&design).expect("it stays JSON");
+        let margin = design["a"]["settings"]["router2/bbMargin/x"].as_str().expect("it is a string of bits");
+        assert_eq!((u32::from_str_radix(margin, 2), &design["a"]["settings"]["seed"]), (Ok(10), &"1".into()));
+        assert_eq!(design["a"]["b"]["settings"], serde_json::json!({}));
+    }
+
+    #[test]
+    fn what_a_device_cannot_hold_is_said_before_it_is_placed() {
+        let device = Target::Ecp5.device().expect("an ECP5 is placed and routed");
+        let fits = Area { lut: 80_000, carry: 1_800, dsp: 156, ..Area::default() };
+        assert!(check_capacity("core", device, &fits).is_ok());
+        let error = check_capacity("core", device, &Area { carry: 1_900, ..fits }).unwrap_err().to_string();
+        for part in ["`core` takes 83800 LUT4", "LFE5U-85F has 83640"] {
+            assert!(error.contains(part), "`{part}` is missing in: {error}");
+        }
+        let multipliers = check_capacity("core", device, &Area { dsp: 157, ..fits }).unwrap_err();
+        assert!(matches!(multipliers, SynthesisError::TooLarge { needed: 157, available: 156, .. }), "{multipliers}");
+    }
+}

@@ -1,0 +1,310 @@
+//! What can be synthesized by name: every operator, and the cores, all their units and those of their bus at the configurations `ecp5` and `ecp5_knn`.
+
+use crate::configuration::{Configuration, ecp5, ecp5_knn};
+use crate::generated::GenerateError;
+use pointcore_contract::{Fixed, Format, Signedness, search as search_spec, splat as splat_spec};
+use pointcore_hdl::compiler::{CompileError, Datapath, Options};
+use pointcore_hdl::float::{self, Operator};
+use pointcore_hdl::{search, splat};
+use rtl::Module;
+use std::rc::Rc;
+
+/// The fixed-point format of the conversions: pixels with subpixel positions.
+const FIXED: Fixed = Fixed { width: 24, fraction: 8, signed: Signedness::Signed };
+/// Lines of the caches that `ecp5_knn` leaves out.
+const TREE_CACHE: u32 = 4096;
+const NEIGHBOR_CACHE: u32 = 8;
+/// Levels, cycles of an operation, and image of the heaps that stand beside the core's own, by name.
+///
+/// Arrival numbers have a bit more than there are levels, so that the heap can be full; the tile index has the rest of the 16 bits
+/// of a key as others measure it. The bit for the sweep comes on top.
+const HEAPS: [(&str, u32, u32, [u32; 2]); 4] = [
+    ("heap1023", 10, 2, [64, 32]),
+    ("heap1023_4_cycles", 10, 4, [64, 32]),
+    ("heap4095", 12, 2, [32, 16]),
+    ("heap4095_4_cycles", 12, 4, [32, 16]),
+];
+
+type Build = Box<dyn Fn() -> Result<Rc<Module>, GenerateError> + Send + Sync>;
+
+/// Whether something is a part of a core or the whole of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// A part.
+    Unit,
+    /// The whole.
+    Core,
+    /// The whole, and more wires than find their way by themselves.
+    CrowdedCore,
+}
+
+impl Extent {
+    /// That of a configuration's core.
+    pub(super) const fn of(configuration: &Configuration) -> Self {
+        match configuration {
+            Configuration::Splat(_) => Self::CrowdedCore,
+            Configuration::Search(_) => Self::Core,
+        }
+    }
+}
+
+/// Something to synthesize.
+pub struct Unit {
+    /// What it is called on the command line and in tables.
+    pub name: String,
+    /// How much of a core it is.
+    pub extent: Extent,
+    build: Build,
+}
+
+impl Unit {
+    /// Describes the hardware.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn module(&self) -> Result<Rc<Module>, GenerateError> {
+        (self.build)()
+    }
+
+    fn new<M: Into<Rc<Module>>>(
+        name: impl Into<String>,
+        build: impl Fn() -> Result<M, CompileError> + Send + Sync + 'static,
+    ) -> Self {
+        Self { name: name.into(), extent: Extent::Unit, build: Box::new(move || Ok(build()?.into())) }
+    }
+
+    /// The whole core of a configuration.
+    #[must_use]
+    pub fn core(name: impl Into<String>, configuration: Configuration) -> Self {
+        let extent = Extent::of(&configuration);
+        let unit = Self::new(name, move || {
+            Ok(match &configuration {
+                Configuration::Splat(config) => splat::top::core(config, &Options::default())?.module,
+                Configuration::Search(config) => search::top::core(config, &Options::default())?.module,
+            })
+        });
+        Self { extent, ..unit }
+    }
+}
+
+/// A name that stands for several units, and these.
+pub type Group = (&'static str, fn() -> Vec<Unit>);
+
+/// The groups a name may stand for.
+pub const GROUPS: &[Group] = &[
+    ("operators", operators),
+    ("splat_units", splat_units),
+    ("search_units", search_units),
+    ("bus_units", bus_units),
+    ("heaps", heaps),
+    ("cores", cores),
+];
+
+/// The operators that the cores rest on.
+const STANDARD_OPERATORS: [&str; 13] = [
+    "f32_add",
+    "f32_ftz_mul",
+    "f32_mul",
+    "f24_mul",
+    "f24_ftz_mul",
+    "f32_fma",
+    "f32_ftz_fma",
+    "f32_div",
+    "f32_recip_newton",
+    "f32_recip",
+    "f32_sqrt",
+    "f32_rsqrt_newton",
+    "f32_rsqrt",
+];
+
+/// What is measured where nothing is named: the operators that the cores rest on, every unit of the cores, heaps, whole cores.
+#[must_use]
+pub fn standard() -> Vec<Unit> {
+    let mut operators = operators();
+    operators.retain(|unit| STANDARD_OPERATORS.contains(&unit.name.as_str()));
+    operators.sort_by_key(|unit| STANDARD_OPERATORS.iter().position(|name| *name == unit.name));
+    operators
+        .into_iter()
+        .chain(splat_units())
+        .chain(search_units())
+        .chain(bus_units())
+        .chain(heaps())
+        .chain(cores())
+        .collect()
+}
+
+/// Every unit known by name.
+#[must_use]
+pub fn all() -> Vec<Unit> {
+    GROUPS.iter().flat_map(|(_, units)| units()).collect()
+}
+
+/// The names that stand for units, for a message.
+#[must_use]
+pub fn known() -> String {
+    let formats = formats().map(name).collect::<Vec<_>>().join(", ");
+    let operators = OPERATORS.map(|(name, ..)| name).join(", ");
+    let others = splat_units().into_iter().chain(search_units()).chain(bus_units()).chain(heaps()).chain(cores());
+    let others = others.map(|unit| unit.name).collect::<Vec<_>>().join(", ");
+    let groups = GROUPS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
+    format!(
+        "FORMAT_OPERATOR, where FORMAT is {formats} and OPERATOR is {operators}; {others}; one of the groups {groups}; \
+         or a configuration file NAME.toml"
+    )
+}
+
+/// All formats with and without subnormals.
+fn formats() -> impl Iterator<Item = Format> {
+    Format::NAMED.into_iter().flat_map(|(_, format)| [format, format.flushed()])
+}
+
+/// A format's name as part of a unit's.
+fn name(format: Format) -> String {
+    format.to_string().replace('-', "_")
+}
+
+type OperatorKind = (&'static str, fn(Format) -> u32, fn(Format, u32) -> Operator);
+
+/// The operators on numbers of one format.
+const OPERATORS: [OperatorKind; 14] = [
+    ("add", float::add::stages, float::add::module),
+    ("mul", float::mul::stages, float::mul::module),
+    ("fma", float::fma::stages, float::fma::module),
+    ("div", float::div::stages, float::div::module),
+    ("recip", float::div::stages, float::div::recip),
+    ("recip_newton", float::recip_newton::stages, float::recip_newton::module),
+    ("sqrt", float::sqrt::stages, float::sqrt::module),
+    ("rsqrt", float::rsqrt::stages, float::rsqrt::module),
+    ("rsqrt_newton", float::rsqrt_newton::stages, float::rsqrt_newton::module),
+    ("min", float::minmax::stages, float::minmax::min),
+    ("lt", float::compare::stages, float::compare::lt),
+    ("eq", float::compare::stages, float::compare::eq),
+    ("to_fixed", |f| float::to_fixed::stages(f, FIXED), |f, stages| float::to_fixed::module(f, FIXED, stages)),
+    ("from_fixed", |f| float::from_fixed::stages(f, FIXED), |f, stages| float::from_fixed::module(f, FIXED, stages)),
+];
+
+/// Every operator of every format with its default number of pipeline stages, e.g. `f32_ftz_mul`.
+fn operators() -> Vec<Unit> {
+    let unit = |format: Format, (operator, stages, module): OperatorKind| {
+        Unit::new(format!("{}_{operator}", name(format)), move || Ok(module(format, stages(format)).module))
+    };
+    formats().flat_map(|format| OPERATORS.map(|kind| unit(format, kind))).collect()
+}
+
+/// Every unit of the renderer, at `ecp5`.
+fn splat_units() -> Vec<Unit> {
+    use splat::{accumulator, depth_test, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform};
+    use splat::{heap, weighting};
+    type Config = splat_spec::Config;
+    let module =
+        |name: &str, module: fn(&Config) -> Module| Unit::new(format!("splat_{name}"), move || Ok(module(&ecp5())));
+    let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
+        Unit::new(format!("splat_{name}"), move || Ok(datapath(&ecp5(), &Options::default())?.module))
+    };
+    vec![
+        datapath("transform", transform::datapath),
+        datapath("setup", setup::datapath),
+        module("splitter", splitter::module),
+        module("heap", heap::module),
+        module("reorder", reorder::module),
+        module("tile_cache", tile_cache::module),
+        datapath("rasterizer", rasterizer::datapath),
+        datapath("weighting", weighting::datapath),
+        module("depth_test", depth_test::module),
+        module("accumulator", accumulator::module),
+        datapath("normalizer", normalizer::datapath),
+    ]
+}
+
+/// Every unit of the search core, at `ecp5_knn`; the two caches that it leaves out, too.
+fn search_units() -> Vec<Unit> {
+    use search::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
+    type Config = search_spec::Config;
+    let module = |name: &str, module: fn(&Config) -> Module| {
+        Unit::new(format!("search_{name}"), move || Ok(module(&ecp5_knn())))
+    };
+    let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
+        Unit::new(format!("search_{name}"), move || Ok(datapath(&ecp5_knn(), &Options::default())?.module))
+    };
+    vec![
+        module("threads", threads::module),
+        datapath("traversal", traversal::datapath),
+        module("stack", stack::module),
+        module("recursion", recursion::module),
+        datapath("leaf", leaf::datapath),
+        module("point_cache", point_cache::module),
+        module("sieve", sieve::module),
+        module("queue", queue::module),
+        Unit::new("search_tree_cache", || Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..ecp5_knn() }))),
+        Unit::new("search_neighbor_cache", || {
+            let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..ecp5_knn() };
+            Ok(neighbor_cache::unit(&config, &Options::default())?.module)
+        }),
+    ]
+}
+
+/// Every unit between a core and AXI, the packets and points of the search core, the pixels of the renderer.
+fn bus_units() -> Vec<Unit> {
+    use pointcore_contract::bus::{packets, ports, registers as maps};
+    use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, search, window, writer};
+    type Config = search_spec::Config;
+    let unit =
+        |name: &str, module: fn(&Config) -> Module| Unit::new(format!("bus_{name}"), move || Ok(module(&ecp5_knn())));
+    vec![
+        unit("packet_in", |config| {
+            let [query, _] = packets::query_and_result(config);
+            packet_in::module(&query, config.bus.stream_bits, Some(&packets::query_range(config)))
+        }),
+        unit("packet_out", |config| {
+            let [_, result] = packets::query_and_result(config);
+            packet_out::module(&result, config.bus.stream_bits)
+        }),
+        unit("reader", |config| {
+            reader::module(&packets::points(config), config.bus.memory_bits, ports::beats_max(config))
+        }),
+        unit("writer", |config| writer::module(&splat_spec::records::pixel(&ecp5()), config.bus.memory_bits)),
+        unit("window", |config| window::module(ports::window_index_bits(config))),
+        unit("registers", |config| registers::module(&maps::search(config), search::error_sources(config))),
+    ]
+}
+
+/// The cores as a whole.
+fn cores() -> Vec<Unit> {
+    vec![Unit::core("splat", Configuration::Splat(ecp5())), Unit::core("search", Configuration::Search(ecp5_knn()))]
+}
+
+/// Heaps of the sizes that others report.
+fn heaps() -> Vec<Unit> {
+    let unit = |(name, heap_levels, heap_interval, [width, height]): (_, u32, _, [u32; 2])| {
+        let sequence_bits = heap_levels + 1;
+        let config =
+            splat_spec::Config { heap_levels, heap_interval, sequence_bits, width, height, ..Default::default() };
+        Unit::new(name, move || Ok(splat::heap::module(&config)))
+    };
+    HEAPS.map(unit).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn heaps_have_keys_of_16_bits() {
+        for (name, heap_levels, _, [width, height]) in HEAPS {
+            let config = splat_spec::Config { width, height, ..Default::default() };
+            assert_eq!(config.tile_bits() + heap_levels + 1, 16, "{name}");
+        }
+    }
+
+    #[test]
+    fn names_are_unique_and_the_standard_ones_known() {
+        let names: Vec<_> = all().into_iter().map(|unit| unit.name).collect();
+        let distinct: HashSet<_> =
+            names.iter().cloned().chain(GROUPS.iter().map(|(name, _)| (*name).to_owned())).collect();
+        assert_eq!(distinct.len(), names.len() + GROUPS.len());
+        let standard = standard();
+        assert!(STANDARD_OPERATORS.iter().all(|name| standard.iter().any(|unit| unit.name == *name)));
+        assert!(standard.iter().all(|unit| distinct.contains(&unit.name)));
+    }
+}

@@ -1,0 +1,290 @@
+//! A module under construction: ports, wires, registers and assertions.
+
+use std::collections::HashSet;
+use std::fmt::Display;
+use std::ops::Deref;
+use std::rc::Rc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::error::FaultKind;
+use super::expression::{Expr, Operation, SignalRef, lit};
+use super::instance::Child;
+use super::memory::Store;
+use super::names;
+
+/// Distinguishes the signals of one module from those of another; never part of the output.
+static NEXT_IDENTITY: AtomicU64 = AtomicU64::new(0);
+
+/// The signal every module starts with.
+pub(super) const RESET: usize = 0;
+
+/// A hardware module whose ports, widths and contents are chosen at run time.
+pub struct Module {
+    pub(super) identity: u64,
+    pub(super) unit: String,
+    pub(super) summary: String,
+    pub(super) parameters: Vec<(String, String)>,
+    pub(super) ports: Vec<PortDeclaration>,
+    pub(super) signals: Vec<Signal>,
+    pub(super) stores: Vec<Store>,
+    pub(super) children: Vec<Child>,
+    pub(super) assertions: Vec<(String, Expr)>,
+    pub(super) faults: Vec<FaultKind>,
+    pub(super) names: HashSet<String>,
+}
+
+/// A port in declaration order.
+pub(super) enum PortDeclaration {
+    Input(usize),
+    Output { name: String, value: Expr },
+}
+
+/// A named value of a module.
+pub(super) struct Signal {
+    pub name: Rc<str>,
+    pub reference: Expr,
+    pub source: Source,
+}
+
+/// Where a signal's value comes from.
+pub(super) enum Source {
+    Reset,
+    Input,
+    Wire(Option<Expr>),
+    Register {
+        reset: Option<u128>,
+        next: Option<Next>,
+    },
+    /// The registered output of a memory's read port.
+    Read {
+        store: usize,
+        enable: Option<Expr>,
+        address: Expr,
+    },
+    /// The unregistered output of a distributed memory's read port.
+    ReadNow {
+        store: usize,
+        address: Expr,
+    },
+    Lookup {
+        values: Vec<u128>,
+        address: Expr,
+    },
+    ChildOutput {
+        child: usize,
+        port: usize,
+    },
+}
+
+/// What a register takes at the clock edge.
+pub(super) struct Next {
+    pub enable: Option<Expr>,
+    pub data: Expr,
+}
+
+/// A register; reads as its current value.
+#[derive(Clone)]
+pub struct Reg(Expr);
+
+/// A wire that is driven after its declaration; reads as its value.
+#[derive(Clone)]
+pub struct Wire(Expr);
+
+macro_rules! readable {
+    ($handle:ty) => {
+        impl $handle {
+            /// Its value as an expression.
+            #[must_use]
+            pub fn expr(&self) -> Expr {
+                self.0.clone()
+            }
+        }
+
+        impl Deref for $handle {
+            type Target = Expr;
+            fn deref(&self) -> &Expr {
+                &self.0
+            }
+        }
+
+        impl AsRef<Expr> for $handle {
+            fn as_ref(&self) -> &Expr {
+                &self.0
+            }
+        }
+    };
+}
+
+readable!(Reg);
+readable!(Wire);
+
+impl Module {
+    /// An empty module of that unit; `summary` is one line for the header of the Verilog.
+    #[must_use]
+    pub fn new(unit: &str, summary: &str) -> Self {
+        let mut module = Self {
+            identity: NEXT_IDENTITY.fetch_add(1, Ordering::Relaxed),
+            unit: unit.into(),
+            summary: summary.into(),
+            parameters: vec![],
+            ports: vec![],
+            signals: vec![],
+            stores: vec![],
+            children: vec![],
+            assertions: vec![],
+            faults: vec![],
+            names: HashSet::from(["clk".into(), "rst".into()]),
+        };
+        module.faults.extend(names::fault(unit));
+        module.add_signal("rst", 1, Source::Reset);
+        module
+    }
+
+    /// The unit's name.
+    #[must_use]
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+
+    /// Records a parameter: it stands in the header and tells this module from others of its unit.
+    pub fn parameter(&mut self, name: &str, value: impl Display) {
+        if self.parameters.iter().any(|(other, _)| other == name) {
+            self.faults.push(FaultKind::NameClash(name.into()));
+        }
+        self.parameters.push((name.into(), value.to_string()));
+    }
+
+    /// The synchronous reset, active high.
+    #[must_use]
+    pub fn rst(&self) -> Expr {
+        self.signals[RESET].reference.clone()
+    }
+
+    /// Declares an input port.
+    pub fn input(&mut self, name: &str, width: usize) -> Expr {
+        let value = self.declare(name, width, Source::Input);
+        self.ports.push(PortDeclaration::Input(self.signals.len() - 1));
+        value
+    }
+
+    /// Declares an output port and drives it. A port may share the name of the very signal it shows.
+    pub fn output(&mut self, name: &str, value: &Expr) {
+        let clash =
+            self.ports.iter().any(|port| matches!(port, PortDeclaration::Output { name: other, .. } if other == name));
+        let shows_itself = !clash
+            && matches!(&value.node().operation, Operation::Signal(signal)
+                if signal.module == self.identity && &*signal.name == name
+                    && !matches!(self.signals[signal.index].source, Source::Input | Source::Reset));
+        if !shows_itself {
+            self.claim(name);
+        }
+        self.ports.push(PortDeclaration::Output { name: name.into(), value: value.clone() });
+    }
+
+    /// Gives an intermediate value a name in the Verilog.
+    pub fn wire(&mut self, name: &str, value: &Expr) -> Expr {
+        self.declare(name, value.width(), Source::Wire(Some(value.clone())))
+    }
+
+    /// Declares a wire that [`Module::drive`] drives later, once.
+    pub fn forward(&mut self, name: &str, width: usize) -> Wire {
+        Wire(self.declare(name, width, Source::Wire(None)))
+    }
+
+    /// Drives a forward wire.
+    pub fn drive(&mut self, wire: &Wire, value: &Expr) {
+        let Some((index, name)) = self.own(&wire.0) else { return };
+        self.check_width(&name, wire.width(), value);
+        match &mut self.signals[index].source {
+            Source::Wire(driver @ None) => *driver = Some(value.clone()),
+            _ => self.faults.push(FaultKind::DoublyDriven(name)),
+        }
+    }
+
+    /// Declares a register without reset.
+    pub fn reg(&mut self, name: &str, width: usize) -> Reg {
+        Reg(self.declare(name, width, Source::Register { reset: None, next: None }))
+    }
+
+    /// Declares a register that `rst` sets to `reset`.
+    pub fn reg_reset(&mut self, name: &str, width: usize, reset: u128) -> Reg {
+        self.check_expression(name, &lit(width, reset));
+        Reg(self.declare(name, width, Source::Register { reset: Some(reset), next: None }))
+    }
+
+    /// The register takes `data` at every clock edge.
+    pub fn next(&mut self, register: &Reg, data: &Expr) {
+        self.set_next(register, None, data);
+    }
+
+    /// The register takes `data` at clock edges where `enable` is set.
+    pub fn next_if(&mut self, register: &Reg, enable: &Expr, data: &Expr) {
+        self.set_next(register, Some(enable.as_condition("enable")), data);
+    }
+
+    fn set_next(&mut self, register: &Reg, enable: Option<Expr>, data: &Expr) {
+        let Some((index, name)) = self.own(&register.0) else { return };
+        self.check_width(&name, register.width(), data);
+        match &mut self.signals[index].source {
+            Source::Register { next: next @ None, .. } => *next = Some(Next { enable, data: data.clone() }),
+            _ => self.faults.push(FaultKind::DoublyDriven(name)),
+        }
+    }
+
+    /// States what holds at every clock edge outside reset; checked where `RTL_ASSERT` is defined, to be proved where
+    /// `FORMAL` is as well.
+    pub fn assert(&mut self, name: &str, condition: &Expr) {
+        self.claim(name);
+        self.assertions.push((name.into(), condition.as_condition("assertion")));
+    }
+
+    /// Takes a name; a bad or used one is a fault.
+    pub(super) fn claim(&mut self, name: &str) {
+        self.faults.extend(names::fault(name));
+        if !self.names.insert(name.into()) {
+            self.faults.push(FaultKind::NameClash(name.into()));
+        }
+    }
+
+    pub(super) fn declare(&mut self, name: &str, width: usize, source: Source) -> Expr {
+        self.claim(name);
+        if width == 0 {
+            let message = "a signal needs at least one bit".into();
+            self.faults.push(FaultKind::Expression { user: format!("`{name}`"), message });
+        }
+        self.add_signal(name, width.max(1), source)
+    }
+
+    fn add_signal(&mut self, name: &str, width: usize, source: Source) -> Expr {
+        let name: Rc<str> = name.into();
+        let reference = SignalRef { module: self.identity, index: self.signals.len(), name: name.clone() };
+        let reference = Expr::raw(Operation::Signal(reference), width, vec![]);
+        self.signals.push(Signal { name, reference: reference.clone(), source });
+        reference
+    }
+
+    /// The table index and name behind a handle, unless it is another module's.
+    fn own(&mut self, handle: &Expr) -> Option<(usize, String)> {
+        let Operation::Signal(signal) = &handle.node().operation else { return None };
+        if signal.module != self.identity {
+            self.faults.push(FaultKind::ForeignHandle(signal.name.to_string()));
+            return None;
+        }
+        Some((signal.index, signal.name.to_string()))
+    }
+
+    pub(super) fn check_width(&mut self, signal: &str, width: usize, driver: &Expr) {
+        let driver_width = driver.width();
+        if width != driver_width && !driver.node().tainted {
+            let (signal, driver) = (signal.into(), driver.to_string());
+            self.faults.push(FaultKind::Width { signal, width, driver, driver_width });
+        }
+    }
+
+    /// Records the fault of an expression that no signal keeps.
+    fn check_expression(&mut self, user: &str, expression: &Expr) {
+        if let Operation::Poison(message) = &expression.node().operation {
+            self.faults.push(FaultKind::Expression { user: format!("`{user}`"), message: message.to_string() });
+        }
+    }
+}

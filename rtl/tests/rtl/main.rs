@@ -1,0 +1,7 @@
+//! The hardware front end: faults, text, and what the tools make of it.
+
+mod expressions;
+mod faults;
+mod lint;
+mod text;
+mod tools;

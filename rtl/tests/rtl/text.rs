@@ -1,0 +1,69 @@
+//! The Verilog reads as a person would write it.
+
+use rtl::{Module, elaborate};
+
+fn accumulator() -> Module {
+    let mut m = Module::new("accumulator", "Adds up what comes in, up to a limit.");
+    m.parameter("limit", 200);
+    let (enable, value) = (m.input("enable", 1), m.input("value", 8));
+    let total = m.reg_reset("total", 8, 0);
+    let sum = m.wire("sum", &total.add_carry(&value));
+    let over = m.wire("over", &sum.ge_lit(200));
+    m.next_if(&total, &enable, &over.mux(&total, &sum.trunc(8)));
+    m.output("total", &total);
+    m.output("over", &over);
+    m
+}
+
+const ACCUMULATOR: &str = "\
+// Adds up what comes in, up to a limit.
+// limit = 200
+module accumulator (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [7:0] value,
+    output reg  [7:0] total,
+    output wire over
+);
+    wire [8:0] sum = {1'd0, total} + {1'd0, value};
+    assign over = 9'd200 <= sum;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            total <= 8'd0;
+        end else if (enable) begin
+            total <= over ? total : sum[7:0];
+        end
+    end
+endmodule
+";
+
+#[test]
+fn a_small_module_reads_well() {
+    let design = elaborate(&accumulator()).expect("the module has no fault");
+    assert_eq!(design.verilog(), ACCUMULATOR);
+}
+
+#[test]
+fn what_is_used_twice_becomes_a_wire_and_what_is_not_used_goes() {
+    let mut m = Module::new("shared", "Uses a sum three times.");
+    let (a, b) = (m.input("a", 4), m.input("b", 4));
+    m.wire("dead", &(&a ^ &b));
+    let dead_register = m.reg("dead_register", 4);
+    m.next(&dead_register, &dead_register.add_lit(1));
+    // Built twice, and still one adder.
+    m.output("x", &((&a + &b) & &a));
+    m.output("y", &((&a + &b) | &b));
+    let design = elaborate(&m).expect("the module has no fault");
+    assert_eq!(design.modules()[0].area.adder_bits, 4);
+    assert_eq!(design.verilog().matches("a + b").count(), 1);
+    assert!(!design.verilog().contains("dead") && !design.verilog().contains("clk"), "{}", design.verilog());
+}
+
+#[test]
+fn ports_are_listed_as_declared() {
+    let design = elaborate(&accumulator()).expect("the module has no fault");
+    let ports: Vec<(&str, usize)> = design.ports().iter().map(|port| (port.name.as_str(), port.width)).collect();
+    assert_eq!(ports, [("clk", 1), ("rst", 1), ("enable", 1), ("value", 8), ("total", 8), ("over", 1)]);
+}

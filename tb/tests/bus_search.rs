@@ -1,0 +1,157 @@
+//! The search core on AXI finds what a search through all points does: tree through the window or in memory, with caches and without.
+
+use pointcore_contract::bus::{Config as Widths, Layout, packets, registers};
+use pointcore_contract::search::{Config, records};
+use pointcore_hdl::bus::search;
+use pointcore_hdl::compiler::Options;
+use pointcore_tb::lockstep::seeds;
+
+use crate::bus::host::{Around, Host, RESET};
+use crate::search::tree::Tree;
+use crate::search::{query, word};
+
+const QUERIES: u32 = 40;
+const POINTS_BASE: u32 = 0x5000;
+const TREE_BASE: u32 = 0x1000;
+const MEMORY_BYTES: usize = 0x10000;
+
+/// The words of the tree: places, and what lies there.
+fn tree_words(config: &Config, tree: &Tree) -> Vec<(u64, u64)> {
+    let [node, leaf] = [records::node(config), records::bucket(config)].map(|fields| Layout::of(&fields));
+    let word = |write: &Vec<u64>| {
+        let bytes = if write[0] == 0 { node.encode(&write[2..5], 8) } else { leaf.encode(&write[5..7], 8) };
+        let place = write[1] + (write[0] << config.tree_depth);
+        (place, u64::from_le_bytes(bytes.try_into().unwrap()))
+    };
+    tree.writes.iter().map(word).collect()
+}
+
+fn host(config: &Config, tree: &Tree, seed: u64) -> Host {
+    let [query, result] = packets::query_and_result(config);
+    let top = search::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+    let reads: &[&str] = if config.tree_cache == 0 { &["m_axi"] } else { &["m_axi", "m_axi_tree"] };
+    let around = Around {
+        map: registers::search(config),
+        packets: [("s_axis_query", query), ("m_axis_result", result)],
+        reads,
+        writes: None,
+        window: config.tree_cache == 0,
+        memory: MEMORY_BYTES,
+    };
+    let mut host = Host::new(top.module, config.bus, around, seed);
+    let points = Layout::of(&packets::points(config));
+    let stride = points.stride(config.bus.memory_bits);
+    for (beat, lanes) in tree.points.chunks(config.lanes as usize).enumerate() {
+        let values: Vec<u64> = lanes.iter().flatten().map(|coordinate| word(config, *coordinate)).collect();
+        let place = POINTS_BASE as usize + beat * stride as usize;
+        host.memory[place..place + stride as usize].copy_from_slice(&points.encode(&values, stride));
+    }
+    host.write("points_base", POINTS_BASE);
+    for (place, word) in tree_words(config, tree) {
+        if config.tree_cache == 0 {
+            assert!(host.write_tree(place, word));
+        } else {
+            let stride = packets::tree_stride(config, config.bus.memory_bits);
+            let place = TREE_BASE as usize + place as usize * stride as usize;
+            host.memory[place..place + 8].copy_from_slice(&word.to_le_bytes());
+        }
+    }
+    if config.tree_cache > 0 {
+        host.write("tree_base", TREE_BASE);
+    }
+    if config.neighbor_cache > 0 {
+        host.write("cache_far_scale", word(config, 1.0) as u32);
+        host.write("cache_margin_scale", word(config, 0.5) as u32);
+    }
+    host
+}
+
+/// A run of queries, with packets that are refused between them.
+fn run(host: &mut Host, config: &Config, tree: &Tree, random: &mut fastrand::Rng, commands: u32) -> u32 {
+    host.write("queries", QUERIES);
+    assert!(host.start(commands));
+    host.received.clear();
+    let mut queries = vec![];
+    let mut refused = 0;
+    for number in 0..QUERIES {
+        let mut asked = query(config, number.into(), random);
+        if config.neighbor_cache > 0 {
+            // Nearest neighbors: one more than wanted, of any distance.
+            (asked[1], asked[2]) = (config.neighbors.into(), word(config, f32::INFINITY));
+            asked.push(word(config, 0.0));
+        }
+        let (senseless, short) = (random.u8(..8) == 0, random.u8(..8) == 0 && config.bus.stream_bits < 128);
+        if senseless {
+            host.send(&[&asked[..1], &[0], &asked[2..]].concat(), 0);
+        }
+        if short {
+            host.send(&asked, 1);
+        }
+        refused += u32::from(senseless) + u32::from(short);
+        host.send(&asked, 0);
+        queries.push(asked);
+    }
+    assert!(!host.start(0), "a run is under way");
+    host.finish();
+    let found = results(host, queries.len());
+    for (asked, found) in queries.iter().zip(found) {
+        let mut expected = tree.nearest(asked);
+        if config.neighbor_cache > 0 {
+            expected.truncate(found.len());
+        }
+        let expected: Vec<u64> = expected.into_iter().map(|distance2| word(config, distance2)).collect();
+        assert_eq!(found, expected, "{asked:?}");
+    }
+    assert_eq!(host.read("packets_in"), QUERIES);
+    assert_eq!(host.read("packets_out"), host.received.len() as u32);
+    assert!(host.read("cycles") > QUERIES && host.read("event_node") > QUERIES);
+    refused
+}
+
+/// Squared distances by query; of a cached answer, those to the query whose neighborhood it is are left out.
+fn results(host: &Host, count: usize) -> Vec<Vec<u64>> {
+    let mut found = vec![vec![]; count];
+    for result in &host.received {
+        let [number, _, is_found, _, distance2] = [0, 1, 2, 3, 4].map(|field| result[field]);
+        let is_cached = result.get(5) == Some(&1);
+        if is_found == 1 && !is_cached {
+            found[number as usize].push(distance2);
+        }
+    }
+    let lasts = host.received.iter().filter(|result| result[1] == 1).count();
+    assert_eq!(lasts, count, "each query is closed once");
+    found
+}
+
+#[test]
+fn neighbors_on_the_bus_equal_brute_force() {
+    let base = Config {
+        index_bits: 10,
+        tree_depth: 4,
+        bucket: 8,
+        threads: 3,
+        neighbors: 6,
+        sieve_depth: 4,
+        point_cache: 0,
+        ..Config::default()
+    };
+    let bus = |stream_bits, memory_bits| Widths { stream_bits, memory_bits };
+    for config in [
+        Config { bus: bus(64, 64), lanes: 1, ..base.clone() },
+        Config { bus: bus(32, 128), lanes: 4, point_cache: 4, leaves_in_flight: 2, ..base.clone() },
+        Config { bus: bus(512, 32), lanes: 2, tree_cache: 16, ..base.clone() },
+        Config { bus: bus(64, 512), lanes: 8, tree_cache: 16, neighbor_cache: 2, ..base },
+    ] {
+        for seed in seeds(2).unwrap() {
+            let mut random = fastrand::Rng::with_seed(seed);
+            let tree = Tree::random(&config, &mut random);
+            let mut host = host(&config, &tree, seed);
+            assert_eq!(host.read("id"), 0x5043_0b01);
+            let mut refused = 0;
+            for (number, commands) in [0, 0, RESET].into_iter().enumerate() {
+                refused += run(&mut host, &config, &tree, &mut random, commands);
+                host.expect_errors([0, number as u32 + 1, 0, refused, 0]);
+            }
+        }
+    }
+}

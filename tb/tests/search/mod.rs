@@ -1,0 +1,97 @@
+//! What the tests of the search core's units share.
+
+pub mod environment;
+pub mod memory;
+pub mod tree;
+
+use pointcore_contract::Format;
+use pointcore_contract::search::Config;
+use pointcore_contract::splat::Port;
+use pointcore_golden::unit::{Model, Ported};
+use pointcore_tb::lockstep::{Lockstep, Report, seeds};
+use rtl::Module;
+
+use environment::{Environment, Feeds, Rule};
+
+use crate::support;
+
+/// Runs of one configuration.
+const SEEDS: u64 = 5;
+
+/// Few and many threads, every number of lanes, two formats, with short indices and shallow trees, without caches.
+pub fn configs() -> [Config; 4] {
+    let base = Config {
+        geometry: Format::F32.flushed(),
+        index_bits: 10,
+        tree_depth: 4,
+        bucket: 8,
+        sieve_depth: 4,
+        point_cache: 0,
+        ..Config::default()
+    };
+    let f24 = Format::F24.flushed();
+    [
+        Config { threads: 1, neighbors: 5, lanes: 1, leaves_in_flight: 1, ..base.clone() },
+        Config { threads: 3, neighbors: 8, lanes: 4, leaves_in_flight: 2, ..base.clone() },
+        Config { threads: 16, neighbors: 4, lanes: 2, leaves_in_flight: 2, ..base.clone() },
+        Config { threads: 16, neighbors: 1, lanes: 8, leaves_in_flight: 1, tree_depth: 3, geometry: f24, ..base },
+    ]
+}
+
+/// Steps a unit and its model in lockstep under several seeds; `begin` queues the first items and makes the rule, `check`
+/// looks at the rule and at what moved.
+pub fn lockstep<M: Model + 'static, R: Rule>(
+    module: &Module,
+    model: &M,
+    specified: &[Port],
+    begin: impl Fn(&mut Feeds) -> R,
+    mask: impl Fn(&mut [u64]) + Clone + Send + 'static,
+    check: impl Fn(&R, &Report),
+) {
+    let library = support::verilate(module);
+    for seed in seeds(SEEDS).unwrap() {
+        let golden = support::by_name(&library, specified, Ported::new(model.clone()));
+        let mask = mask.clone();
+        let run = Lockstep::new(&library, golden, seed).mask(move |hardware, golden| {
+            mask(hardware);
+            mask(golden);
+        });
+        let run = run.run(Environment::new(&library, seed, &begin));
+        let run = run.unwrap_or_else(|error| panic!("{} with seed {seed}: {error}", module.unit()));
+        check(&run.stimulus.rule, &run.report);
+    }
+}
+
+/// Compares every output.
+pub fn all(_outputs: &mut [u64]) {}
+
+/// A coordinate on a coarse grid, so that distances tie.
+pub fn coordinate(random: &mut fastrand::Rng) -> f32 {
+    f32::from(random.i8(-12..=12)) / 4.0
+}
+
+/// The word of a number: what the format has no bits for is cut off.
+pub fn word(config: &Config, number: f32) -> u64 {
+    u64::from(number.to_bits() >> (f32::MANTISSA_DIGITS - 1 - config.geometry.mantissa))
+}
+
+/// The number of a word.
+pub fn number(config: &Config, word: u64) -> f32 {
+    f32::from_bits((word as u32) << (f32::MANTISSA_DIGITS - 1 - config.geometry.mantissa))
+}
+
+/// `start` for a thread, or without the thread `query`: number, k, squared radius, coordinates.
+pub fn query(config: &Config, number: u64, random: &mut fastrand::Rng) -> Vec<u64> {
+    let radius2 = [f32::INFINITY, 9.0, 1.0, 0.01][random.usize(..4)];
+    let k = random.u64(1..=config.neighbors.into());
+    let mut query = vec![number, k, word(config, radius2)];
+    query.extend((0..3).map(|_| word(config, coordinate(random))));
+    query
+}
+
+/// `start` for a thread.
+pub fn start(config: &Config, thread: u64, number: u64, random: &mut fastrand::Rng) -> Vec<u64> {
+    let mut start = vec![thread];
+    start.extend(query(config, number, random));
+    start
+}

@@ -1,0 +1,311 @@
+//! The coherent neighbor cache against its model, and its answers against brute force, with a search that answers out of
+//! order and queries near each other.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
+use pointcore_contract::Format;
+use pointcore_contract::search::{Config, ports};
+use pointcore_golden::search::{CacheLatencies, NeighborCache};
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::search::neighbor_cache;
+
+use crate::search::environment::{Feeds, Rule};
+use crate::search::memory::Memory;
+use crate::search::{all, lockstep, number, word};
+
+/// Queries of a phase; between phases settings and points change.
+const QUERIES: usize = 50;
+/// How much farther than a ball query asks its neighborhood reaches.
+const EXTENSION: f32 = 1.3;
+
+type Point = [f32; 3];
+
+/// What the host asks for in a phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Mode {
+    /// Nearest neighbors, exactly.
+    Nearest,
+    /// Nearest neighbors within a radius, which no cache can promise to answer exactly.
+    NearestWithin(f32),
+    /// All within a radius.
+    Ball,
+}
+
+/// Many points and few in every mode.
+const PHASES: [(Mode, bool); 5] = [
+    (Mode::Nearest, true),
+    (Mode::Ball, true),
+    (Mode::Nearest, false),
+    (Mode::Ball, false),
+    (Mode::NearestWithin(0.75), true),
+];
+
+/// Index and squared distance of a neighbor.
+type Neighbor = (u64, f32);
+
+/// A query, and what came of it.
+#[derive(Clone, Debug)]
+struct Query {
+    phase: usize,
+    wanted: usize,
+    radius2: f32,
+    point: Point,
+    reach: f32,
+    answer: Vec<Neighbor>,
+    cached: bool,
+    closed: bool,
+}
+
+/// The host and the search.
+#[derive(Clone)]
+struct Surroundings {
+    config: Config,
+    /// Points of each phase so far.
+    clouds: Vec<Vec<Point>>,
+    /// Where queries come from next, as many as there are entries.
+    places: Vec<Point>,
+    /// The k that the host sends.
+    wanted: usize,
+    queries: Vec<Query>,
+    closed: usize,
+    searches: Memory,
+}
+
+fn random_point(random: &mut fastrand::Rng, size: f32) -> Point {
+    std::array::from_fn(|_| (random.f32() * 2.0 - 1.0) * size)
+}
+
+/// The number that the format holds in its place.
+fn held(config: &Config, value: f32) -> f32 {
+    number(config, word(config, value))
+}
+
+fn distance2(config: &Config, a: Point, b: Point) -> f32 {
+    let [x, y, z] = std::array::from_fn(|axis| (a[axis] - b[axis]) * (a[axis] - b[axis]));
+    held(config, x + y + z)
+}
+
+/// Up to `k` points nearer than the radius, nearest first.
+fn nearest(config: &Config, cloud: &[Point], point: Point, k: usize, radius2: f32) -> Vec<Neighbor> {
+    let mut near: Vec<_> = (0..).zip(cloud).map(|(index, &other)| (index, distance2(config, other, point))).collect();
+    near.retain(|(_, distance2)| *distance2 < radius2);
+    near.sort_by(|a, b| a.1.total_cmp(&b.1));
+    near.truncate(k);
+    near
+}
+
+/// Sends the results of a search, after a while.
+fn answer(config: &Config, cloud: &[Point], feeds: &mut Feeds, search: &[u64]) {
+    let &[ticket, k, radius2, x, y, z] = search else { panic!("a search has six fields") };
+    let point = [x, y, z].map(|word| number(config, word));
+    let found = nearest(config, cloud, point, k as usize, number(config, radius2));
+    let mut delay = feeds.random.u32(..50);
+    for (rank, &(index, distance2)) in (1..).zip(&found) {
+        let last = u64::from(rank == found.len());
+        feeds.feed_after(std::mem::take(&mut delay), "found", vec![ticket, last, 1, index, word(config, distance2)]);
+    }
+    if found.is_empty() {
+        feeds.feed_after(delay, "found", vec![ticket, 1, 0, 0, radius2]);
+    }
+}
+
+fn indices<'a>(neighbors: impl IntoIterator<Item = &'a Neighbor>) -> BTreeSet<u64> {
+    neighbors.into_iter().map(|(index, _)| *index).collect()
+}
+
+impl Surroundings {
+    fn begin(config: &Config, feeds: &mut Feeds) -> Self {
+        let mut surroundings = Self {
+            config: config.clone(),
+            clouds: vec![],
+            places: vec![],
+            wanted: 0,
+            queries: vec![],
+            closed: 0,
+            searches: Memory::default(),
+        };
+        surroundings.set_up(feeds);
+        surroundings
+    }
+
+    fn mode(&self) -> Mode {
+        PHASES[self.clouds.len() - 1].0
+    }
+
+    /// Changes to the next phase.
+    fn set_up(&mut self, feeds: &mut Feeds) {
+        let Some(&(mode, many)) = PHASES.get(self.clouds.len()) else { return };
+        let neighbors = self.config.neighbors as usize;
+        let count = if many { 40 } else { feeds.random.usize(..neighbors) };
+        self.clouds.push((0..count).map(|_| random_point(&mut feeds.random, 1.0)).collect());
+        self.places = (0..self.config.neighbor_cache).map(|_| random_point(&mut feeds.random, 1.0)).collect();
+        self.wanted = if !many || feeds.random.bool() { neighbors } else { feeds.random.usize(2..=neighbors) };
+        // Makes up for the rounding of squares and roots.
+        let safety = 1.0 - 8.0 * 0.5_f32.powi(self.config.geometry.mantissa as i32);
+        let (ball, far_scale, margin_scale) = match mode {
+            Mode::Nearest => (0, safety, 0.5),
+            Mode::NearestWithin(_) => (0, 1.5, 1.0 / 2.5),
+            Mode::Ball => (1, safety, 1.0),
+        };
+        feeds.feed("setup", vec![ball, word(&self.config, far_scale), word(&self.config, margin_scale)]);
+    }
+
+    /// Asks for the neighbors of a point near one of the places.
+    fn ask(&mut self, feeds: &mut Feeds) {
+        if self.queries.len() == self.clouds.len() * QUERIES {
+            return;
+        }
+        let random = &mut feeds.random;
+        let size = [0.0, 0.001, 0.02, 0.2][random.usize(..4)];
+        let step = random_point(random, size);
+        let place = random.usize(..self.places.len());
+        let point: Point = std::array::from_fn(|axis| held(&self.config, self.places[place][axis] + step[axis]));
+        self.places[place] = point;
+        let (radius2, reach) = match self.mode() {
+            Mode::Nearest => (f32::INFINITY, 0.0),
+            Mode::NearestWithin(radius) => (radius * radius, 0.0),
+            Mode::Ball => {
+                let reach = [0.125, 0.375, 0.875][random.usize(..3)];
+                (held(&self.config, (EXTENSION * reach) * (EXTENSION * reach)), reach)
+            }
+        };
+        let word = |value| word(&self.config, value);
+        let mut item = vec![self.queries.len() as u64, self.wanted as u64, word(radius2)];
+        item.extend(point.map(word));
+        item.push(word(reach));
+        let pause = [0, 10, 100][feeds.random.usize(..3)];
+        feeds.feed_after(pause, "query", item);
+        let phase = self.clouds.len() - 1;
+        let wanted = self.wanted;
+        self.queries.push(Query { phase, wanted, radius2, point, reach, answer: vec![], cached: false, closed: false });
+    }
+
+    fn result(&mut self, feeds: &mut Feeds, fields: &[u64]) {
+        let &[query, last, found, index, distance2, cached] = fields else { panic!("a result has six fields") };
+        let query = &mut self.queries[query as usize];
+        assert!(!query.closed, "a result after the last: {query:?}");
+        assert!(query.answer.is_empty() || query.cached == (cached == 1), "{query:?}");
+        query.cached = cached == 1;
+        if found == 1 {
+            query.answer.push((index, number(&self.config, distance2)));
+        }
+        if last == 1 {
+            query.closed = true;
+            self.closed += 1;
+            if self.closed == self.clouds.len() * QUERIES {
+                self.set_up(feeds);
+            } else {
+                self.ask(feeds);
+            }
+        }
+    }
+}
+
+impl Rule for Surroundings {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        match stream {
+            "setup" => {
+                let under_way = [1, 2, 5, 20][feeds.random.usize(..4)];
+                (0..under_way).for_each(|_| self.ask(feeds));
+            }
+            "search" => {
+                let Self { config, clouds, searches, .. } = self;
+                searches
+                    .request(feeds, fields, |feeds, search| answer(config, &clouds[clouds.len() - 1], feeds, search));
+            }
+            "found" if fields[1] == 1 => {
+                let Self { config, clouds, searches, .. } = self;
+                searches.answered(feeds, |feeds, search| answer(config, &clouds[clouds.len() - 1], feeds, search));
+            }
+            "result" => self.result(feeds, fields),
+            _ => {}
+        }
+    }
+}
+
+/// What answers and searches there must have been.
+#[derive(Debug, Default)]
+struct Seen {
+    cached_nearest: usize,
+    cached_balls: usize,
+    full_nearest: usize,
+    full_balls: usize,
+    sparse_nearest: usize,
+    sparse_balls: usize,
+    empty: usize,
+}
+
+/// Compares an answer from a search with that, and one from the cache with brute force.
+fn check(config: &Config, cloud: &[Point], query: &Query, seen: &mut Seen) {
+    let mode = PHASES[query.phase].0;
+    let all = |k, radius2| nearest(config, cloud, query.point, k, radius2);
+    let mut found = all(query.wanted, query.radius2);
+    let is_full = found.len() == query.wanted;
+    if mode != Mode::Ball && is_full {
+        found.pop();
+    }
+    match (query.cached, mode) {
+        (false, _) => {
+            assert_eq!(query.answer, found, "{query:?}");
+            seen.empty += usize::from(found.is_empty());
+            let count = match (mode, is_full) {
+                (Mode::Ball, true) => &mut seen.full_balls,
+                (Mode::Ball, false) => &mut seen.sparse_balls,
+                (_, true) => &mut seen.full_nearest,
+                (_, false) => &mut seen.sparse_nearest,
+            };
+            *count += 1;
+        }
+        (true, Mode::Nearest) => {
+            assert_eq!(indices(&query.answer), indices(&found), "{query:?}");
+            seen.cached_nearest += 1;
+        }
+        (true, Mode::Ball) => {
+            let reach2 = query.reach * query.reach;
+            let is_near = |(index, _): &&Neighbor| distance2(config, cloud[*index as usize], query.point) < reach2;
+            let near = indices(query.answer.iter().filter(is_near));
+            assert_eq!(near, indices(&all(cloud.len(), reach2)), "{query:?}");
+            seen.cached_balls += 1;
+        }
+        (true, Mode::NearestWithin(_)) => {}
+    }
+}
+
+/// One entry, fewer than a power of two, and as many as the thesis has.
+fn configs() -> [Config; 3] {
+    let base =
+        Config { geometry: Format::F32.flushed(), index_bits: 10, tree_depth: 4, bucket: 8, ..Config::default() };
+    [
+        Config { neighbor_cache: 1, threads: 1, neighbors: 2, ..base.clone() },
+        Config { neighbor_cache: 3, threads: 3, neighbors: 8, geometry: Format::F24.flushed(), ..base.clone() },
+        Config { neighbor_cache: 8, threads: 16, neighbors: 5, ..base },
+    ]
+}
+
+#[test]
+fn neighborhoods_agree_with_the_model_and_with_brute_force() {
+    let seen = RefCell::new(Seen::default());
+    for config in configs() {
+        let unit = neighbor_cache::unit(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        let model =
+            NeighborCache::new(&config, CacheLatencies { check: unit.check.latency, cover: unit.cover.latency });
+        let begin = |feeds: &mut Feeds| Surroundings::begin(&config, feeds);
+        lockstep(&unit.module, &model, &ports::neighbor_cache(&config), begin, all, |surroundings, report| {
+            assert_eq!(surroundings.closed, PHASES.len() * QUERIES);
+            for query in &surroundings.queries {
+                check(&config, &surroundings.clouds[query.phase], query, &mut seen.borrow_mut());
+            }
+            let cached = surroundings.queries.iter().filter(|query| query.cached).count() as u64;
+            let misses = surroundings.queries.len() as u64 - cached;
+            assert!(cached > 0 && misses > 0, "{cached} hits, {misses} misses");
+            assert_eq!(["event_cache_hit", "event_cache_miss"].map(|event| report.events(event)), [cached, misses]);
+            assert_eq!(report.transfers("search"), misses);
+        });
+    }
+    let seen = seen.into_inner();
+    let Seen { cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty } = seen;
+    for count in [cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty] {
+        assert!(count > 0, "{seen:?}");
+    }
+}

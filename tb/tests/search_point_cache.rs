@@ -1,0 +1,122 @@
+//! The point cache against its model, with leaves that compete for slots and a memory that answers out of order.
+
+use pointcore_contract::search::{Config, ports};
+use pointcore_golden::search::PointCache;
+use pointcore_hdl::search::point_cache;
+
+use crate::search::environment::{Feeds, Rule};
+use crate::search::memory::Memory;
+use crate::search::{all, configs, lockstep};
+
+const REQUESTS: u64 = 400;
+const LEAVES: u64 = 24;
+/// Leaves that are asked for again and again.
+const FAVORITES: u64 = 3;
+
+/// Threads that ask for leaves.
+#[derive(Clone)]
+struct Requests {
+    config: Config,
+    /// First address and beats of each leaf.
+    leaves: Vec<[u64; 2]>,
+    left: u64,
+    memory: Memory,
+    /// Requests without an answer.
+    open: Vec<Vec<u64>>,
+    /// The answer that has begun: its request, and the beats so far.
+    answer: Option<(Vec<u64>, u64)>,
+}
+
+/// The points of a beat, as good as any.
+fn points(config: &Config, address: u64) -> impl Iterator<Item = u64> {
+    let mut random = fastrand::Rng::with_seed(address);
+    let width = config.geometry.width();
+    (0..3 * config.lanes).map(move |_| random.u64(..1 << width))
+}
+
+impl Requests {
+    /// Some leaves are asked for more often than others.
+    fn ask(&mut self, feeds: &mut Feeds, thread: u64) {
+        if self.left > 0 {
+            self.left -= 1;
+            let among = [FAVORITES, LEAVES][feeds.random.usize(..2)];
+            let leaf = feeds.random.u64(..among);
+            let [address, beats] = self.leaves[leaf as usize];
+            let request = vec![thread, address, beats];
+            self.open.push(request.clone());
+            feeds.feed("fetch", request);
+        }
+    }
+
+    fn beat(&mut self, feeds: &mut Feeds, fields: &[u64]) {
+        let (request, count) = self.answer.take().unwrap_or_else(|| {
+            let begun = self.open.iter().position(|request| request[..2] == fields[..2]);
+            (self.open.swap_remove(begun.expect("a leaf's first beat is that of a request")), 0)
+        });
+        let [thread, address, beats] = request[..] else { panic!("a request has three fields") };
+        let last = count + 1 == beats;
+        assert_eq!(fields[..3], [thread, address + count, u64::from(last)]);
+        assert!(fields[3..].iter().copied().eq(points(&self.config, address + count)), "the points of {address}");
+        if last {
+            self.ask(feeds, thread);
+        } else {
+            self.answer = Some((request, count + 1));
+        }
+    }
+}
+
+fn answer(config: &Config, feeds: &mut Feeds, request: &[u64]) {
+    let &[thread, address, beats] = request else { panic!("a request has three fields") };
+    for beat in address..address + beats {
+        let place = [thread, beat, u64::from(beat + 1 == address + beats)];
+        feeds.feed("fill", place.into_iter().chain(points(config, beat)).collect());
+    }
+}
+
+impl Rule for Requests {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        match stream {
+            "miss" => self.memory.request(feeds, fields, |feeds, request| answer(&self.config, feeds, request)),
+            "fill" if fields[2] == 1 => {
+                self.memory.answered(feeds, |feeds, request| answer(&self.config, feeds, request));
+            }
+            "beat" => self.beat(feeds, fields),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn leaves_are_kept_and_replaced_as_in_the_model() {
+    for (config, point_cache) in configs().into_iter().zip([2, 4, 8, 64]) {
+        let config = Config { point_cache, ..config };
+        let begin = |feeds: &mut Feeds| {
+            let mut address = feeds.random.u64(..20);
+            let most = u64::from(config.bucket.div_ceil(config.lanes));
+            let leaves = (0..LEAVES).map(|_| {
+                let beats = feeds.random.u64(1..=most);
+                address += beats;
+                [address - beats, beats]
+            });
+            let mut requests = Requests {
+                config: config.clone(),
+                leaves: leaves.collect(),
+                left: REQUESTS,
+                memory: Memory::default(),
+                open: vec![],
+                answer: None,
+            };
+            for thread in 0..config.threads * config.leaves_in_flight {
+                requests.ask(feeds, (thread % config.threads).into());
+            }
+            requests
+        };
+        let (module, model) = (point_cache::module(&config), PointCache::new(&config));
+        lockstep(&module, &model, &ports::point_cache(&config), begin, all, |requests, report| {
+            assert!(requests.left == 0 && requests.open.is_empty() && requests.answer.is_none());
+            let [hits, misses] = ["event_point_hit", "event_point_miss"].map(|event| report.events(event));
+            assert_eq!((hits + misses, misses), (REQUESTS, report.transfers("miss")));
+            assert!(hits > REQUESTS / 20 && misses >= FAVORITES, "{hits} hits, {misses} misses");
+        });
+    }
+}

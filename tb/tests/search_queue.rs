@@ -1,0 +1,105 @@
+//! The priority queues against their model and against sorting.
+
+use pointcore_contract::search::{Config, ports};
+use pointcore_golden::search::Queue;
+use pointcore_hdl::search::queue;
+
+use crate::search::environment::{Feeds, Rule};
+use crate::search::{all, configs, coordinate, lockstep, number, start, word};
+
+const QUERIES: u64 = 60;
+
+/// The query of a thread.
+#[derive(Clone, Default)]
+struct Search {
+    number: usize,
+    k: usize,
+    radius2: f32,
+    leaves_left: u32,
+    distances: Vec<f32>,
+}
+
+/// Threads that search a few leaves each, whose beats follow each other.
+#[derive(Clone)]
+struct Searches {
+    config: Config,
+    queries_left: u64,
+    threads: Vec<Search>,
+    /// Distances expected and found, by query.
+    expected: Vec<Vec<f32>>,
+    found: Vec<Vec<f32>>,
+}
+
+impl Searches {
+    fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
+        if self.queries_left > 0 {
+            self.queries_left -= 1;
+            let start = start(&self.config, thread, self.queries_left, &mut feeds.random);
+            let leaves_left = feeds.random.u32(1..5);
+            let radius2 = number(&self.config, start[3]);
+            self.threads[thread as usize] =
+                Search { number: start[1] as usize, k: start[2] as usize, radius2, leaves_left, distances: vec![] };
+            feeds.feed("start", start);
+        }
+    }
+
+    fn leaf(&mut self, feeds: &mut Feeds, thread: u64) {
+        let search = &mut self.threads[thread as usize];
+        search.leaves_left -= 1;
+        let beats = feeds.random.u64(1..4);
+        for beat in 0..beats {
+            let mut item = vec![thread, feeds.random.u64(..1 << self.config.beat_bits()), u64::from(beat + 1 == beats)];
+            for _ in 0..self.config.lanes {
+                let distance2 = if feeds.random.u8(..8) == 0 { f32::NAN } else { coordinate(&mut feeds.random).abs() };
+                search.distances.push(distance2);
+                item.push(word(&self.config, distance2));
+            }
+            feeds.feed("candidates", item);
+        }
+    }
+}
+
+impl Rule for Searches {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        match stream {
+            "start" => self.leaf(feeds, fields[0]),
+            "radius" if self.threads[fields[0] as usize].leaves_left > 0 => self.leaf(feeds, fields[0]),
+            "radius" => {
+                let search = &self.threads[fields[0] as usize];
+                let mut near = search.distances.clone();
+                near.retain(|&distance2| distance2 < search.radius2);
+                near.sort_by(f32::total_cmp);
+                near.truncate(search.k);
+                self.expected[search.number] = near;
+                feeds.feed("finish", vec![fields[0]]);
+            }
+            "released" => self.restart(feeds, fields[0]),
+            "result" if fields[2] == 1 => self.found[fields[0] as usize].push(number(&self.config, fields[4])),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn queues_agree_with_the_model_and_with_sorting() {
+    for config in configs() {
+        let threads = config.threads;
+        let begin = |feeds: &mut Feeds| {
+            let nothing = vec![vec![]; QUERIES as usize];
+            let mut searches = Searches {
+                config: config.clone(),
+                queries_left: QUERIES,
+                threads: vec![Search::default(); threads as usize],
+                expected: nothing.clone(),
+                found: nothing,
+            };
+            (0..threads.into()).for_each(|thread| searches.restart(feeds, thread));
+            searches
+        };
+        let (module, model) = (queue::module(&config), Queue::new(&config));
+        lockstep(&module, &model, &ports::queue(&config), begin, all, |searches, report| {
+            assert_eq!(report.transfers("finish"), QUERIES);
+            assert_eq!(searches.found, searches.expected);
+        });
+    }
+}

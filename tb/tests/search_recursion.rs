@@ -1,0 +1,90 @@
+//! Stack recursion against its model, on random stacks.
+
+use pointcore_contract::search::{Config, ports};
+use pointcore_golden::search::Recursion;
+use pointcore_hdl::search::recursion;
+
+use crate::search::environment::{Feeds, Rule};
+use crate::search::{all, configs, lockstep, start, word};
+
+const PATHS: u64 = 400;
+
+/// The stack, and leaves whose radii shrink while their threads search.
+#[derive(Clone)]
+struct Surroundings {
+    config: Config,
+    paths_left: u64,
+    /// Radii on their way, by thread: a query starts when there are none.
+    radii: Vec<u32>,
+    waiting: Vec<bool>,
+}
+
+impl Surroundings {
+    fn restart(&mut self, feeds: &mut Feeds, thread: u64) {
+        let index = thread as usize;
+        self.waiting[index] = self.radii[index] > 0;
+        if !self.waiting[index] && self.paths_left > 0 {
+            let start = start(&self.config, thread, 0, &mut feeds.random);
+            feeds.feed("start", start);
+        }
+    }
+}
+
+impl Rule for Surroundings {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        let thread = fields[0];
+        let index = thread as usize;
+        match stream {
+            "start" => feeds.feed("in", vec![thread]),
+            "pop" => {
+                let some = self.paths_left > 0 && feeds.random.u8(..8) > 0;
+                self.paths_left -= u64::from(some);
+                feeds.hold("top_empty", u64::from(!some));
+                if some {
+                    let node = feeds.random.u64(2..1 << self.config.node_bits());
+                    let distance2 = [0.0, 0.5, 4.0, f32::NAN][feeds.random.usize(..4)];
+                    feeds.hold("top_node", node);
+                    feeds.hold("top_distance2", word(&self.config, distance2));
+                }
+            }
+            "resume" => {
+                feeds.feed("in", vec![thread]);
+                self.radii[index] += 1;
+                let radius2 = [f32::INFINITY, 1.0, 0.1][feeds.random.usize(..3)];
+                feeds.feed("radius", vec![thread, word(&self.config, radius2)]);
+            }
+            "radius" => {
+                self.radii[index] -= 1;
+                if self.waiting[index] {
+                    self.restart(feeds, thread);
+                }
+            }
+            "empty" => self.restart(feeds, thread),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn recursion_agrees_with_the_model() {
+    for config in configs() {
+        let threads = config.threads as usize;
+        let begin = |feeds: &mut Feeds| {
+            let mut surroundings = Surroundings {
+                config: config.clone(),
+                paths_left: PATHS,
+                radii: vec![0; threads],
+                waiting: vec![false; threads],
+            };
+            (0..threads).for_each(|thread| surroundings.restart(feeds, thread as u64));
+            surroundings
+        };
+        let (module, model) = (recursion::module(&config), Recursion::new(&config));
+        lockstep(&module, &model, &ports::recursion(&config), begin, all, |surroundings, report| {
+            assert_eq!(surroundings.paths_left, 0);
+            let resumed = report.transfers("resume");
+            assert!(resumed > PATHS / 8 && resumed < PATHS, "{resumed} of {PATHS} paths were near");
+            assert_eq!(report.transfers("empty"), report.transfers("start"));
+        });
+    }
+}

@@ -1,0 +1,127 @@
+//! The tree cache against its model, with records that compete for lines and a memory that answers out of order.
+
+use pointcore_contract::search::{Config, ports, records};
+use pointcore_contract::splat::Field;
+use pointcore_golden::search::TreeCache;
+use pointcore_hdl::search::tree_cache;
+
+use crate::search::environment::{Feeds, Rule};
+use crate::search::memory::Memory;
+use crate::search::{all, configs, lockstep};
+
+const REQUESTS: u64 = 600;
+/// Records that are asked for again and again: the nodes near the root and the leaves on the left.
+const FAVORITES: u64 = 4;
+
+/// Threads that ask for a node or for leaves.
+#[derive(Clone)]
+struct Requests {
+    config: Config,
+    left: u64,
+    memory: Memory,
+    /// Nodes and leaves without an answer: thread and address.
+    nodes: Vec<[u64; 2]>,
+    leaves: Vec<[u64; 2]>,
+    /// Nodes of the deepest level.
+    deepest: u64,
+}
+
+/// The fields of a record, as good as any.
+fn content(address: u64, fields: &[Field]) -> Vec<u64> {
+    let mut random = fastrand::Rng::with_seed(address);
+    fields.iter().map(|(_, width)| random.u64(..1 << width)).collect()
+}
+
+impl Requests {
+    fn chosen(feeds: &mut Feeds, all: u64) -> u64 {
+        let among = [FAVORITES, all][feeds.random.usize(..2)];
+        feeds.random.u64(..among)
+    }
+
+    fn ask_node(&mut self, feeds: &mut Feeds, thread: u64) {
+        if self.left > 0 {
+            self.left -= 1;
+            let node = 1 + Self::chosen(feeds, (2 << self.config.tree_depth) - 1);
+            self.deepest += node >> self.config.tree_depth;
+            self.nodes.push([thread, node]);
+            feeds.feed("node", vec![thread, node]);
+        }
+    }
+
+    fn ask_leaf(&mut self, feeds: &mut Feeds, thread: u64) {
+        if self.left > 0 {
+            self.left -= 1;
+            let leaf = Self::chosen(feeds, 1 << self.config.tree_depth);
+            self.leaves.push([thread, leaf]);
+            feeds.feed("leaf", vec![thread, leaf]);
+        }
+    }
+}
+
+/// A record as the memory sends it: what is not its own is noise.
+fn answer(config: &Config, feeds: &mut Feeds, request: &[u64]) {
+    let noise = |feeds: &mut Feeds, fields: &[Field]| content(feeds.random.u64(..), fields);
+    let (node, bucket) = (records::node(config), records::bucket(config));
+    let fields = match request[1] >> config.tree_depth {
+        0 => [content(request[1], &node), noise(feeds, &bucket)],
+        _ => [noise(feeds, &node), content(request[1], &bucket)],
+    };
+    feeds.feed("fill", [request, &fields.concat()].concat());
+}
+
+/// Takes a request off a list.
+fn close(open: &mut Vec<[u64; 2]>, matches: impl Fn(&[u64; 2]) -> bool) {
+    let position = open.iter().position(matches);
+    open.swap_remove(position.expect("an answer belongs to a request"));
+}
+
+impl Rule for Requests {
+    fn transferred(&mut self, feeds: &mut Feeds, stream: &str, fields: &[u64]) {
+        match stream {
+            "lookup" => self.memory.request(feeds, fields, |feeds, request| answer(&self.config, feeds, request)),
+            "fill" => self.memory.answered(feeds, |feeds, request| answer(&self.config, feeds, request)),
+            "record" => {
+                let &[thread, node, ..] = fields else { panic!("a record begins with its thread and node") };
+                let of_deepest = node >> self.config.tree_depth != 0;
+                let expected = content(node, &records::node(&self.config));
+                assert_eq!(fields[2..], if of_deepest { vec![0; 3] } else { expected }, "node {node}");
+                close(&mut self.nodes, |request| *request == [thread, node]);
+                self.ask_node(feeds, thread);
+            }
+            "fetch" => {
+                let bucket = records::bucket(&self.config);
+                let is_of = |&[thread, leaf]: &[u64; 2]| {
+                    let place = content((1 << self.config.tree_depth) + leaf, &bucket);
+                    fields[0] == thread && fields[1..] == place
+                };
+                close(&mut self.leaves, is_of);
+                self.ask_leaf(feeds, fields[0]);
+            }
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn records_are_kept_and_replaced_as_in_the_model() {
+    // Fewer lines than records, as many, and more.
+    for (config, tree_cache) in configs().into_iter().zip([16, 16, 32, 64]) {
+        let config = Config { tree_cache, ..config };
+        let begin = |feeds: &mut Feeds| {
+            let (memory, nodes, leaves) = (Memory::default(), vec![], vec![]);
+            let mut requests = Requests { config: config.clone(), left: REQUESTS, memory, nodes, leaves, deepest: 0 };
+            for thread in 0..config.threads.into() {
+                requests.ask_node(feeds, thread);
+                (0..config.leaves_in_flight).for_each(|_| requests.ask_leaf(feeds, thread));
+            }
+            requests
+        };
+        let (module, model) = (tree_cache::module(&config), TreeCache::new(&config));
+        lockstep(&module, &model, &ports::tree_cache(&config), begin, all, |requests, report| {
+            assert!(requests.left == 0 && requests.nodes.is_empty() && requests.leaves.is_empty());
+            let [hits, misses] = ["event_tree_hit", "event_tree_miss"].map(|event| report.events(event));
+            assert_eq!((hits + misses, misses), (REQUESTS - requests.deepest, report.transfers("lookup")));
+            assert!(hits > REQUESTS / 10 && misses > 10, "{hits} hits, {misses} misses");
+        });
+    }
+}

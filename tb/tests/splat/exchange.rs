@@ -1,0 +1,302 @@
+//! Tile cache and accumulator, which only make sense together, with what surrounds them: both as models, so that either's
+//! hardware can be driven with what its model sees.
+
+use std::collections::VecDeque;
+
+use fastrand::Rng;
+use pointcore_contract::splat::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
+use pointcore_contract::splat::{AttributeFormat, Config, Field, records};
+use pointcore_golden::splat::records::{Pixel, PlacedCopy, SamplePlace, Shape, SplatCopy, WeightedSample};
+use pointcore_golden::splat::{Accumulator, TileCache, accumulator, tile_cache};
+use pointcore_golden::unit::{Model, Record, Visitor, Word};
+use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus};
+
+use super::{Device, scene};
+
+/// Samples that may wait before the accumulator: enough for a slot to reach its limit of copies under way.
+const SAMPLES_WAITING: usize = 2000;
+/// Normalized depths of three surfaces, and the distance within which samples blend.
+const SURFACES: [u32; 3] = [0x40_0000, 0x80_0000, 0xc0_0000];
+const EPSILON: u32 = 0x1_0000;
+/// More than half of `f16`'s largest number, for attributes.
+const HALF_OF_LARGEST: f32 = 40_000.0;
+
+/// What happened.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// Tiles read from memory, pixels written to it, pixels of frames.
+    pub reads: u32,
+    pub writes: u32,
+    pub pixels: u32,
+    /// Pixels that came back from memory almost full.
+    pub heavy: u32,
+    /// Pixels with an attribute whose sum has overflowed, in `f16`.
+    pub saturated: u32,
+    /// The accumulator's events.
+    pub accumulated: u32,
+    pub hazards: u32,
+    pub slot_waits: u32,
+    /// Most copies under way at once.
+    pub in_flight: u32,
+}
+
+/// The closed loop.
+#[derive(Clone)]
+pub struct Exchange {
+    cache: TileCache,
+    accumulator: Accumulator,
+    copies: VecDeque<SplatCopy>,
+    samples: VecDeque<WeightedSample>,
+    tiles: Vec<[Pixel; TILE_PIXELS as usize]>,
+    beats: VecDeque<Pixel>,
+    offers: [bool; 3],
+    stalls: [Stalls; 7],
+    config: Config,
+    random: Rng,
+    under_way: u32,
+    frames: usize,
+    /// So far.
+    pub counts: Counts,
+}
+
+/// Fills the fields of a record with random bits, as many as the field has.
+struct Noise<'a>(&'a mut Rng, std::slice::Iter<'a, Field>);
+
+impl Visitor for Noise<'_> {
+    fn field(&mut self, _name: &str, value: &mut impl Word) {
+        let (_, width) = self.1.next().expect("the record has as many fields as specified");
+        *value = Word::from_word(self.0.u64(..) >> (64 - width));
+    }
+
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
+        values.iter_mut().for_each(|value| self.field(name, value));
+    }
+
+    fn prefix(&mut self, _prefix: &'static str) {}
+}
+
+fn noise<T: Record<Shape>>(config: &Config, fields: &[Field], random: &mut Rng) -> T {
+    let mut record = T::default();
+    record.visit(Shape::new(config), &mut Noise(random, fields.iter()));
+    record
+}
+
+/// Frames of copies: one of a single tile, one that wanders over the image, an empty one, and one of random tiles.
+fn copies(config: &Config, random: &mut Rng) -> VecDeque<SplatCopy> {
+    let fields = records::copy(config);
+    let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(8));
+    let tile = |index: u32| ((index / columns % rows) << config.tile_column_bits()) | (index % columns);
+    let mut copies = VecDeque::new();
+    for (frame, count) in [600, 300, 0, 150].into_iter().enumerate() {
+        for number in 0..=count {
+            let mut copy: SplatCopy = noise(config, &fields, random);
+            copy.end = number == count;
+            copy.tile = match frame {
+                0 => tile(3),
+                1 => tile(number / 4 + random.u32(0..3)),
+                _ => tile(random.u32(0..columns * rows)),
+            };
+            copies.push_back(copy);
+        }
+    }
+    copies
+}
+
+impl Exchange {
+    /// The loop before its first cycle; `seed` decides everything random in it.
+    pub fn new(config: &Config, stall: Stall, seed: u64) -> Self {
+        let mut random = Rng::with_seed(seed);
+        let copies = copies(config, &mut random);
+        Self {
+            cache: TileCache::new(config),
+            accumulator: Accumulator::new(config),
+            frames: copies.iter().filter(|copy| copy.end).count(),
+            copies,
+            samples: VecDeque::new(),
+            tiles: vec![[Pixel::default(); TILE_PIXELS as usize]; 1 << config.tile_bits()],
+            beats: VecDeque::new(),
+            offers: [false; 3],
+            stalls: [(); 7].map(|()| Stalls::new(stall, random.fork())),
+            config: config.clone(),
+            random,
+            under_way: 0,
+            counts: Counts::default(),
+        }
+    }
+
+    /// Some samples of a copy on few pixels, of three surfaces; the last one closes it.
+    fn sample(&mut self, placed: &PlacedCopy) {
+        let fields = records::weighted_sample(&self.config);
+        let count = if placed.copy.end { 1 } else { self.random.usize(1..6) };
+        let first = self.random.u8(..);
+        for number in 1..=count {
+            let random = &mut self.random;
+            let mut sample: WeightedSample = noise(&self.config, &fields, random);
+            let weight = sample.place.weight;
+            let inside = random.u8(0..5) > 0;
+            let pixel = first.wrapping_add(random.u8(0..3)) % TILE_PIXELS as u8;
+            let last = number == count && !placed.copy.end;
+            sample.place = SamplePlace { end: placed.copy.end, last, inside, slot: placed.slot, pixel, weight };
+            let depth = SURFACES[random.usize(0..SURFACES.len())] + random.u32(0..EPSILON / 2);
+            sample.weighted_depth = u64::from(weight) * u64::from(depth);
+            (sample.depth_low, sample.depth_high) = (depth - EPSILON, depth + EPSILON);
+            for attribute in &mut sample.attributes[..self.config.continuous as usize] {
+                // Half of them so large that sums overflow, to one side on a pixel; now and then any bits.
+                let number = match random.u8(0..32) {
+                    0 => continue,
+                    1..=16 => HALF_OF_LARGEST * if pixel.is_multiple_of(2) { 1.0 } else { -1.0 },
+                    _ => 4.0 * random.f32() - 2.0,
+                };
+                if let AttributeFormat::Float(format) = self.config.attribute {
+                    *attribute = scene::encode(format, number);
+                }
+            }
+            self.samples.push_back(sample);
+        }
+    }
+
+    /// A pixel as memory keeps it: now and then so full that a blend would overflow it.
+    fn kept(&mut self, mut pixel: Pixel) -> Pixel {
+        let continuous = self.config.continuous as usize;
+        let is_largest = |bits: &u64| bits & 0x7fff == 0x7bff;
+        self.counts.saturated += u32::from(pixel.attributes[..continuous].iter().any(is_largest));
+        if pixel.weight > 0 && self.random.u8(0..6) == 0 {
+            let depth = pixel.depth / u64::from(pixel.weight);
+            pixel.weight = (1 << WEIGHT_SUM_BITS) - self.random.u32(1..100_000);
+            pixel.depth = u64::from(pixel.weight) * depth.min((1 << DEPTH_BITS) - 1);
+            if let AttributeFormat::Fixed(fraction) = self.config.attribute {
+                // The sums of nothing but −1.
+                let sum = (u64::from(pixel.weight) << fraction.number().fraction).wrapping_neg();
+                pixel.attributes[..continuous].fill(sum & (u64::MAX >> (64 - fraction.sum().width)));
+            }
+            self.counts.heavy += 1;
+        }
+        pixel
+    }
+
+    /// One cycle; returns what the two units saw in it.
+    fn step(&mut self) -> (tile_cache::In, accumulator::In) {
+        let (cache, accumulator) = (self.cache.outputs(), self.accumulator.outputs());
+        let [copies, samples, data, out, read, write, pixel] = self.stalls.each_mut().map(|stalls| !stalls.stalled());
+        // An offer once made stands until it is taken.
+        let offers = &mut self.offers;
+        offers[0] |= copies && !self.copies.is_empty();
+        offers[1] |= samples && !self.samples.is_empty();
+        offers[2] |= data && !self.beats.is_empty();
+        let cache_in = tile_cache::In {
+            input: self.copies.front().copied().filter(|_| offers[0]),
+            out_ready: out && self.samples.len() < SAMPLES_WAITING,
+            read_ready: read,
+            data: self.beats.front().copied().filter(|_| offers[2]),
+            write_ready: write,
+            pixel_ready: pixel,
+            retire: accumulator.retire,
+            frame_end: accumulator.frame_end,
+            drained: accumulator.drained,
+        };
+        let accumulator_in = accumulator::In {
+            input: self.samples.front().copied().filter(|_| offers[1]),
+            slot_ready: cache.slot_ready,
+            fill: cache.fill,
+            drain: cache.drain,
+        };
+        if offers[0] && cache.in_ready {
+            self.copies.pop_front();
+            self.offers[0] = false;
+        }
+        if self.offers[1] && accumulator.in_ready {
+            self.samples.pop_front();
+            self.offers[1] = false;
+        }
+        if self.offers[2] && cache.data_ready {
+            self.beats.pop_front();
+            self.offers[2] = false;
+        }
+        self.move_pixels(&cache, &cache_in);
+        let events = accumulator.events;
+        self.counts.accumulated += u32::from(events.accumulate);
+        self.counts.hazards += u32::from(events.hazard);
+        self.counts.slot_waits += u32::from(events.slot_wait);
+        self.under_way -= u32::from(accumulator.retire.is_some());
+        self.cache.clock(&cache_in);
+        self.accumulator.clock(&accumulator_in);
+        (cache_in, accumulator_in)
+    }
+
+    /// Takes what the cache sends in this cycle.
+    fn move_pixels(&mut self, cache: &tile_cache::Out, taken: &tile_cache::In) {
+        if let Some(placed) = cache.out.filter(|_| taken.out_ready) {
+            self.under_way += u32::from(!placed.copy.end);
+            self.counts.in_flight = self.counts.in_flight.max(self.under_way);
+            self.sample(&placed);
+        }
+        if let Some(read) = cache.read.filter(|_| taken.read_ready) {
+            self.beats.extend(self.tiles[read.tile as usize]);
+            self.counts.reads += 1;
+        }
+        if let Some(placed) = cache.write.filter(|_| taken.write_ready) {
+            self.tiles[placed.tile as usize][usize::from(placed.pixel)] = self.kept(placed.value);
+            self.counts.writes += 1;
+        }
+        if let Some(finished) = cache.pixel.filter(|_| taken.pixel_ready) {
+            self.frames -= usize::from(finished.end);
+            self.counts.pixels += u32::from(!finished.end);
+        }
+    }
+}
+
+/// Collects the fields of a record.
+struct Words(Vec<u64>);
+
+impl Visitor for Words {
+    fn field(&mut self, _name: &str, value: &mut impl Word) {
+        self.0.push(value.to_word());
+    }
+
+    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
+        values.iter_mut().for_each(|value| self.field(name, value));
+    }
+
+    fn prefix(&mut self, _prefix: &'static str) {}
+}
+
+/// The unit whose hardware is driven.
+#[derive(Clone, Copy)]
+pub enum Side {
+    TileCache,
+    Accumulator,
+}
+
+/// The loop as the stimulus of one of its units.
+#[derive(Clone)]
+pub struct Drive {
+    /// The loop.
+    pub exchange: Exchange,
+    side: Side,
+    places: Vec<usize>,
+}
+
+impl Drive {
+    /// Drives `device`, which is the hardware of `side`.
+    pub fn new(exchange: Exchange, side: Side, device: &Device) -> Self {
+        Self { exchange, side, places: device.input_places() }
+    }
+}
+
+impl Stimulus for Drive {
+    fn drive(&mut self, _cycle: u64, _outputs: &[u64], inputs: &mut [u64]) -> Flow {
+        if self.exchange.frames == 0 {
+            return Flow::Done;
+        }
+        let shape = self.exchange.cache.shape();
+        // Behind `rst`.
+        let mut words = Words(vec![0]);
+        let (mut cache, mut accumulator) = self.exchange.step();
+        match self.side {
+            Side::TileCache => cache.visit(shape, &mut words),
+            Side::Accumulator => accumulator.visit(shape, &mut words),
+        }
+        self.places.iter().zip(words.0).for_each(|(&place, word)| inputs[place] = word);
+        Flow::Continue
+    }
+}

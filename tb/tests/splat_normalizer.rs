@@ -1,0 +1,63 @@
+//! `splat_normalizer` against its model, in every cycle.
+
+use fastrand::Rng;
+use pointcore_contract::splat::config::DEPTH_BITS;
+use pointcore_contract::splat::{AttributeFormat, Config, ports, records};
+use pointcore_golden::splat::Normalizer;
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::splat::normalizer;
+
+use crate::splat::{Device, configs, fixed_configs, knobs, scene};
+
+const PIXELS: u64 = 2000;
+/// Fields before the attributes: `end`, `tile`, `pixel`, `weight`, `depth`.
+const WEIGHT: usize = 3;
+
+/// A sum of attributes whose weights are `weight` together: in floating point between −8 and 8 times it, in fixed point up to its negative and
+/// a little beyond one.
+fn sum(config: &Config, weight: u64, random: &mut Rng) -> u64 {
+    match config.attribute {
+        AttributeFormat::Float(format) => scene::encode(format, weight as f32 / 65536.0 * 16.0 * (random.f32() - 0.5)),
+        AttributeFormat::Fixed(fraction) => {
+            let one = (weight << fraction.number().fraction) as i64;
+            let sum = match random.u8(0..8) {
+                0 => -one,
+                1 => one - random.i64(0..=one >> 6),
+                _ => random.i64(-one..=one),
+            };
+            sum as u64 & (u64::MAX >> (64 - fraction.sum().width))
+        }
+    }
+}
+
+/// Weights of every magnitude, depths that go with them, sums of attributes as below and now and then of any bits.
+fn pixels(config: &Config) -> Vec<Vec<u64>> {
+    let mut random = scene::random();
+    let fields = records::finished_pixel(config);
+    let attributes = fields.iter().position(|(name, _)| name.starts_with("attribute")).expect("the test carries some");
+    let pixel = |index| {
+        let mut record = scene::noise(&fields, &mut random);
+        record[0] = u64::from(index % 250 == 249);
+        record[WEIGHT] = (record[WEIGHT] >> random.u32(0..28)).max(1);
+        record[WEIGHT + 1] = record[WEIGHT] * random.u64(0..1 << DEPTH_BITS);
+        if random.u8(0..8) > 0 {
+            let weight = record[WEIGHT];
+            for attribute in &mut record[attributes..attributes + config.continuous as usize] {
+                *attribute = sum(config, weight, &mut random);
+            }
+        }
+        record
+    };
+    (0..PIXELS).map(pixel).collect()
+}
+
+#[test]
+fn it_agrees_with_the_model() {
+    for config in configs().into_iter().chain(fixed_configs()).chain(knobs()) {
+        let hardware = normalizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        let device = Device::new(&hardware.module, ports::normalizer(&config));
+        let fragments = device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &[]);
+        assert_eq!(fragments.len() as u64, PIXELS);
+        assert_eq!(fragments.iter().filter(|fragment| fragment[0] == 1).count() as u64, PIXELS / 250);
+    }
+}

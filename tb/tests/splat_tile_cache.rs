@@ -1,0 +1,33 @@
+//! `splat_tile_cache` against its model, in every cycle, in a closed loop with an accumulator.
+
+use pointcore::splat::mask;
+use pointcore_contract::splat::config::IN_FLIGHT_BITS;
+use pointcore_contract::splat::ports;
+use pointcore_golden::splat::TileCache;
+use pointcore_golden::unit::Ported;
+use pointcore_hdl::splat::tile_cache;
+use pointcore_tb::lockstep::{Lockstep, seeds};
+
+use crate::splat::exchange::{Drive, Exchange, Side};
+use crate::splat::{Device, RUNS, configs, stalls};
+use crate::support;
+
+#[test]
+fn it_agrees_with_the_model() {
+    for config in configs() {
+        let device = Device::new(&tile_cache::module(&config), ports::tile_cache(&config));
+        let mut most_in_flight = 0;
+        for seed in seeds(RUNS).unwrap() {
+            let drive = Drive::new(Exchange::new(&config, stalls(seed), seed), Side::TileCache, &device);
+            let golden = device.golden(Ported::new(TileCache::new(&config)));
+            let mask = mask::tile_cache(&support::ports(device.library()));
+            let run = Lockstep::new(device.library(), golden, seed).mask(mask).run(drive);
+            let run = run.unwrap_or_else(|error| panic!("{error}"));
+            let counts = run.stimulus.exchange.counts;
+            assert!(counts.reads > 30 && counts.writes > 64 * 30 && counts.pixels > 300, "seed {seed}: {counts:?}");
+            assert_eq!(u64::from(counts.writes), run.report.transfers("write"));
+            most_in_flight = most_in_flight.max(counts.in_flight);
+        }
+        assert!(most_in_flight >= 1 << (IN_FLIGHT_BITS - 1), "{most_in_flight} copies were under way at most");
+    }
+}

@@ -1,0 +1,79 @@
+//! `splat_top` against its model, in every cycle: units, wiring, and frames that depend on their splats alone.
+
+use std::sync::Arc;
+
+use pointcore::splat::{Core, EncodedFrame, Outcome, Runner};
+use pointcore_contract::splat::{Config, records};
+use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, inject, seed, seeds};
+use pointcore_tb::verilated::{Library, Source};
+
+use crate::splat::{RUNS, configs, fixed_configs, integer_configs, knobs, scene, stalls};
+use crate::support;
+
+/// Splats and ends of several frames.
+const RECORDS: usize = 400;
+
+fn frames(config: &Config, count: usize) -> EncodedFrame {
+    EncodedFrame {
+        records: scene::world(config, count).concat(),
+        record_words: records::splat(config).len(),
+        uniforms: scene::uniforms(config).into_iter().map(|(_, word)| word).collect(),
+    }
+}
+
+fn run(
+    config: &Config,
+    frame: &EncodedFrame,
+    (core, library): (&Core, &Arc<Library>),
+    stall: Stall,
+    seed: u64,
+) -> Result<Outcome, LockstepError> {
+    let runner = Runner { config, frame, stall, seed, progress: &|_, _| {}, stop_after: None };
+    runner.lockstep(core, library)
+}
+
+#[test]
+fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
+    let ([coarse, _], [fixed, ..], [.., integers]) = (knobs(), fixed_configs(), integer_configs());
+    for config in configs().into_iter().chain([coarse, fixed, integers]) {
+        let core = Core::generate(&config).unwrap_or_else(|error| panic!("{error}"));
+        let library = support::build(&Source::from(&core.design));
+        let mut frame = frames(&config, RECORDS);
+        let mut expected: Option<Vec<u64>> = None;
+        for seed in seeds(RUNS).unwrap() {
+            let outcome = run(&config, &frame, (&core, &library), stalls(seed), seed);
+            let outcome = outcome.unwrap_or_else(|error| panic!("{error}\nor {SEED_VARIABLE}={seed} with this test"));
+            let counters = &outcome.counters;
+            assert!(counters.pixels_written > 1000 && counters.pixels_read > 1000, "seed {seed}: {counters:?}");
+            let expected = expected.get_or_insert(outcome.fragments.clone());
+            assert!(outcome.fragments == *expected, "seed {seed}: the frames depend on stalls");
+        }
+        // The same again, right behind.
+        let expected = expected.expect("there is a run");
+        assert!(expected.len() > 1000 * (records::fragment(&config).len() - 1), "{} words", expected.len());
+        frame.records.extend_from_within(..);
+        let seed = seed().unwrap();
+        let twice = run(&config, &frame, (&core, &library), Stall::Random(0.2), seed);
+        let twice = twice.unwrap_or_else(|error| panic!("{error}"));
+        assert!(twice.fragments == expected.repeat(2), "a frame leaves something behind");
+    }
+}
+
+#[test]
+fn a_fault_in_one_unit_is_reported_with_cycle_and_port() {
+    let [config, ..] = configs();
+    let core = Core::generate(&config).unwrap_or_else(|error| panic!("{error}"));
+    let mut source = Source::from(&core.design);
+    source.verilog = inject(&source.verilog, "depth_sum_4 <= stored", "+", "-").unwrap();
+    let broken = support::build(&source);
+    let seed = seed().unwrap();
+    let outcome = run(&config, &frames(&config, RECORDS), (&core, &broken), Stall::Random(0.2), seed);
+    let Err(LockstepError::Failed(failure)) = outcome else { panic!("the accumulator subtracts depths unnoticed") };
+    let Cause::Mismatch(differences) = &failure.cause else { panic!("{failure}") };
+    assert!(differences.iter().all(|difference| difference.hardware != difference.golden));
+    let ports: Vec<&str> = differences.iter().map(|difference| difference.port.as_str()).collect();
+    assert!(ports.iter().any(|port| ["write_depth", "fragment_depth"].contains(port)), "{failure}");
+    assert!(failure.cycle > 100, "samples need as long to be accumulated: {failure}");
+    let text = failure.to_string();
+    assert!(text.contains(&format!("cycle {}", failure.cycle)) && text.contains(ports[0]), "{text}");
+}

@@ -1,0 +1,31 @@
+//! `splat_weighting` against its model, in every cycle.
+
+use pointcore_contract::splat::{Config, ports, records};
+use pointcore_golden::splat::Weighting;
+use pointcore_hdl::compiler::Options;
+use pointcore_hdl::splat::weighting;
+
+use crate::splat::{Device, configs, fixed_configs, scene};
+
+const SAMPLES: usize = 2000;
+
+/// Samples of splats, and some whose fields are noise: numbers of every size, infinities, no numbers.
+fn samples(config: &Config) -> Vec<Vec<u64>> {
+    let mut random = scene::random();
+    let mut samples = scene::samples(config, 300);
+    samples.truncate(SAMPLES);
+    samples.extend((0..SAMPLES / 4).map(|_| scene::noise(&records::sample(config), &mut random)));
+    samples
+}
+
+#[test]
+fn it_agrees_with_the_model() {
+    for config in configs().into_iter().chain(fixed_configs()) {
+        let hardware = weighting::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+        let device = Device::new(&hardware.module, ports::weighting(&config));
+        let samples = samples(&config);
+        assert!(samples.len() > SAMPLES, "{} samples", samples.len());
+        let weighted = device.run(&Weighting::new(&config, hardware.manifest.latency), &samples, &[]);
+        assert_eq!(weighted.len(), samples.len());
+    }
+}
