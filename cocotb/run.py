@@ -33,7 +33,15 @@ COHERENT = [
     "24",
 ]
 # More leaves than the caches hold, and a bus as the configuration says.
-SEARCH = {"threads": 4, "neighbors": 8, "lanes": 2, "tree_depth": 4, "bucket": 8, "index_bits": 8, "point_cache": 4}
+SEARCH_KEYS = {
+    "features.neighbors": 8,
+    "features.tree_depth": 4,
+    "features.bucket": 8,
+    "features.index_bits": 8,
+    "implementation.threads": 4,
+    "implementation.lanes": 2,
+    "implementation.point_cache": 4,
+}
 LOG_LINES = 60
 POWER_UP_SEED = int(os.environ.get("POINTCORE_SEED", "1"))
 
@@ -48,7 +56,7 @@ class Configuration:
     memory_bits: int
     # Seeds of what is random; 0 pauses nothing.
     seeds: list[int]
-    # Keys of the search core's configuration beside those of SEARCH, and what is searched.
+    # Keys of the search core's configuration beside SEARCH_KEYS, and what is searched.
     keys: dict[str, int] = field(default_factory=dict)
     search: list[str] = field(default_factory=lambda: SEARCH)
 
@@ -65,18 +73,18 @@ class Configuration:
     @property
     def tests(self) -> list[str]:
         """The modules with its tests."""
-        window = ["test_window"] if self.core == "search" and "tree_cache" not in self.keys else []
+        window = ["test_window"] if self.core == "search" and "implementation.tree_cache" not in self.keys else []
         return ["test_registers", f"test_{self.core}", *window]
 
     def source(self) -> list[str]:
         """Arguments of `pointcore vectors`."""
         if self.core == "splat":
             overrides = [
-                f"overrides.bus.stream_bits={self.stream_bits}",
-                f"overrides.bus.memory_bits={self.memory_bits}",
+                f"overrides.stream_bits={self.stream_bits}",
+                f"overrides.memory_bits={self.memory_bits}",
             ]
             return [str(HERE / "scene.toml"), *(f"--set={override}" for override in overrides)]
-        lines = ['kind = "search"', *(f"{key} = {value}" for key, value in {**SEARCH, **self.keys}.items())]
+        lines = ['kind = "search"', *(f"{key} = {value}" for key, value in {**SEARCH_KEYS, **self.keys}.items())]
         lines += ["[bus]", f"stream_bits = {self.stream_bits}", f"memory_bits = {self.memory_bits}"]
         file = self.folder / "search.toml"
         file.write_text("\n".join(lines) + "\n")
@@ -88,10 +96,12 @@ CONFIGURATIONS = [
     Configuration("splat_narrow", "splat", 32, 32, [2]),
     Configuration("splat_wide", "splat", 512, 256, [3]),
     Configuration("search", "search", 64, 64, [0, 1, 2]),
-    Configuration("search_narrow", "search", 32, 32, [3], {"lanes": 1, "threads": 2}),
-    Configuration("search_wide", "search", 256, 512, [4], {"lanes": 4, "leaves_in_flight": 2}),
-    Configuration("search_tree_cache", "search", 128, 128, [5], {"tree_cache": 16}),
-    Configuration("search_neighbor_cache", "search", 64, 64, [6], {"neighbor_cache": 4}, COHERENT),
+    Configuration("search_narrow", "search", 32, 32, [3], {"implementation.lanes": 1, "implementation.threads": 2}),
+    Configuration(
+        "search_wide", "search", 256, 512, [4], {"implementation.lanes": 4, "implementation.leaves_in_flight": 2}
+    ),
+    Configuration("search_tree_cache", "search", 128, 128, [5], {"implementation.tree_cache": 16}),
+    Configuration("search_neighbor_cache", "search", 64, 64, [6], {"features.neighbor_cache": 4}, COHERENT),
 ]
 
 

@@ -90,14 +90,15 @@ fn wrong_input_is_one_message_and_exit_code_2() {
     workplace.write("misspelt.toml", &SCENE.replace("points", "pionts"));
     workplace.write("overridden.toml", &format!("{SCENE}[overrides]\nwidth = 32\n"));
     workplace.write("unculled.toml", &format!("{SCENE}[overrides]\nculling = \"off\"\n"));
-    workplace.write("config.toml", "tile_slots = 1\n");
-    workplace.write("unknown.toml", "widht = 64\n");
+    workplace.write("config.toml", "kind = \"splat\"\nimplementation.tile_slots = 1\n");
+    workplace.write("kindless.toml", "width = 64\n");
+    workplace.write("unknown.toml", "kind = \"splat\"\nimage.widht = 64\n");
     workplace.write("empty.toml", "");
     workplace.write("empty.ply", "");
     let header = "ply\nformat ascii 1.0\nelement vertex 1000000000000000000\nproperty float x\nproperty float y\n\
                   property float z\nend_header\n";
     workplace.write("absurd.ply", &format!("{header}0 0 0\n"));
-    workplace.write("unculled_config.toml", "culling = \"off\"\n");
+    workplace.write("unculled_config.toml", "kind = \"splat\"\nfeatures.culling = \"off\"\n");
     workplace.write("knn.toml", "kind = \"search\"\n");
     workplace.write("nan.obj", "v 0 0 0\nv 0 nan 0\nv 0 1 0\n");
     for (arguments, parts) in [
@@ -118,7 +119,8 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         (&["plan", "scene.toml", "scene.toml"], ["several scenes", "--table"]),
         (&["gen", "gone.toml", "-o", "out"], ["gone.toml", "cannot be read"]),
         (&["gen", "config.toml", "-o", "out"], ["config.toml: `tile_slots` = 1", "2 to 64"]),
-        (&["gen", "unknown.toml", "-o", "out"], ["unknown.toml", "line 1"]),
+        (&["gen", "unknown.toml", "-o", "out"], ["unknown.toml: line 2: `widht`", "`width`"]),
+        (&["gen", "kindless.toml", "-o", "out"], ["kindless.toml: the line `kind = \"splat\"`", "is missing"]),
         (&["gen", "misspelt.toml", "-o", "out"], ["misspelt.toml", "line 5"]),
         (&["gen", "config.toml", "-o", "out", "--set", "width=9"], ["--set", "configuration file"]),
         (&["area", "f32_sub"], ["unknown unit `f32_sub`", "splat_heap"]),
@@ -139,7 +141,7 @@ fn wrong_input_is_one_message_and_exit_code_2() {
 fn a_folder_that_cannot_be_written_is_named() {
     let workplace = Workplace::new();
     workplace.write("scene.toml", SCENE);
-    workplace.write("config.toml", "");
+    workplace.write("config.toml", "kind = \"splat\"\n");
     workplace.write("file", "");
     workplace.fails(WRONG_INPUT, &["gen", "config.toml", "-o", "file"], &["file", "cannot be written"]);
     let reference = ["run", "scene.toml", "--model", "reference", "-o", "file/out"];
@@ -164,9 +166,12 @@ fn plan_explains_its_choices() {
         assert!(text.contains(part), "`{part}` is missing in: {text}");
     }
     let plan = json(&workplace.succeeds(&["plan", "scene.toml", "--json", "--set", "object.0.points=300"]));
-    assert_eq!((&plan["splats"], &plan["config"]["heap_levels"]), (&Value::from(300), &Value::from(7)));
     assert_eq!(
-        (&plan["config"]["culling"], &plan["config"]["screen_filter"]),
+        (&plan["splats"], &plan["config"]["implementation"]["heap_levels"]),
+        (&Value::from(300), &Value::from(7))
+    );
+    assert_eq!(
+        (&plan["config"]["features"]["culling"], &plan["config"]["features"]["screen_filter"]),
         (&Value::from("on"), &Value::from("off"))
     );
     let effects = plan["effects"].as_array().expect("a list");

@@ -47,7 +47,7 @@ fn read(path: &Path) -> String {
 fn measurements_are_kept_with_what_they_were_made_of() {
     let workplace = Workplace::new();
     let document = workplace.write("page.md", DOCUMENT);
-    workplace.write("small.toml", "kind = \"search\"\nthreads = 2\nneighbors = 2\ntree_depth = 2\npoint_cache = 0\n");
+    workplace.write("small.toml", "kind = \"search\"\nfeatures = { neighbors = 2, tree_depth = 2 }\nimplementation = { threads = 2, point_cache = 0 }\n");
     let record = ["--target", "gates", "--record", "area.json", "--tables", "page.md"];
     measured(&workplace, &[&["area", "bf16_lt", "small.toml"], &record[..]].concat());
     measured(&workplace, &[&["area", "bf16_eq"], &record[..]].concat());
@@ -67,7 +67,7 @@ fn measurements_are_kept_with_what_they_were_made_of() {
     assert_eq!(json(&workplace.succeeds(&[&check[..], &["--json"]].concat()))["measurements"], 3);
 
     // Another configuration is other hardware, and a page that was edited is not what the record says.
-    workplace.write("small.toml", "kind = \"search\"\nthreads = 4\nneighbors = 2\ntree_depth = 2\npoint_cache = 0\n");
+    workplace.write("small.toml", "kind = \"search\"\nfeatures = { neighbors = 2, tree_depth = 2 }\nimplementation = { threads = 4, point_cache = 0 }\n");
     workplace.write("page.md", &page.replace("42", "41"));
     let parts = [
         "`small` on gates was measured of other Verilog",

@@ -6,7 +6,7 @@ use std::fs;
 use super::command::{WRONG_INPUT, Workplace, accepts_bus, json};
 
 /// Small hardware, so that it builds soon.
-const CONFIG: &str = "kind = \"search\"\nthreads = 4\nneighbors = 8\nlanes = 2\ntree_depth = 6\nbucket = 8\n";
+const CONFIG: &str = "kind = \"search\"\n[features]\nneighbors = 8\ntree_depth = 6\nbucket = 8\n[implementation]\nthreads = 4\nlanes = 2\n";
 
 #[test]
 fn wrong_input_is_one_message_and_exit_code_2() {
@@ -43,7 +43,7 @@ fn wrong_input_is_one_message_and_exit_code_2() {
         (&["--config", "a.toml"], ["a.toml", "kind = \"search\""]),
         (&["--config", "config.toml", "--k", "5", "--epsilon", "0.1"], ["config.toml", "`neighbor_cache`"]),
         (&["--config", "odd.toml"], ["odd.toml: `lanes` = 3", "1, 2, 4 or 8"]),
-        (&["--config", "unknown.toml"], ["unknown.toml", "line 4"]),
+        (&["--config", "unknown.toml"], ["unknown.toml: line 8: `lains`", "`lanes`"]),
         (&["--config", "flat.toml"], ["100 points", "raise `tree_depth` to 4"]),
     ] {
         workplace.fails(WRONG_INPUT, &[&surface, arguments].concat(), &parts);

@@ -7,11 +7,10 @@ use super::command::{WRONG_INPUT, Workplace, json};
 
 /// A scene whose hardware is small, on a narrow bus.
 const SCENE: &str = "camera = { eye = [0, 0, 5], target = [0, 0, 0], fov_degrees = 40, near = 1, far = 10 }\n\
-                     image = { width = 20, height = 12 }\noverrides = { bus = { stream_bits = 32 } }\n\
+                     image = { width = 20, height = 12 }\noverrides = { stream_bits = 32 }\n\
                      [[object]]\nkind = \"sphere\"\npoints = 40\nouter_radius = 1\n";
 /// Hardware for a search in 40 points.
-const CONFIG: &str =
-    "kind = \"search\"\nthreads = 4\nneighbors = 4\nlanes = 2\ntree_depth = 3\nbucket = 8\nindex_bits = 8\n";
+const CONFIG: &str = "kind = \"search\"\n[implementation]\nthreads = 4\nlanes = 2\n[features]\nneighbors = 4\ntree_depth = 3\nbucket = 8\nindex_bits = 8\n";
 
 /// The vectors in a folder: the document, and how to read packets.
 struct Written {
@@ -65,17 +64,17 @@ fn wrong_input_is_refused() {
     workplace.write("scene.toml", SCENE);
     workplace.write("config.toml", CONFIG);
     workplace.write("narrow.toml", &CONFIG.replace("index_bits = 8", "index_bits = 6"));
-    workplace.write("odd.toml", &format!("{CONFIG}bus = {{ memory_bits = 48 }}\n"));
+    workplace.write("odd.toml", &format!("{CONFIG}[bus]\nmemory_bits = 48\n"));
     let search = ["--points", "surface:40", "--k", "3", "--config"];
     for (arguments, parts) in [
         (&["scene.toml", "--base", "0x10000800"][..], ["0x10000800", "multiple of 0x1000"]),
         (&["scene.toml", "--base", "0x100000000"], ["0x100000000", "32 bits"]),
         (&["scene.toml", "--base", "0xfffff000"], ["reconstruction buffer", "lower base"]),
-        (&["scene.toml", "--set", "overrides.bus.stream_bits=48"], ["bus.stream_bits", "32, 64"]),
+        (&["scene.toml", "--set", "overrides.stream_bits=48"], ["`stream_bits`", "32, 64"]),
         (&["--points", "surface:40", "--k", "0"], ["--k 0", "1 to 64"]),
         (&["--points", "surface:40", "--epsilon", "0.1"], ["--epsilon", "timing"]),
         (&[&search[..], &["narrow.toml", "--order", "grid:2x2"]].concat(), ["160 queries", "number only 64"]),
-        (&[&search[..], &["odd.toml"]].concat(), ["odd.toml", "bus.memory_bits"]),
+        (&[&search[..], &["odd.toml"]].concat(), ["odd.toml", "`memory_bits` = 48"]),
     ] {
         workplace.fails(WRONG_INPUT, &[&["vectors", "-o", "out"], arguments].concat(), &parts);
     }
@@ -120,8 +119,10 @@ fn a_frame_is_what_the_model_renders() {
 fn a_search_finds_what_the_model_finds() {
     let workplace = Workplace::new();
     workplace.write("window.toml", CONFIG);
-    let caches = "tree_cache = 16\nneighbor_cache = 2\nbus = { memory_bits = 512 }\n";
-    workplace.write("caches.toml", &CONFIG.replace("kind = \"search\"\n", &format!("kind = \"search\"\n{caches}")));
+    let cached = CONFIG
+        .replace("[implementation]\n", "[implementation]\ntree_cache = 16\n")
+        .replace("[features]\n", "[features]\nneighbor_cache = 2\n");
+    workplace.write("caches.toml", &format!("{cached}[bus]\nmemory_bits = 512\n"));
     let search = ["--points", "surface:40", "--order", "file", "--k", "3", "--config"];
     let neighbors = |config| {
         let arguments = [&["knn"][..], &search, &[config, "--model", "golden", "--json", "-o", "knn"]].concat();

@@ -6,13 +6,11 @@ use std::path::Path;
 use std::process::Command;
 
 /// A small renderer.
-const SPLATTING: &str = "width = 64\nheight = 64\nheap_levels = 5\ngeometry = \"f24-ftz\"\ncontinuous = 2\n";
+const SPLATTING: &str = "kind = \"splat\"\nimage = { width = 64, height = 64 }\nfeatures = { geometry = \"f24-ftz\", continuous = 2 }\nimplementation.heap_levels = 5\n";
 /// A small search core with a tree cache and a neighbor cache.
-const CACHED: &str =
-    "kind = \"search\"\nthreads = 2\nneighbors = 1\ntree_depth = 3\nbucket = 4\ntree_cache = 16\nneighbor_cache = 2\n";
+const CACHED: &str = "kind = \"search\"\nfeatures = { neighbors = 1, tree_depth = 3, bucket = 4, neighbor_cache = 2 }\nimplementation = { threads = 2, tree_cache = 16 }\n";
 /// A small search core whose point memory holds a few points, each in a beat of its own.
-const NARROW: &str =
-    "kind = \"search\"\nthreads = 1\nneighbors = 4\nlanes = 8\ntree_depth = 2\nbucket = 8\nindex_bits = 4\n";
+const NARROW: &str = "kind = \"search\"\nfeatures = { neighbors = 4, tree_depth = 2, bucket = 8, index_bits = 4 }\nimplementation = { threads = 1, lanes = 8 }\n";
 
 fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))

@@ -3,6 +3,7 @@
 
 pub mod bus;
 pub mod camera;
+pub mod configuration;
 pub mod format;
 pub mod rendering;
 pub mod search;

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use pointcore_contract::{splat, search};
+use pointcore_contract::{search, splat};
 
 fuzz_target!(|text: &str| {
     if let Ok(config) = toml::from_str::<splat::Config>(text)

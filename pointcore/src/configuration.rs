@@ -1,12 +1,13 @@
-//! Hardware configurations as files: which core a file is for is said by its key `kind`, the renderer if it has none.
+//! Hardware configurations as files: the line `kind` says which core a file is for; its tables are those of `docs/configuration.md`.
 
+mod layout;
+
+use layout::Kind;
 use pointcore_contract::{search, splat};
-use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use toml::Spanned;
 
 /// A file with a fault.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}: {problem}", path.display())]
 pub struct ConfigurationError {
     /// The file.
@@ -24,20 +25,6 @@ pub enum Configuration {
     Search(search::Config),
 }
 
-/// What the key `kind` may say.
-#[derive(Clone, Copy, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "lowercase")]
-enum Kind {
-    Splat,
-    Search,
-}
-
-/// The one key that both cores' files have.
-#[derive(Deserialize)]
-struct Head {
-    kind: Option<Spanned<Kind>>,
-}
-
 /// Reads a text file.
 ///
 /// # Errors
@@ -46,24 +33,24 @@ pub fn read_text(path: &Path) -> Result<String, ConfigurationError> {
     std::fs::read_to_string(path).map_err(|error| wrong(path, format!("cannot be read: {error}")))
 }
 
-/// The core that a file is for, and the file without the line that says so.
-fn split(path: &Path, text: &str) -> Result<(Option<Kind>, String), ConfigurationError> {
-    let syntax = |error: toml::de::Error| wrong(path, error.to_string().trim_end());
-    let Some(kind) = toml::from_str::<Head>(text).map_err(syntax)?.kind else { return Ok((None, text.to_owned())) };
-    // The line's end stays, so that lines keep their numbers.
-    let begin = text[..kind.span().start].rfind('\n').map_or(0, |end| end + 1);
-    let rest = [&text[..begin], &text[kind.span().end..]].concat();
-    Ok((Some(kind.into_inner()), rest))
-}
-
 /// Reads a configuration of either core.
 ///
 /// # Errors
 /// The text is no such configuration, or one that the hardware cannot hold.
 pub fn parse(path: &Path, text: &str) -> Result<Configuration, ConfigurationError> {
-    match split(path, text)? {
-        (None | Some(Kind::Splat), text) => splat_config(path, &text).map(Configuration::Splat),
-        (Some(Kind::Search), text) => search_config(path, &text).map(Configuration::Search),
+    let kind = layout::check(text).map_err(|problem| wrong(path, problem))?;
+    let syntax = |error: toml::de::Error| wrong(path, error.to_string().trim_end());
+    match kind {
+        Kind::Splat => {
+            let config: splat::Config = toml::from_str(text).map_err(syntax)?;
+            config.validate().map_err(|error| wrong(path, error.to_string()))?;
+            Ok(Configuration::Splat(config))
+        }
+        Kind::Search => {
+            let config: search::Config = toml::from_str(text).map_err(syntax)?;
+            config.validate().map_err(|error| wrong(path, error.to_string()))?;
+            Ok(Configuration::Search(config))
+        }
     }
 }
 
@@ -72,28 +59,27 @@ pub fn parse(path: &Path, text: &str) -> Result<Configuration, ConfigurationErro
 /// # Errors
 /// The text is no such configuration, or one that the hardware cannot hold.
 pub fn parse_search(path: &Path, text: &str) -> Result<search::Config, ConfigurationError> {
-    match split(path, text)? {
-        (Some(Kind::Search), text) => search_config(path, &text),
-        _ => Err(wrong(path, "is for the renderer: a neighbor search needs a file with the line `kind = \"search\"`")),
+    match parse(path, text)? {
+        Configuration::Search(config) => Ok(config),
+        Configuration::Splat(_) => {
+            Err(wrong(path, "is for the renderer: a neighbor search needs a file with the line `kind = \"search\"`"))
+        }
     }
 }
 
-/// A configuration of the search core as a file.
-#[must_use]
-pub fn search_text(config: &search::Config) -> String {
-    "kind = \"search\"\n".to_owned() + &toml::to_string_pretty(config).expect("a configuration is a TOML table")
-}
-
-fn splat_config(path: &Path, text: &str) -> Result<splat::Config, ConfigurationError> {
-    let config: splat::Config = toml::from_str(text).map_err(|error| wrong(path, error.to_string().trim_end()))?;
-    config.validate().map_err(|error| wrong(path, error.to_string()))?;
-    Ok(config)
-}
-
-fn search_config(path: &Path, text: &str) -> Result<search::Config, ConfigurationError> {
-    let config: search::Config = toml::from_str(text).map_err(|error| wrong(path, error.to_string().trim_end()))?;
-    config.validate().map_err(|error| wrong(path, error.to_string()))?;
-    Ok(config)
+impl Configuration {
+    /// The configuration as a file.
+    ///
+    /// # Panics
+    /// Never: a configuration is a TOML table.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let text = match self {
+            Self::Splat(config) => toml::to_string_pretty(config),
+            Self::Search(config) => toml::to_string_pretty(config),
+        };
+        text.expect("a configuration is a TOML table")
+    }
 }
 
 /// The renderer as it is measured on an ECP5.
@@ -138,10 +124,12 @@ mod tests {
 
     #[test]
     fn a_file_says_which_core_it_is_for() {
-        assert!(matches!(parsed("width = 64"), Ok(Configuration::Splat(config)) if config.width == 64));
-        assert!(matches!(parsed("kind = \"splat\"\nwidth = 64"), Ok(Configuration::Splat(_))));
-        let config = search::Config { lanes: 4, ..search::Config::default() };
-        assert!(matches!(parsed(&search_text(&config)), Ok(Configuration::Search(same)) if same == config));
+        let splat = splat::Config { width: 64, ..splat::Config::default() };
+        assert_eq!(parsed("kind = \"splat\"\n[image]\nwidth = 64"), Ok(Configuration::Splat(splat)));
+        let search = search::Config { lanes: 4, ..search::Config::default() };
+        assert_eq!(parsed("kind = \"search\"\nimplementation.lanes = 4"), Ok(Configuration::Search(search)));
+        let error = parse_search(Path::new("file.toml"), "kind = \"splat\"").unwrap_err().to_string();
+        assert!(error.contains("is for the renderer"), "{error}");
     }
 
     #[test]
@@ -150,17 +138,50 @@ mod tests {
         assert_eq!(ecp5_knn().tree_cache, 0);
     }
 
+    /// The named configurations and those written beside their Verilog.
+    #[test]
+    fn every_named_configuration_is_valid_and_reads_back_the_same() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../configs");
+        let mut count = 0;
+        for entry in std::fs::read_dir(&folder).expect("the folder is there") {
+            let path = entry.expect("the folder is readable").path();
+            let config = parse(&path, &read_text(&path).unwrap()).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(parse(&path, &config.text()), Ok(config.clone()));
+            let name = path.file_stem().expect("it has a name");
+            let generated = folder.with_file_name("generated").join(name).join("config.toml");
+            assert_eq!(read_text(&generated).unwrap(), config.text(), "{}", generated.display());
+            count += 1;
+        }
+        assert!(count > 0, "{} is empty", folder.display());
+    }
+
     #[test]
     fn errors_name_line_and_key() {
-        for (text, part) in [
-            ("kind = \"c\"", "expected `splat` or `search`"),
-            ("# a comment\nkind = \"search\" # and another\nwidth = 64", "line 3"),
-            ("kind = \"search\"\nlanes = 3", "`lanes` = 3"),
-            ("lanes = 4", "unknown field `lanes`"),
-            ("kind = ", "line 1"),
+        for (text, parts) in [
+            ("", ["`kind = \"splat\"`", "`kind = \"search\"`"]),
+            ("[image]\nwidth = 64", ["is missing", "`kind = \"splat\"`"]),
+            ("# a comment\nkind = \"c\"", ["line 2: `kind = \"c\"`", "\"search\""]),
+            ("kind = 1", ["line 1: `kind = 1`", "\"splat\""]),
+            ("kind = ", ["line 1", "value"]),
+            ("kind = \"splat\"\n\nheap_levels = 9", ["line 3: `heap_levels`", "[implementation]"]),
+            ("kind = \"splat\"\n[image]\ndivision = \"newton\"", ["line 3: `division`", "[features]"]),
+            ("kind = \"splat\"\n[features]\nlanes = 4", ["line 3: `lanes`", "kind = \"search\""]),
+            ("kind = \"splat\"\nimage.widht = 4", ["line 2: `widht`", "`width`, `height`, `sampling`"]),
+            ("kind = \"splat\"\nimage = 4", ["line 2: `image` is a table", "[image]"]),
+            ("kind = \"search\" # a comment\n[image]\nwidth = 64", ["line 2: `image`", "kind = \"splat\""]),
+            ("kind = \"search\"\n[bus]\nfrob = 64", ["line 3: `frob`", "`memory_bits`"]),
+            ("kind = \"search\"\nfrob = 64", ["line 2: `frob`", "[features], [implementation], [bus]"]),
+            ("kind = \"search\"\n[implementation]\nlanes = 3", ["`lanes` = 3", "1, 2, 4 or 8"]),
+            ("kind = \"search\"\n[implementation]\nthreads = 33", ["`threads` = 33", "1 to 32"]),
+            ("kind = \"search\"\n[implementation]\nthreads = -1", ["line 3", "u32"]),
+            ("kind = \"search\"\n[features]\nneighbor_cache = 32\nindex_bits = 4", ["`index_bits` = 4", "5 to 32"]),
+            ("kind = \"splat\"\n[features]\nculling = true", ["line 3", "culling = true"]),
+            ("kind = \"splat\"\n[bus]\nmemory_bits = 48", ["`memory_bits` = 48", "64"]),
         ] {
-            let message = parsed(text).err().unwrap_or_default();
-            assert!(message.contains(part), "{message}");
+            let message = parsed(text).expect_err(text);
+            for part in [&["file.toml: "][..], &parts].concat() {
+                assert!(message.contains(part), "`{part}` is missing in: {message}");
+            }
         }
     }
 }

@@ -21,7 +21,7 @@ pub struct Arguments {
 }
 
 /// Tables of which every scene has one and no configuration has any.
-const SCENE_TABLES: [&str; 3] = ["camera", "image", "object"];
+const SCENE_TABLES: [&str; 2] = ["camera", "object"];
 
 /// Reads a configuration, from its own file or derived from a scene.
 fn configuration(arguments: &Arguments) -> Result<Configuration, Failure> {

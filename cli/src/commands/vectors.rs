@@ -1,7 +1,8 @@
 //! `pointcore vectors SCENE -o DIR` and `pointcore vectors --points FILE -o DIR`.
 
 use super::search::Search;
-use super::{Failure, Output, configuration, load, write_bytes};
+use super::{Failure, Output, load, write_bytes};
+use pointcore::configuration::Configuration;
 use pointcore::driver::{self, Vectors};
 use pointcore::search::{Source, Tree};
 use pointcore::splat::EncodedFrame;
@@ -23,7 +24,7 @@ pub struct Arguments {
     /// A scene file: vectors for the renderer.
     #[arg(required_unless_present = "points", conflicts_with_all = ["points", "Search"])]
     scene: Option<PathBuf>,
-    /// Replaces a value of the scene file, e.g. `--set overrides.bus.stream_bits=32`; paths are relative to the scene file.
+    /// Replaces a value of the scene file, e.g. `--set overrides.stream_bits=32`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE", conflicts_with = "points")]
     settings: Vec<String>,
     /// Points to search in, a PLY or OBJ file or `surface:COUNT`: vectors for the search core.
@@ -43,7 +44,7 @@ impl Arguments {
     fn frame(&self, scene: &Path) -> Result<(Vectors, String), Failure> {
         let (scene, plan) = load(scene, &self.settings)?;
         let vectors = driver::frame(&plan.config, &EncodedFrame::new(&scene, &plan), self.base)?;
-        Ok((vectors, toml::to_string_pretty(&plan.config).expect("a configuration is a TOML table")))
+        Ok((vectors, Configuration::Splat(plan.config).text()))
     }
 
     fn neighbors(&self, source: &Source) -> Result<(Vectors, String), Failure> {
@@ -59,7 +60,7 @@ impl Arguments {
         let (queries, _) = search.queries(&config, &points)?;
         let tree = Tree::build(&config, &points, search.tree)?;
         let vectors = driver::search(&config, tree, &queries, reuse, self.base)?;
-        Ok((vectors, configuration::search_text(&config)))
+        Ok((vectors, Configuration::Search(config).text()))
     }
 }
 

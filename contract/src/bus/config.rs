@@ -1,6 +1,6 @@
 //! `Config`: the widths of streams and memory ports.
 
-use serde::{Deserialize, Serialize};
+use crate::configuration::table;
 
 /// Widths that a data bus may have.
 pub const WIDTHS: [u32; 5] = [32, 64, 128, 256, 512];
@@ -23,25 +23,23 @@ pub const READS_MAX: u32 = 16;
 /// Writes that may await their answer.
 pub const WRITES_MAX: u32 = 16;
 
-/// The table `[bus]` of a core's configuration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Config {
-    /// Bits of a beat of the streams of packets.
-    pub stream_bits: u32,
-    /// Bits of a beat of the memory ports.
-    pub memory_bits: u32,
-}
+/// What the keys of the table `[bus]` have in common.
+pub const ABOUT: &str = " What the core is connected to: widths of the bus around it.";
 
-impl Default for Config {
-    fn default() -> Self {
-        Self { stream_bits: 64, memory_bits: 64 }
+table! {
+    /// The table `[bus]` of a core's configuration.
+    #[derive(Copy)]
+    pub struct Config {
+        /// Bits of a beat of the streams of packets.
+        stream_bits: u32 = 64, described("32, 64, 128, 256, 512"), User;
+        /// Bits of a beat of the memory ports.
+        memory_bits: u32 = 64, described("32, 64, 128, 256, 512"), User;
     }
 }
 
 /// A width that no bus has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`bus.{key}` = {value}: expected 32, 64, 128, 256 or 512")]
+#[error("`{key}` = {value}: expected 32, 64, 128, 256 or 512")]
 pub struct ConfigError {
     /// The TOML key.
     pub key: &'static str,
@@ -72,7 +70,7 @@ mod tests {
     fn errors_name_key_and_widths() {
         assert_eq!(Config::default().validate(), Ok(()));
         let error = Config { memory_bits: 48, ..Config::default() }.validate().unwrap_err();
-        assert_eq!(error.to_string(), "`bus.memory_bits` = 48: expected 32, 64, 128, 256 or 512");
+        assert_eq!(error.to_string(), "`memory_bits` = 48: expected 32, 64, 128, 256 or 512");
         let error = toml::from_str::<Config>("memory = 64").unwrap_err();
         assert!(error.to_string().contains("memory"), "{error}");
     }

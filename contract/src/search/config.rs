@@ -1,63 +1,51 @@
 //! `Config`: every parameter of the search core's neighbor search, with the ranges the hardware holds.
 
+use crate::configuration::{OutOfRange, configuration};
 use crate::splat::config::index_bits;
 use crate::{Format, bus};
-use serde::{Deserialize, Serialize};
 
 /// Bits of a split dimension: x, y, z.
 pub const DIMENSION_BITS: u32 = 2;
 
+/// Bits of a point's index at most.
+const INDEX_BITS_MAX: u32 = 32;
+
 /// Searches beyond the threads: one whose neighbors are being copied, one that waits to start, two that are being compared.
 const SPARE_TICKETS: u32 = 4;
 
-/// The parameters of one search core. Missing keys take the default, unknown keys are errors.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Config {
-    /// Format of coordinates and squared distances.
-    pub geometry: Format,
-    /// Queries under way at a time.
-    pub threads: u32,
-    /// Neighbors a priority queue holds: the largest k.
-    pub neighbors: u32,
-    /// Points whose distance is computed in a cycle; buckets begin at multiples of it.
-    pub lanes: u32,
-    /// Levels of internal nodes: the tree has `2^tree_depth` leaves.
-    pub tree_depth: u32,
-    /// Largest number of points of a leaf.
-    pub bucket: u32,
-    /// Bits of a point's index, and of a query's number.
-    pub index_bits: u32,
-    /// Leaves a thread may have under way while it goes on searching with the radius known by then.
-    pub leaves_in_flight: u32,
-    /// Beats of near enough points that may wait for the priority queues.
-    pub sieve_depth: u32,
-    /// Leaves whose points the point cache holds, a power of two; 0 leaves it out.
-    pub point_cache: u32,
-    /// Records of the tree that the tree cache holds, a power of two; 0 keeps the whole tree on chip instead.
-    pub tree_cache: u32,
-    /// Neighborhoods that the coherent neighbor cache holds; 0 leaves it out.
-    pub neighbor_cache: u32,
-    /// Widths of the bus around the core.
-    pub bus: bus::Config,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self {
-            geometry: Format::F32.flushed(),
-            threads: 16,
-            neighbors: 16,
-            lanes: 1,
-            tree_depth: 14,
-            bucket: 16,
-            index_bits: 24,
-            leaves_in_flight: 1,
-            sieve_depth: 16,
-            point_cache: 64,
-            tree_cache: 0,
-            neighbor_cache: 0,
-            bus: bus::Config::default(),
+configuration! {
+    /// The parameters of one search core. In a file they stand in tables; missing keys take the default, unknown keys are errors.
+    pub struct Config, kind "search" {
+        /// What can be asked, of which points: every key that a bit of an answer hangs on.
+        features: Features {
+            /// Format of coordinates and squared distances.
+            geometry: Format = Format::F32.flushed(),
+            described("`\"f32\"`, `\"f24\"`; with `-ftz` they flush subnormals"), User;
+            /// Neighbors a priority queue holds: the largest k.
+            neighbors: u32 = 16, range(1, 64), Input;
+            /// Levels of internal nodes: the tree has `2^tree_depth` leaves.
+            tree_depth: u32 = 14, range(1, 20), Input;
+            /// Largest number of points of a leaf.
+            bucket: u32 = 16, range(1, 255), User;
+            /// Bits of a point's index, and of a query's number.
+            index_bits: u32 = 24, range(4, INDEX_BITS_MAX), User;
+            /// Neighborhoods that the coherent neighbor cache holds, which may answer in the place of a search; 0 leaves it out.
+            neighbor_cache: u32 = 0, range(0, 32), User;
+        }
+        /// What it costs in area and time: no distance that is found hangs on it.
+        implementation: Implementation {
+            /// Queries under way at a time.
+            threads: u32 = 16, range(1, 32), User;
+            /// Points whose distance is computed in a cycle; buckets begin at multiples of it.
+            lanes: u32 = 1, described("1, 2, 4, 8"), User;
+            /// Leaves a thread may have under way while it goes on searching with the radius known by then.
+            leaves_in_flight: u32 = 1, range(1, 4), User;
+            /// Beats of near enough points that may wait for the priority queues.
+            sieve_depth: u32 = 16, range(2, 64), User;
+            /// Leaves whose points the point cache holds; 0 leaves it out.
+            point_cache: u32 = 64, described("0, or a power of two from 2 to 256"), User;
+            /// Records of the tree that the tree cache holds; 0 keeps the whole tree on chip instead.
+            tree_cache: u32 = 0, described("0, or a power of two from 16 to 65536"), User;
         }
     }
 }
@@ -66,17 +54,8 @@ impl Default for Config {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ConfigError {
     /// A number lies outside its range.
-    #[error("`{key}` = {value}: expected {low} to {high}")]
-    Range {
-        /// The TOML key.
-        key: &'static str,
-        /// Its value.
-        value: u32,
-        /// Smallest value allowed.
-        low: u32,
-        /// Largest value allowed.
-        high: u32,
-    },
+    #[error(transparent)]
+    Range(#[from] OutOfRange),
     /// A number of cache lines that no bits of an address can choose among.
     #[error("`{key}` = {value}: expected 0 or a power of two from {low} to {high}")]
     PowerOfTwo {
@@ -106,22 +85,11 @@ impl Config {
     /// # Errors
     /// The first parameter the hardware cannot hold.
     pub fn validate(&self) -> Result<(), ConfigError> {
-        // A search bears its ticket as its number.
-        let fewest_index_bits = if self.neighbor_cache == 0 { 4 } else { index_bits(self.tickets()).max(4) };
-        let ranges = [
-            ("threads", self.threads, 1, 32),
-            ("neighbors", self.neighbors, 1, 64),
-            ("tree_depth", self.tree_depth, 1, 20),
-            ("bucket", self.bucket, 1, 255),
-            ("index_bits", self.index_bits, fewest_index_bits, 32),
-            ("leaves_in_flight", self.leaves_in_flight, 1, 4),
-            ("sieve_depth", self.sieve_depth, 2, 64),
-            ("neighbor_cache", self.neighbor_cache, 0, 32),
-        ];
-        for (key, value, low, high) in ranges {
-            if !(low..=high).contains(&value) {
-                return Err(ConfigError::Range { key, value, low, high });
-            }
+        self.check_ranges()?;
+        if self.neighbor_cache > 0 {
+            // A search bears its ticket as its number.
+            let fewest = f64::from(index_bits(self.tickets()));
+            OutOfRange::check("index_bits", f64::from(self.index_bits), fewest, f64::from(INDEX_BITS_MAX))?;
         }
         let caches = [("point_cache", self.point_cache, 2, 256), ("tree_cache", self.tree_cache, 16, 65_536)];
         for (key, value, low, high) in caches {

@@ -2,6 +2,7 @@
 
 use super::division::Division;
 use super::{AttributeFormat, Coefficient, RasterFormat, UniformFormat};
+use crate::configuration::{OutOfRange, configuration};
 use crate::{Format, FragmentDepth, Sampling, TableShape, bus};
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +29,9 @@ pub const IN_FLIGHT_BITS: u32 = 8;
 /// Image edges the coordinates hold, in pixels.
 pub const IMAGE_EDGE_MAX: u32 = 4096;
 /// Sharpness of kernels that the weight table resolves.
-pub const KERNEL_GAMMA_RANGE: std::ops::RangeInclusive<f64> = 0.1..=8.0;
+pub const KERNEL_GAMMA_RANGE: std::ops::RangeInclusive<f64> = KERNEL_GAMMA_LEAST..=KERNEL_GAMMA_MOST;
+const KERNEL_GAMMA_LEAST: f64 = 0.1;
+const KERNEL_GAMMA_MOST: f64 = 8.0;
 
 /// Whether a part of the hardware is generated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -48,89 +51,69 @@ impl Feature {
     }
 }
 
-/// The parameters of one renderer. Missing keys take the default, unknown keys are errors.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Config {
-    /// Samples a row: pixels, or what `sampling` makes of them.
-    pub width: u32,
-    /// Rows of samples.
-    pub height: u32,
-    /// Where samples lie (thesis 5.6.2).
-    pub sampling: Sampling,
-    /// Whether all samples of a splat have its depth, or each that of the splat's plane.
-    pub depth: FragmentDepth,
-    /// Format of all geometry, from the splat's centre to ρ².
-    pub geometry: Format,
-    /// Format of the footprint behind setup and of the rasterizer, down to ρ²; none, `"geometry"` in a file, for that of all geometry.
-    #[serde(with = "as_geometry")]
-    pub rasterizer: Option<RasterFormat>,
-    /// Format of attributes and of their accumulators.
-    pub attribute: AttributeFormat,
-    /// Attributes that are blended (eq. 5.11).
-    pub continuous: u32,
-    /// Attributes that are selected by the larger weight (eq. 5.12).
-    pub cardinal: u32,
-    /// Levels of the pipelined heap: it holds `2^levels − 1` splat copies (thesis 5.5.2).
-    pub heap_levels: u32,
-    /// Cycles an operation of the heap takes: 2, or 4 for a higher clock.
-    pub heap_interval: u32,
-    /// Bits of the arrival number that keeps the copies of a tile in order.
-    pub sequence_bits: u32,
-    /// Tiles the cache holds.
-    pub tile_slots: u32,
-    /// Discard splats that face away from the eye (thesis table 5.1).
-    pub culling: Feature,
-    /// The screen-space filter of thesis 5.4.2.
-    pub screen_filter: Feature,
-    /// Splats that reach the eye plane get the viewport for bounds, and samples behind the eye are none of theirs.
-    pub eye_plane: Feature,
-    /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
-    pub kernel_gamma: f64,
-    /// Leading bits of ρ² that choose an entry of the kernel's table.
-    pub kernel_index_bits: u32,
-    /// Bits of ρ² behind those, which interpolate between entries; 0 for the table alone.
-    pub kernel_fraction_bits: u32,
-    /// How setup, rasterizer and normalizer divide and take roots.
-    pub division: Division,
-    /// Cycles a splat takes in the transform unit (initiation interval).
-    pub transform_interval: u32,
-    /// Cycles a splat takes in the setup unit (initiation interval).
-    pub setup_interval: u32,
-    /// Cycles from a stored pixel to its new value: one to choose the slot, the others for test and sums, at least the
-    /// three of the depth test.
-    pub accumulate_stages: u32,
-    /// Widths of the bus around the core.
-    pub bus: bus::Config,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self {
-            width: 256,
-            height: 256,
-            sampling: Sampling::Center,
-            depth: FragmentDepth::Center,
-            geometry: Format::F32.flushed(),
-            rasterizer: None,
-            attribute: AttributeFormat::F16,
-            continuous: 6,
-            cardinal: 0,
-            heap_levels: 10,
-            heap_interval: 2,
-            sequence_bits: 16,
-            tile_slots: 4,
-            culling: Feature::On,
-            screen_filter: Feature::On,
-            eye_plane: Feature::On,
-            kernel_gamma: 2.0,
-            kernel_index_bits: 8,
-            kernel_fraction_bits: 8,
-            division: Division::Rounded,
-            transform_interval: 2,
-            setup_interval: 4,
-            accumulate_stages: 7,
-            bus: bus::Config::default(),
+configuration! {
+    /// The parameters of one renderer. In a file they stand in tables; missing keys take the default, unknown keys are errors.
+    pub struct Config, kind "splat" {
+        /// What is drawn.
+        image: Image {
+            /// Samples a row: pixels, or what `sampling` makes of them.
+            width: u32 = 256, range(1, IMAGE_EDGE_MAX), Input;
+            /// Rows of samples.
+            height: u32 = 256, range(1, IMAGE_EDGE_MAX), Input;
+            /// Where samples lie (thesis 5.6.2).
+            sampling: Sampling = Sampling::Center, described("`\"center\"`, `\"flipquad\"`"), Input;
+        }
+        /// What is computed: every key that a bit of the frame hangs on.
+        features: Features {
+            /// Format of all geometry, from the splat's centre to ρ².
+            geometry: Format = Format::F32.flushed(),
+            described("`\"f32\"`, `\"f24\"`, `\"bf16\"`; with `-ftz` they flush subnormals"), User;
+            /// Format of the footprint behind setup and of the rasterizer, down to ρ²; none, `"geometry"` in a file, for that of all geometry.
+            #[serde(with = "as_geometry")]
+            rasterizer: Option<RasterFormat> = None,
+            described("`\"geometry\"`, a format no wider than that, `\"fixed24\"`, `\"fixed18\"`, `\"fixed16\"`"), User;
+            /// Format of attributes and of their accumulators.
+            attribute: AttributeFormat = AttributeFormat::F16,
+            described("`\"f32\"`, `\"f24\"`, `\"f16\"`, `\"bf16\"`, each with `-ftz` or not; `\"fixed16\"`, `\"fixed12\"`, `\"fixed8\"`"), User;
+            /// Attributes that are blended (eq. 5.11).
+            continuous: u32 = 6, described("0 to 14; 1 to 14 attributes of both kinds together"), Input;
+            /// Attributes that are selected by the larger weight (eq. 5.12).
+            cardinal: u32 = 0, described("0 to 14; 1 to 14 attributes of both kinds together"), Input;
+            /// Whether all samples of a splat have its depth, or each that of the splat's plane.
+            depth: FragmentDepth = FragmentDepth::Center, described("`\"center\"`, `\"plane\"`"), Input;
+            /// Discard splats that face away from the eye (thesis table 5.1).
+            culling: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
+            /// The screen-space filter of thesis 5.4.2.
+            screen_filter: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
+            /// Splats that reach the eye plane get the viewport for bounds, and samples behind the eye are none of theirs.
+            eye_plane: Feature = Feature::On, described("`\"on\"`, `\"off\"`"), Input;
+            /// Kernel sharpness γ: the weight is exp(−γρ²), cut at ρ = 1.
+            kernel_gamma: f64 = 2.0, range(KERNEL_GAMMA_LEAST, KERNEL_GAMMA_MOST), Input;
+            /// Leading bits of ρ² that choose an entry of the kernel's table.
+            kernel_index_bits: u32 = 8, range(4, 10), Sweep;
+            /// Bits of ρ² behind those, which interpolate between entries; 0 for the table alone.
+            kernel_fraction_bits: u32 = 8, range(0, 10), Sweep;
+            /// How setup, rasterizer and normalizer divide and take roots: correctly rounded digit by digit, or from tables and
+            /// Newton steps.
+            division: Division = Division::Rounded, described("`\"rounded\"`, `\"newton\"`"), Sweep;
+        }
+        /// What it costs in area and time: no bit of the frame hangs on it.
+        implementation: Implementation {
+            /// Levels of the pipelined heap: it holds `2^levels − 1` splat copies (thesis 5.5.2).
+            heap_levels: u32 = 10, range(2, 14), Input;
+            /// Cycles an operation of the heap takes: 2, or 4 for a higher clock.
+            heap_interval: u32 = 2, described("2, 4"), User;
+            /// Bits of the arrival number that keeps the copies of a tile in order.
+            sequence_bits: u32 = 16, range(2, 24), User;
+            /// Tiles the cache holds.
+            tile_slots: u32 = 4, range(2, 64), Input;
+            /// Cycles a splat takes in the transform unit (initiation interval).
+            transform_interval: u32 = 2, range(1, 16), User;
+            /// Cycles a splat takes in the setup unit (initiation interval).
+            setup_interval: u32 = 4, range(1, 16), User;
+            /// Cycles from a stored pixel to its new value: one to choose the slot, the others for test and sums, at least the
+            /// three of the depth test.
+            accumulate_stages: u32 = 7, range(5, 12), Sweep;
         }
     }
 }
@@ -139,17 +122,8 @@ impl Default for Config {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ConfigError {
     /// A number lies outside its range.
-    #[error("`{key}` = {value}: expected {low} to {high}")]
-    Range {
-        /// The TOML key.
-        key: &'static str,
-        /// Its value.
-        value: f64,
-        /// Smallest value allowed.
-        low: f64,
-        /// Largest value allowed.
-        high: f64,
-    },
+    #[error(transparent)]
+    Range(#[from] OutOfRange),
     /// A pace the heap does not have.
     #[error("`heap_interval` = {0}: expected 2 cycles an operation, or 4 for a higher clock")]
     HeapInterval(u32),
@@ -188,33 +162,12 @@ impl Config {
     /// # Errors
     /// The first parameter the hardware cannot hold.
     pub fn validate(&self) -> Result<(), ConfigError> {
-        let ranges = [
-            ("width", self.width, 1, IMAGE_EDGE_MAX),
-            ("height", self.height, 1, IMAGE_EDGE_MAX),
-            ("heap_levels", self.heap_levels, 2, 14),
-            ("sequence_bits", self.sequence_bits, 2, 24),
-            ("tile_slots", self.tile_slots, 2, 64),
-            ("kernel_index_bits", self.kernel_index_bits, 4, 10),
-            ("kernel_fraction_bits", self.kernel_fraction_bits, 0, 10),
-            ("transform_interval", self.transform_interval, 1, 16),
-            ("setup_interval", self.setup_interval, 1, 16),
-            ("accumulate_stages", self.accumulate_stages, 5, 12),
-        ];
-        for (key, value, low, high) in ranges {
-            if !(low..=high).contains(&value) {
-                let [value, low, high] = [value, low, high].map(f64::from);
-                return Err(ConfigError::Range { key, value, low, high });
-            }
-        }
+        self.check_ranges()?;
         if ![2, 4].contains(&self.heap_interval) {
             return Err(ConfigError::HeapInterval(self.heap_interval));
         }
         if !self.width.is_multiple_of(self.sampling.columns()) {
             return Err(ConfigError::OddWidth(self.width));
-        }
-        if !KERNEL_GAMMA_RANGE.contains(&self.kernel_gamma) {
-            let (low, high) = KERNEL_GAMMA_RANGE.into_inner();
-            return Err(ConfigError::Range { key: "kernel_gamma", value: self.kernel_gamma, low, high });
         }
         let attributes = u64::from(self.continuous) + u64::from(self.cardinal);
         if !(1..=u64::from(ATTRIBUTES_MAX)).contains(&attributes) {
@@ -348,79 +301,4 @@ pub const fn index_bits(count: u32) -> u32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn default_is_valid() {
-        assert_eq!(Config::default().validate(), Ok(()));
-    }
-
-    #[test]
-    fn errors_name_key_and_range() {
-        let error = Config { width: 0, ..Config::default() }.validate().unwrap_err();
-        assert_eq!(error.to_string(), "`width` = 0: expected 1 to 4096");
-        let error = Config { kernel_index_bits: 3, ..Config::default() }.validate().unwrap_err();
-        assert_eq!(error.to_string(), "`kernel_index_bits` = 3: expected 4 to 10");
-        let error = Config { kernel_fraction_bits: 11, ..Config::default() }.validate().unwrap_err();
-        assert_eq!(error.to_string(), "`kernel_fraction_bits` = 11: expected 0 to 10");
-        let error = Config { continuous: 15, ..Config::default() }.validate().unwrap_err();
-        assert_eq!(error.to_string(), "`continuous` + `cardinal` = 15: expected 1 to 14 attributes");
-        let geometry = Format::F24;
-        let error =
-            Config { geometry, rasterizer: Some(Format::F32.into()), ..Config::default() }.validate().unwrap_err();
-        assert!(error.to_string().starts_with("`rasterizer` = \"f32\": expected one of \"geometry\""), "{error}");
-        for (text, named) in [
-            ("widht = 3", ["widht", "width"]),
-            ("division = \"exact\"", ["exact", "`newton`"]),
-            ("rasterizer = \"f8\"", ["f24", "or \"geometry\""]),
-            ("rasterizer = \"fixed20\"", ["`fixed20`", "fixed18"]),
-        ] {
-            let error = toml::from_str::<Config>(text).unwrap_err().to_string();
-            assert!(named.iter().all(|name| error.contains(name)), "{error}");
-        }
-        let error = toml::from_str::<Config>("attribute = \"fixed9\"").unwrap_err().to_string();
-        assert!(error.contains("`fixed9`") && error.contains("fixed12"), "{error}");
-    }
-
-    #[test]
-    fn flipquad_has_two_samples_a_pixel() {
-        let config = |width| Config { width, sampling: Sampling::Flipquad, ..Config::default() };
-        assert_eq!(config(66).validate(), Ok(()));
-        assert!(config(65).validate().unwrap_err().to_string().contains("expected an even number"));
-    }
-
-    #[test]
-    fn the_rasterizer_computes_in_its_own_format_or_that_of_geometry() {
-        let formats = [None, Some(Format::F24.flushed().into()), Some(RasterFormat::Fixed(Coefficient::Eighteen))];
-        let scales = [Format::F32, Format::F24.flushed()].map(UniformFormat::Float);
-        let scales = scales.into_iter().chain([UniformFormat::Fixed(Coefficient::FILTER_SCALE)]);
-        for ((rasterizer, name), scale) in formats.into_iter().zip(["geometry", "f24-ftz", "fixed18"]).zip(scales) {
-            let config = Config { rasterizer, geometry: Format::F32, ..Config::default() };
-            assert_eq!(config.validate(), Ok(()));
-            let text = toml::to_string(&config).unwrap();
-            assert!(text.contains(&format!("rasterizer = \"{name}\"")), "{text}");
-            assert_eq!(toml::from_str(&text), Ok(config.clone()));
-            assert_eq!(config.uniform_format("filter_scale"), scale);
-            assert_eq!(config.uniform_format("filter_radius"), UniformFormat::Float(Format::F32));
-        }
-    }
-
-    #[test]
-    fn a_rasterizer_in_fixed_point_has_no_depths_of_samples() {
-        for (_, coefficient) in Coefficient::NAMED {
-            let rasterizer = Some(RasterFormat::Fixed(coefficient));
-            let config = Config { rasterizer, geometry: Format::F24, ..Config::default() };
-            assert_eq!(config.validate(), Ok(()));
-            let error = Config { depth: FragmentDepth::Plane, ..config }.validate().unwrap_err().to_string();
-            assert!(error.contains("`depth` = \"center\"") && error.contains("fixed"), "{error}");
-        }
-    }
-
-    #[test]
-    fn index_widths() {
-        let widths = [1, 2, 3, 4, 5, 8, 9].map(index_bits);
-        assert_eq!(widths, [1, 1, 2, 2, 3, 3, 4]);
-        assert_eq!(Config { width: 512, height: 512, ..Config::default() }.tile_bits(), 12);
-    }
-}
+mod tests;

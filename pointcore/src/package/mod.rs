@@ -9,7 +9,7 @@ pub use fusesoc::fusesoc_name;
 pub use recording::Recording;
 
 use crate::bus::{Bus, Interface};
-use crate::configuration::{self, Configuration};
+use crate::configuration::Configuration;
 use crate::generated::GenerateError;
 use crate::search;
 use crate::splat::{self, area};
@@ -86,7 +86,7 @@ impl Package {
     /// # Errors
     /// A fault of the generator, or of the model that makes the test.
     pub fn splat(name: &str, core: &splat::Core, config: &SplatConfig) -> Result<Self, PackageError> {
-        let text = toml::to_string_pretty(config).expect("a configuration is a TOML table");
+        let text = Configuration::Splat(config.clone()).text();
         let mut package = Self::new(name, "surface splatting", &core.design, &core.manifests, text);
         package.add_bus(&Bus::splat(config)?, &Interface::splat(config));
         package.add_pins(Configuration::Splat(config.clone()))?;
@@ -99,7 +99,7 @@ impl Package {
     /// # Errors
     /// A fault of the generator, or of the model that makes the test.
     pub fn search(name: &str, core: &search::Core, config: &SearchConfig) -> Result<Self, PackageError> {
-        let text = configuration::search_text(config);
+        let text = Configuration::Search(config.clone()).text();
         let mut package = Self::new(name, "neighbor search", &core.design, &core.manifests, text);
         package.add_bus(&Bus::search(config)?, &Interface::search(config));
         package.add_pins(Configuration::Search(config.clone()))?;

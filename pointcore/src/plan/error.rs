@@ -13,6 +13,12 @@ pub enum PlanError {
         /// The keys there are.
         expected: String,
     },
+    /// A table of the configuration's file.
+    #[error("`overrides.{table}`: overrides are written without the table, such as `overrides.heap_levels`")]
+    Table {
+        /// The table.
+        table: &'static str,
+    },
     /// A parameter that follows from the scene.
     #[error("`overrides.{key}` follows from the scene and cannot be overridden: {place}")]
     Determined {

@@ -15,26 +15,52 @@ const SCENE_KEYS: [(&str, &str); 7] = [
     ("cardinal", "it is 1 where splats differ in `material`"),
 ];
 
-/// A configuration with some of its keys replaced.
+/// A configuration with some of its keys replaced. Their names are unique, so overrides do without the configuration's tables.
 pub(super) fn overridden(config: &Config, overrides: &toml::Table) -> Result<Config, PlanError> {
-    let mut table = toml::Table::try_from(config).expect("a configuration is a TOML table");
+    let mut file = toml::Table::try_from(config).expect("a configuration is a TOML table");
     for (key, value) in overrides {
         if let Some(&(key, place)) = SCENE_KEYS.iter().find(|(determined, _)| determined == key) {
             return Err(PlanError::Determined { key, place });
         }
+        if let Some(table) = Config::TABLES.iter().find(|table| table.name == key) {
+            return Err(PlanError::Table { table: table.name });
+        }
         let wrong = |problem| PlanError::Value { key: key.clone(), value: value.clone(), problem };
-        let Some(planned) = table.get(key) else {
+        let Some(planned) = place(&mut file, key) else {
             let determined = |key: &str| SCENE_KEYS.iter().any(|(determined, _)| *determined == key);
-            let keys: Vec<_> = table.keys().filter(|key| !determined(key)).map(|key| format!("`{key}`")).collect();
+            let keys = Config::TABLES.iter().flat_map(|table| table.keys).map(|key| key.name);
+            let keys: Vec<_> = keys.filter(|key| !determined(key)).map(|key| format!("`{key}`")).collect();
             return Err(PlanError::Unknown { key: key.clone(), expected: keys.join(", ") });
         };
         if !planned.same_type(value) {
             return Err(wrong(format!("expected a value such as {planned}")));
         }
-        table.insert(key.clone(), value.clone());
+        *planned = value.clone();
         // Key by key, so that the error is that of this key; its first line leaves out the key, which stands there already.
-        Config::deserialize(table.clone())
+        Config::deserialize(file.clone())
             .map_err(|error| wrong(error.message().lines().next().unwrap_or_default().to_owned()))?;
     }
-    Ok(table.try_into().expect("every replaced key was tried"))
+    Ok(file.try_into().expect("every replaced key was tried"))
+}
+
+/// Where a configuration's file has a key.
+fn place<'file>(file: &'file mut toml::Table, key: &str) -> Option<&'file mut toml::Value> {
+    let table = Config::TABLES.iter().find(|table| table.keys.iter().any(|known| known.name == key))?;
+    file.get_mut(table.name)?.get_mut(key)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SCENE_KEYS;
+    use crate::plan::Effect;
+    use pointcore_contract::configuration::SetBy;
+    use pointcore_contract::splat::Config;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn the_reference_marks_what_follows_from_the_scene() {
+        let planned = SCENE_KEYS.map(|(key, _)| key).into_iter().chain(Effect::ALL.map(Effect::key));
+        let marked = Config::TABLES.iter().flat_map(|table| table.keys).filter(|key| key.set_by == SetBy::Input);
+        assert_eq!(planned.collect::<BTreeSet<_>>(), marked.map(|key| key.name).collect());
+    }
 }

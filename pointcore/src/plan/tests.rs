@@ -54,6 +54,9 @@ fn materials_fit_the_format_of_attributes() {
 fn overrides_that_do_not_fit_name_key_and_remedy() {
     for (object, setting, parts) in [
         (SPHERE, "frob = 1", ["`overrides.frob`", "`heap_levels`"]),
+        (SPHERE, "implementation.heap_levels = 9", ["`overrides.implementation`", "`overrides.heap_levels`"]),
+        (SPHERE, "bus.stream_bits = 32", ["`overrides.bus`", "without the table"]),
+        (SPHERE, "stream_bits = 48", ["`stream_bits` = 48", "32, 64"]),
         (SPHERE, "width = 64", ["`overrides.width`", "`image.width`"]),
         (SPHERE, "height = 48", ["`overrides.height`", "`image.height`"]),
         (SPHERE, "sampling = \"flipquad\"", ["`overrides.sampling`", "`image.sampling`"]),
