@@ -6612,7 +6612,7 @@ endmodule
 // Pipelined heap that orders splat copies by tile, then by arrival.
 // levels = 10
 // interval = 2
-// sequence_bits = 16
+// sequence_bits = 14
 module splat_heap (
     input  wire clk,
     input  wire rst,
@@ -6628,7 +6628,7 @@ module splat_heap (
 );
     reg lower;
     reg [9:0] count;
-    reg [15:0] arrival;
+    reg [13:0] arrival;
     reg [9:0] alive_even;
     reg [9:0] alive_odd;
     reg occupied;
@@ -6643,7 +6643,7 @@ module splat_heap (
     wire out_queue_out_valid;
     wire [11:0] out_queue_out_tile;
     wire [9:0] out_queue_out_pointer;
-    wire [38:0] stage_0_root;
+    wire [36:0] stage_0_root;
     wire stage_0_below_valid;
     wire stage_0_below_hole;
     wire stage_0_below_carry;
@@ -6651,10 +6651,10 @@ module splat_heap (
     wire stage_0_below_left_exists;
     wire stage_0_below_right_exists;
     wire stage_0_below_follows;
-    wire [38:0] stage_0_below_entry;
-    wire [28:0] stage_0_below_rival;
+    wire [36:0] stage_0_below_entry;
+    wire [26:0] stage_0_below_rival;
     wire [1:0] stage_0_below_row;
-    wire [38:0] stage_2_rise_entry;
+    wire [36:0] stage_2_rise_entry;
     wire stage_2_rise_exists;
     wire stage_2_rise_ahead;
     wire stage_2_rise_right;
@@ -6667,10 +6667,10 @@ module splat_heap (
     wire stage_2_below_left_exists;
     wire stage_2_below_right_exists;
     wire stage_2_below_follows;
-    wire [38:0] stage_2_below_entry;
-    wire [28:0] stage_2_below_rival;
+    wire [36:0] stage_2_below_entry;
+    wire [26:0] stage_2_below_rival;
     wire [3:0] stage_2_below_row;
-    wire [38:0] stage_4_rise_entry;
+    wire [36:0] stage_4_rise_entry;
     wire stage_4_rise_exists;
     wire stage_4_rise_ahead;
     wire stage_4_rise_right;
@@ -6683,10 +6683,10 @@ module splat_heap (
     wire stage_4_below_left_exists;
     wire stage_4_below_right_exists;
     wire stage_4_below_follows;
-    wire [38:0] stage_4_below_entry;
-    wire [28:0] stage_4_below_rival;
+    wire [36:0] stage_4_below_entry;
+    wire [26:0] stage_4_below_rival;
     wire [5:0] stage_4_below_row;
-    wire [38:0] stage_6_rise_entry;
+    wire [36:0] stage_6_rise_entry;
     wire stage_6_rise_exists;
     wire stage_6_rise_ahead;
     wire stage_6_rise_right;
@@ -6699,10 +6699,10 @@ module splat_heap (
     wire stage_6_below_left_exists;
     wire stage_6_below_right_exists;
     wire stage_6_below_follows;
-    wire [38:0] stage_6_below_entry;
-    wire [28:0] stage_6_below_rival;
+    wire [36:0] stage_6_below_entry;
+    wire [26:0] stage_6_below_rival;
     wire [7:0] stage_6_below_row;
-    wire [38:0] stage_8_rise_entry;
+    wire [36:0] stage_8_rise_entry;
     wire stage_8_rise_exists;
     wire stage_8_rise_ahead;
     wire stage_8_rise_right;
@@ -6716,8 +6716,8 @@ module splat_heap (
     wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
     wire newcomer_sweep = sweep ^ (newcomer_tile < current);
-    wire term_1 = push & ~arrival[15];
-    wire term_2 = push & arrival[15];
+    wire term_1 = push & ~arrival[13];
+    wire term_2 = push & arrival[13];
 
     assign out_valid = out_queue_out_valid;
     assign out_tile = out_queue_out_tile;
@@ -6729,7 +6729,7 @@ module splat_heap (
         .rst(rst),
         .in_valid(pop),
         .in_ready(out_queue_in_ready),
-        .in_tile(stage_0_root[37:26]),
+        .in_tile(stage_0_root[35:24]),
         .in_pointer(stage_0_root[9:0]),
         .out_valid(out_queue_out_valid),
         .out_ready(out_queue_out_ready),
@@ -6750,7 +6750,7 @@ module splat_heap (
         .step_right_exists(occupied),
         .step_follows(1'd1),
         .step_entry({1'd0, in_tile, arrival, in_pointer}),
-        .step_rival(29'd0),
+        .step_rival(27'd0),
         .newcomer_sweep(newcomer_sweep),
         .below_rise_entry(stage_2_rise_entry),
         .below_rise_exists(stage_2_rise_exists),
@@ -6915,7 +6915,7 @@ module splat_heap (
         if (rst) begin
             lower <= 1'd0;
             count <= 10'd0;
-            arrival <= 16'd0;
+            arrival <= 14'd0;
             alive_even <= 10'd0;
             alive_odd <= 10'd0;
             occupied <= 1'd0;
@@ -6927,33 +6927,33 @@ module splat_heap (
             lower <= begins;
             occupied <= |count;
             full <= &count;
-            fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
+            fresh_epoch_blocked <= (arrival[12:0] == 13'd0) & (arrival[13] ? |alive_odd : |alive_even);
             if (push ^ pop) begin
                 count <= push ? (count + 10'd1) : (count - 10'd1);
             end
             if (push) begin
-                arrival <= arrival + 16'd1;
+                arrival <= arrival + 14'd1;
             end
-            if (term_1 ^ (pop & ~stage_0_root[25])) begin
+            if (term_1 ^ (pop & ~stage_0_root[23])) begin
                 alive_even <= term_1 ? (alive_even + 10'd1) : (alive_even - 10'd1);
             end
-            if (term_2 ^ (pop & stage_0_root[25])) begin
+            if (term_2 ^ (pop & stage_0_root[23])) begin
                 alive_odd <= term_2 ? (alive_odd + 10'd1) : (alive_odd - 10'd1);
             end
             if (pop) begin
-                current <= stage_0_root[37:26];
-                sweep <= stage_0_root[38];
+                current <= stage_0_root[35:24];
+                sweep <= stage_0_root[36];
             end
         end
     end
     always @(posedge clk) begin
         if (push) begin
-            last_epoch <= arrival[15];
+            last_epoch <= arrival[13];
         end
         newcomer_tile <= in_tile;
     end
 
-    wire _unused = &{1'b0, stage_0_root[24:10]};
+    wire _unused = &{1'b0, stage_0_root[22:10]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6972,10 +6972,10 @@ module splat_heap_stage_level8 (
     input  wire step_left_exists,
     input  wire step_right_exists,
     input  wire step_follows,
-    input  wire [38:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [36:0] step_entry,
+    input  wire [26:0] step_rival,
     input  wire [7:0] step_row,
-    output wire [38:0] rise_entry,
+    output wire [36:0] rise_entry,
     output wire rise_exists,
     output wire rise_ahead,
     output wire rise_right,
@@ -6983,25 +6983,25 @@ module splat_heap_stage_level8 (
     output wire [7:0] rise_node
 );
     (* no_rw_check *)
-    reg [41:0] left_nodes [0:511];
+    reg [39:0] left_nodes [0:511];
     (* no_rw_check *)
-    reg [41:0] right_nodes [0:511];
+    reg [39:0] right_nodes [0:511];
     reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
     reg compared_follows;
-    reg [38:0] compared_carried;
+    reg [36:0] compared_carried;
     reg compared_exists;
     reg compared_right;
     reg compared_was_first;
-    reg [28:0] compared_parent_rival;
+    reg [26:0] compared_parent_rival;
     reg compared_chosen_stored;
     reg compared_rival_stored;
-    reg [28:0] compared_rival;
+    reg [26:0] compared_rival;
     reg compared_rival_exists;
     reg compared_rival_mark;
-    reg [38:0] compared_entry;
+    reg [36:0] compared_entry;
     reg compared_right_below;
     reg compared_left_count;
     reg settled_valid;
@@ -7011,26 +7011,26 @@ module splat_heap_stage_level8 (
     reg settled_ahead;
     reg settled_rival_exists;
     reg settled_rival_mark;
-    reg [38:0] settled_entry;
+    reg [36:0] settled_entry;
     reg settled_right_below;
     reg settled_left_count;
-    reg [41:0] stored;
+    reg [39:0] stored;
     reg [8:0] row;
     reg [8:0] row_before;
     reg [9:0] last_row;
     reg [9:0] last_row_before;
-    reg [41:0] left_shown;
-    reg [41:0] right_shown;
+    reg [39:0] left_shown;
+    reg [39:0] right_shown;
 
-    wire [38:0] chosen_entry = compared_chosen_stored ? stored[41:3] : compared_entry;
-    wire term_1 = compared_carried[38] == sweep;
-    wire [27:0] joined_2 = {compared_carried[37:26], compared_carried[25] == last_epoch, compared_carried[24:10]};
-    wire [27:0] joined_3 = {chosen_entry[37:26], chosen_entry[25] == last_epoch, chosen_entry[24:10]};
-    wire before_chosen = (compared_carried[38] ^ chosen_entry[38]) ? term_1 : (joined_2 < joined_3);
+    wire [36:0] chosen_entry = compared_chosen_stored ? stored[39:3] : compared_entry;
+    wire term_1 = compared_carried[36] == sweep;
+    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [38:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[38]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire [36:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [25:0] joined_4 = {compared_parent_rival[25:14], compared_parent_rival[13] == last_epoch, compared_parent_rival[12:0]};
+    wire rival_stays = (compared_parent_rival[26] ^ chosen_entry[36]) ? (compared_parent_rival[26] == sweep) : (joined_4 < joined_3);
     wire term_5 = compared_exists & ~rival_stays;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
@@ -7049,19 +7049,19 @@ module splat_heap_stage_level8 (
     wire choice_14 = (choice_9 & choice_10) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_10;
     wire goes_right = choice_7 ? choice_14 : lower ? (chosen_left_count | ~lower) : step_right;
     wire same_side = goes_right ^ ~side;
-    wire [28:0] rival = compared_rival_stored ? stored[41:13] : compared_rival;
-    wire [38:0] choice_15 = ~goes_right ? right_shown[41:3] : left_shown[41:3];
-    wire term_16 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[38] ^ rival[28]) ? term_1 : term_16;
+    wire [26:0] rival = compared_rival_stored ? stored[39:13] : compared_rival;
+    wire [36:0] choice_15 = ~goes_right ? right_shown[39:3] : left_shown[39:3];
+    wire term_16 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_16;
     wire term_17 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
-    wire [38:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
+    wire [36:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
     wire term_18 = settled_hole & ~settled_carry & choice_12;
     wire choice_19 = lower ? 1'd0 : compared_right;
     wire term_20 = settled_right_below & ~(term_18 & choice_19 & (lower ? 1'd0 : term_6));
     wire term_21 = ~settled_hole & settled_existed;
     wire term_22 = ~choice_19;
     wire sum_23 = settled_left_count + ((term_18 & term_22) | (term_21 & term_22));
-    wire [41:0] node_to_store = {
+    wire [39:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
         term_20 | (term_21 & choice_19),
@@ -7099,10 +7099,10 @@ module splat_heap_stage_level8 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_15[38:10];
+        compared_rival <= choice_15[36:10];
         compared_rival_exists <= goes_right ? choice_9 : choice_10;
         compared_rival_mark <= ~goes_right ? right_shown[2] : left_shown[2];
-        compared_entry <= goes_right ? right_shown[41:3] : left_shown[41:3];
+        compared_entry <= goes_right ? right_shown[39:3] : left_shown[39:3];
         compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
         compared_left_count <= goes_right ? right_shown[0] : left_shown[0];
         settled_hole <= compared_hole;
@@ -7162,16 +7162,16 @@ module splat_heap_stage_level6 (
     input  wire step_left_exists,
     input  wire step_right_exists,
     input  wire step_follows,
-    input  wire [38:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [36:0] step_entry,
+    input  wire [26:0] step_rival,
     input  wire [5:0] step_row,
-    input  wire [38:0] below_rise_entry,
+    input  wire [36:0] below_rise_entry,
     input  wire below_rise_exists,
     input  wire below_rise_ahead,
     input  wire below_rise_right,
     input  wire below_rise_childless,
     input  wire [7:0] below_rise_node,
-    output wire [38:0] rise_entry,
+    output wire [36:0] rise_entry,
     output wire rise_exists,
     output wire rise_ahead,
     output wire rise_right,
@@ -7184,30 +7184,30 @@ module splat_heap_stage_level6 (
     output wire below_left_exists,
     output wire below_right_exists,
     output wire below_follows,
-    output wire [38:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [36:0] below_entry,
+    output wire [26:0] below_rival,
     output wire [7:0] below_row
 );
     (* no_rw_check *)
-    reg [43:0] left_nodes [0:127];
+    reg [41:0] left_nodes [0:127];
     (* no_rw_check *)
-    reg [43:0] right_nodes [0:127];
+    reg [41:0] right_nodes [0:127];
     reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
     reg compared_follows;
-    reg [38:0] compared_carried;
+    reg [36:0] compared_carried;
     reg compared_exists;
     reg compared_right;
     reg compared_was_first;
-    reg [28:0] compared_parent_rival;
+    reg [26:0] compared_parent_rival;
     reg compared_chosen_stored;
     reg compared_rival_stored;
-    reg [28:0] compared_rival;
+    reg [26:0] compared_rival;
     reg compared_rival_exists;
     reg compared_rival_mark;
-    reg [38:0] compared_entry;
+    reg [36:0] compared_entry;
     reg compared_right_below;
     reg [2:0] compared_left_count;
     reg settled_valid;
@@ -7217,32 +7217,32 @@ module splat_heap_stage_level6 (
     reg settled_ahead;
     reg settled_rival_exists;
     reg settled_rival_mark;
-    reg [38:0] settled_entry;
+    reg [36:0] settled_entry;
     reg settled_right_below;
     reg [2:0] settled_left_count;
-    reg [43:0] stored;
+    reg [41:0] stored;
     reg [6:0] row;
     reg [6:0] row_before;
-    reg [43:0] left_shown;
-    reg [43:0] right_shown;
+    reg [41:0] left_shown;
+    reg [41:0] right_shown;
 
-    wire [38:0] chosen_entry = compared_chosen_stored ? stored[43:5] : compared_entry;
-    wire term_1 = compared_carried[38] == sweep;
-    wire [27:0] joined_2 = {compared_carried[37:26], compared_carried[25] == last_epoch, compared_carried[24:10]};
-    wire [27:0] joined_3 = {chosen_entry[37:26], chosen_entry[25] == last_epoch, chosen_entry[24:10]};
-    wire before_chosen = (compared_carried[38] ^ chosen_entry[38]) ? term_1 : (joined_2 < joined_3);
+    wire [36:0] chosen_entry = compared_chosen_stored ? stored[41:5] : compared_entry;
+    wire term_1 = compared_carried[36] == sweep;
+    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [38:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[38]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire [36:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [25:0] joined_4 = {compared_parent_rival[25:14], compared_parent_rival[13] == last_epoch, compared_parent_rival[12:0]};
+    wire rival_stays = (compared_parent_rival[26] ^ chosen_entry[36]) ? (compared_parent_rival[26] == sweep) : (joined_4 < joined_3);
     wire term_5 = compared_exists & ~rival_stays;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
     wire term_6 = ~(|chosen_left_count | chosen_right_below);
     wire term_7 = compared_valid & compared_exists;
     wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
-    wire [38:0] choice_9 = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[43:15] : compared_rival;
+    wire [36:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [26:0] rival = compared_rival_stored ? stored[41:15] : compared_rival;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
@@ -7258,11 +7258,11 @@ module splat_heap_stage_level6 (
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [7:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [38:0] choice_18 = ~goes_right ? right_shown[43:5] : left_shown[43:5];
-    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[38] ^ rival[28]) ? term_1 : term_19;
+    wire [36:0] choice_18 = ~goes_right ? right_shown[41:5] : left_shown[41:5];
+    wire term_19 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_19;
     wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
-    wire [38:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire [36:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
     wire term_21 = settled_hole & ~settled_carry & choice_15;
     wire choice_22 = lower ? below_rise_right : compared_right;
     wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
@@ -7270,7 +7270,7 @@ module splat_heap_stage_level6 (
     wire term_25 = ~choice_22;
     wire term_26 = term_21 & term_25;
     wire [2:0] sum_27 = settled_left_count + {{2{term_26}}, term_26 | (term_24 & term_25)};
-    wire [43:0] node_to_store = {
+    wire [41:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
         (settled_right_below & ~term_23) | (term_24 & choice_22),
@@ -7317,10 +7317,10 @@ module splat_heap_stage_level6 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[38:10];
+        compared_rival <= choice_18[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[4] : left_shown[4];
-        compared_entry <= goes_right ? right_shown[43:5] : left_shown[43:5];
+        compared_entry <= goes_right ? right_shown[41:5] : left_shown[41:5];
         compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
         compared_left_count <= goes_right ? right_shown[2:0] : left_shown[2:0];
         settled_hole <= compared_hole;
@@ -7378,16 +7378,16 @@ module splat_heap_stage_level4 (
     input  wire step_left_exists,
     input  wire step_right_exists,
     input  wire step_follows,
-    input  wire [38:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [36:0] step_entry,
+    input  wire [26:0] step_rival,
     input  wire [3:0] step_row,
-    input  wire [38:0] below_rise_entry,
+    input  wire [36:0] below_rise_entry,
     input  wire below_rise_exists,
     input  wire below_rise_ahead,
     input  wire below_rise_right,
     input  wire below_rise_childless,
     input  wire [5:0] below_rise_node,
-    output wire [38:0] rise_entry,
+    output wire [36:0] rise_entry,
     output wire rise_exists,
     output wire rise_ahead,
     output wire rise_right,
@@ -7400,30 +7400,30 @@ module splat_heap_stage_level4 (
     output wire below_left_exists,
     output wire below_right_exists,
     output wire below_follows,
-    output wire [38:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [36:0] below_entry,
+    output wire [26:0] below_rival,
     output wire [5:0] below_row
 );
     (* no_rw_check *)
-    reg [45:0] left_nodes [0:31];
+    reg [43:0] left_nodes [0:31];
     (* no_rw_check *)
-    reg [45:0] right_nodes [0:31];
+    reg [43:0] right_nodes [0:31];
     reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
     reg compared_follows;
-    reg [38:0] compared_carried;
+    reg [36:0] compared_carried;
     reg compared_exists;
     reg compared_right;
     reg compared_was_first;
-    reg [28:0] compared_parent_rival;
+    reg [26:0] compared_parent_rival;
     reg compared_chosen_stored;
     reg compared_rival_stored;
-    reg [28:0] compared_rival;
+    reg [26:0] compared_rival;
     reg compared_rival_exists;
     reg compared_rival_mark;
-    reg [38:0] compared_entry;
+    reg [36:0] compared_entry;
     reg compared_right_below;
     reg [4:0] compared_left_count;
     reg settled_valid;
@@ -7433,32 +7433,32 @@ module splat_heap_stage_level4 (
     reg settled_ahead;
     reg settled_rival_exists;
     reg settled_rival_mark;
-    reg [38:0] settled_entry;
+    reg [36:0] settled_entry;
     reg settled_right_below;
     reg [4:0] settled_left_count;
-    reg [45:0] stored;
+    reg [43:0] stored;
     reg [4:0] row;
     reg [4:0] row_before;
-    reg [45:0] left_shown;
-    reg [45:0] right_shown;
+    reg [43:0] left_shown;
+    reg [43:0] right_shown;
 
-    wire [38:0] chosen_entry = compared_chosen_stored ? stored[45:7] : compared_entry;
-    wire term_1 = compared_carried[38] == sweep;
-    wire [27:0] joined_2 = {compared_carried[37:26], compared_carried[25] == last_epoch, compared_carried[24:10]};
-    wire [27:0] joined_3 = {chosen_entry[37:26], chosen_entry[25] == last_epoch, chosen_entry[24:10]};
-    wire before_chosen = (compared_carried[38] ^ chosen_entry[38]) ? term_1 : (joined_2 < joined_3);
+    wire [36:0] chosen_entry = compared_chosen_stored ? stored[43:7] : compared_entry;
+    wire term_1 = compared_carried[36] == sweep;
+    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [38:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[38]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire [36:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [25:0] joined_4 = {compared_parent_rival[25:14], compared_parent_rival[13] == last_epoch, compared_parent_rival[12:0]};
+    wire rival_stays = (compared_parent_rival[26] ^ chosen_entry[36]) ? (compared_parent_rival[26] == sweep) : (joined_4 < joined_3);
     wire term_5 = compared_exists & ~rival_stays;
     wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
     wire term_6 = ~(|chosen_left_count | chosen_right_below);
     wire term_7 = compared_valid & compared_exists;
     wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
-    wire [38:0] choice_9 = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[45:17] : compared_rival;
+    wire [36:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [26:0] rival = compared_rival_stored ? stored[43:17] : compared_rival;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
@@ -7474,11 +7474,11 @@ module splat_heap_stage_level4 (
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [5:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [38:0] choice_18 = ~goes_right ? right_shown[45:7] : left_shown[45:7];
-    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[38] ^ rival[28]) ? term_1 : term_19;
+    wire [36:0] choice_18 = ~goes_right ? right_shown[43:7] : left_shown[43:7];
+    wire term_19 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_19;
     wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
-    wire [38:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire [36:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
     wire term_21 = settled_hole & ~settled_carry & choice_15;
     wire choice_22 = lower ? below_rise_right : compared_right;
     wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
@@ -7486,7 +7486,7 @@ module splat_heap_stage_level4 (
     wire term_25 = ~choice_22;
     wire term_26 = term_21 & term_25;
     wire [4:0] sum_27 = settled_left_count + {{4{term_26}}, term_26 | (term_24 & term_25)};
-    wire [45:0] node_to_store = {
+    wire [43:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
         (settled_right_below & ~term_23) | (term_24 & choice_22),
@@ -7533,10 +7533,10 @@ module splat_heap_stage_level4 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[38:10];
+        compared_rival <= choice_18[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
-        compared_entry <= goes_right ? right_shown[45:7] : left_shown[45:7];
+        compared_entry <= goes_right ? right_shown[43:7] : left_shown[43:7];
         compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
         compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
         settled_hole <= compared_hole;
@@ -7594,16 +7594,16 @@ module splat_heap_stage_level2 (
     input  wire step_left_exists,
     input  wire step_right_exists,
     input  wire step_follows,
-    input  wire [38:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [36:0] step_entry,
+    input  wire [26:0] step_rival,
     input  wire [1:0] step_row,
-    input  wire [38:0] below_rise_entry,
+    input  wire [36:0] below_rise_entry,
     input  wire below_rise_exists,
     input  wire below_rise_ahead,
     input  wire below_rise_right,
     input  wire below_rise_childless,
     input  wire [3:0] below_rise_node,
-    output wire [38:0] rise_entry,
+    output wire [36:0] rise_entry,
     output wire rise_exists,
     output wire rise_ahead,
     output wire rise_right,
@@ -7616,30 +7616,30 @@ module splat_heap_stage_level2 (
     output wire below_left_exists,
     output wire below_right_exists,
     output wire below_follows,
-    output wire [38:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [36:0] below_entry,
+    output wire [26:0] below_rival,
     output wire [3:0] below_row
 );
     (* no_rw_check *)
-    reg [47:0] left_nodes [0:7];
+    reg [45:0] left_nodes [0:7];
     (* no_rw_check *)
-    reg [47:0] right_nodes [0:7];
+    reg [45:0] right_nodes [0:7];
     reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
     reg compared_follows;
-    reg [38:0] compared_carried;
+    reg [36:0] compared_carried;
     reg compared_exists;
     reg compared_right;
     reg compared_was_first;
-    reg [28:0] compared_parent_rival;
+    reg [26:0] compared_parent_rival;
     reg compared_chosen_stored;
     reg compared_rival_stored;
-    reg [28:0] compared_rival;
+    reg [26:0] compared_rival;
     reg compared_rival_exists;
     reg compared_rival_mark;
-    reg [38:0] compared_entry;
+    reg [36:0] compared_entry;
     reg compared_right_below;
     reg [6:0] compared_left_count;
     reg settled_valid;
@@ -7649,32 +7649,32 @@ module splat_heap_stage_level2 (
     reg settled_ahead;
     reg settled_rival_exists;
     reg settled_rival_mark;
-    reg [38:0] settled_entry;
+    reg [36:0] settled_entry;
     reg settled_right_below;
     reg [6:0] settled_left_count;
-    reg [47:0] stored;
+    reg [45:0] stored;
     reg [2:0] row;
     reg [2:0] row_before;
-    reg [47:0] left_shown;
-    reg [47:0] right_shown;
+    reg [45:0] left_shown;
+    reg [45:0] right_shown;
 
-    wire [38:0] chosen_entry = compared_chosen_stored ? stored[47:9] : compared_entry;
-    wire term_1 = compared_carried[38] == sweep;
-    wire [27:0] joined_2 = {compared_carried[37:26], compared_carried[25] == last_epoch, compared_carried[24:10]};
-    wire [27:0] joined_3 = {chosen_entry[37:26], chosen_entry[25] == last_epoch, chosen_entry[24:10]};
-    wire before_chosen = (compared_carried[38] ^ chosen_entry[38]) ? term_1 : (joined_2 < joined_3);
+    wire [36:0] chosen_entry = compared_chosen_stored ? stored[45:9] : compared_entry;
+    wire term_1 = compared_carried[36] == sweep;
+    wire [25:0] joined_2 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] joined_3 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (compared_carried[36] ^ chosen_entry[36]) ? term_1 : (joined_2 < joined_3);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [38:0] first = carried_first ? compared_carried : chosen_entry;
-    wire [27:0] joined_4 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[38]) ? (compared_parent_rival[28] == sweep) : (joined_4 < joined_3);
+    wire [36:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [25:0] joined_4 = {compared_parent_rival[25:14], compared_parent_rival[13] == last_epoch, compared_parent_rival[12:0]};
+    wire rival_stays = (compared_parent_rival[26] ^ chosen_entry[36]) ? (compared_parent_rival[26] == sweep) : (joined_4 < joined_3);
     wire term_5 = compared_exists & ~rival_stays;
     wire [6:0] chosen_left_count = compared_chosen_stored ? stored[6:0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[7] : compared_right_below;
     wire term_6 = ~(|chosen_left_count | chosen_right_below);
     wire term_7 = compared_valid & compared_exists;
     wire term_8 = &chosen_left_count[5:0] & (chosen_left_count[6] | ~lower);
-    wire [38:0] choice_9 = carried_first ? chosen_entry : compared_carried;
-    wire [28:0] rival = compared_rival_stored ? stored[47:19] : compared_rival;
+    wire [36:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [26:0] rival = compared_rival_stored ? stored[45:19] : compared_rival;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
@@ -7690,11 +7690,11 @@ module splat_heap_stage_level2 (
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [3:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [38:0] choice_18 = ~goes_right ? right_shown[47:9] : left_shown[47:9];
-    wire term_19 = joined_2 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[38] ^ rival[28]) ? term_1 : term_19;
+    wire [36:0] choice_18 = ~goes_right ? right_shown[45:9] : left_shown[45:9];
+    wire term_19 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_19;
     wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
-    wire [38:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire [36:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
     wire term_21 = settled_hole & ~settled_carry & choice_15;
     wire choice_22 = lower ? below_rise_right : compared_right;
     wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
@@ -7702,7 +7702,7 @@ module splat_heap_stage_level2 (
     wire term_25 = ~choice_22;
     wire term_26 = term_21 & term_25;
     wire [6:0] sum_27 = settled_left_count + {{6{term_26}}, term_26 | (term_24 & term_25)};
-    wire [47:0] node_to_store = {
+    wire [45:0] node_to_store = {
         entry_to_store,
         first_side ^ (settled_rival_exists & settled_rival_mark),
         (settled_right_below & ~term_23) | (term_24 & choice_22),
@@ -7749,10 +7749,10 @@ module splat_heap_stage_level2 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[38:10];
+        compared_rival <= choice_18[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[8] : left_shown[8];
-        compared_entry <= goes_right ? right_shown[47:9] : left_shown[47:9];
+        compared_entry <= goes_right ? right_shown[45:9] : left_shown[45:9];
         compared_right_below <= goes_right ? right_shown[7] : left_shown[7];
         compared_left_count <= goes_right ? right_shown[6:0] : left_shown[6:0];
         settled_hole <= compared_hole;
@@ -7810,16 +7810,16 @@ module splat_heap_stage_level0 (
     input  wire step_left_exists,
     input  wire step_right_exists,
     input  wire step_follows,
-    input  wire [38:0] step_entry,
-    input  wire [28:0] step_rival,
+    input  wire [36:0] step_entry,
+    input  wire [26:0] step_rival,
     input  wire newcomer_sweep,
-    input  wire [38:0] below_rise_entry,
+    input  wire [36:0] below_rise_entry,
     input  wire below_rise_exists,
     input  wire below_rise_ahead,
     input  wire below_rise_right,
     input  wire below_rise_childless,
     input  wire [1:0] below_rise_node,
-    output wire [38:0] root,
+    output wire [36:0] root,
     output wire below_valid,
     output wire below_hole,
     output wire below_carry,
@@ -7827,30 +7827,30 @@ module splat_heap_stage_level0 (
     output wire below_left_exists,
     output wire below_right_exists,
     output wire below_follows,
-    output wire [38:0] below_entry,
-    output wire [28:0] below_rival,
+    output wire [36:0] below_entry,
+    output wire [26:0] below_rival,
     output wire [1:0] below_row
 );
     (* no_rw_check *)
-    reg [49:0] left_nodes [0:1];
+    reg [47:0] left_nodes [0:1];
     (* no_rw_check *)
-    reg [49:0] right_nodes [0:1];
+    reg [47:0] right_nodes [0:1];
     reg lower;
     reg compared_valid;
     reg compared_hole;
     reg compared_carry;
     reg compared_follows;
-    reg [38:0] compared_carried;
+    reg [36:0] compared_carried;
     reg compared_exists;
     reg compared_right;
     reg compared_was_first;
-    reg [28:0] compared_parent_rival;
+    reg [26:0] compared_parent_rival;
     reg compared_chosen_stored;
     reg compared_rival_stored;
-    reg [28:0] compared_rival;
+    reg [26:0] compared_rival;
     reg compared_rival_exists;
     reg compared_rival_mark;
-    reg [38:0] compared_entry;
+    reg [36:0] compared_entry;
     reg compared_right_below;
     reg [8:0] compared_left_count;
     reg settled_valid;
@@ -7860,41 +7860,41 @@ module splat_heap_stage_level0 (
     reg settled_ahead;
     reg settled_rival_exists;
     reg settled_rival_mark;
-    reg [38:0] settled_entry;
+    reg [36:0] settled_entry;
     reg settled_right_below;
     reg [8:0] settled_left_count;
-    reg [49:0] stored;
+    reg [47:0] stored;
     reg row;
     reg row_before;
-    reg [49:0] left_shown;
-    reg [49:0] right_shown;
+    reg [47:0] left_shown;
+    reg [47:0] right_shown;
 
     wire choice_1 = lower ? compared_follows : step_follows;
     wire newer = choice_1 & settled_valid;
-    wire choice_2 = lower ? newcomer_sweep : compared_carried[38];
-    wire [38:0] chosen_entry = compared_chosen_stored ? stored[49:11] : compared_entry;
+    wire choice_2 = lower ? newcomer_sweep : compared_carried[36];
+    wire [36:0] chosen_entry = compared_chosen_stored ? stored[47:11] : compared_entry;
     wire term_3 = choice_2 == sweep;
-    wire [27:0] joined_4 = {compared_carried[37:26], compared_carried[25] == last_epoch, compared_carried[24:10]};
-    wire [27:0] joined_5 = {chosen_entry[37:26], chosen_entry[25] == last_epoch, chosen_entry[24:10]};
-    wire before_chosen = (choice_2 ^ chosen_entry[38]) ? term_3 : (joined_4 < joined_5);
+    wire [25:0] joined_4 = {compared_carried[35:24], compared_carried[23] == last_epoch, compared_carried[22:10]};
+    wire [25:0] joined_5 = {chosen_entry[35:24], chosen_entry[23] == last_epoch, chosen_entry[22:10]};
+    wire before_chosen = (choice_2 ^ chosen_entry[36]) ? term_3 : (joined_4 < joined_5);
     wire carried_first = compared_carry & (~compared_exists | before_chosen);
-    wire [38:0] joined_6 = {choice_2, compared_carried[37:0]};
-    wire [38:0] first = carried_first ? joined_6 : chosen_entry;
-    wire [38:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire [36:0] joined_6 = {choice_2, compared_carried[35:0]};
+    wire [36:0] first = carried_first ? joined_6 : chosen_entry;
+    wire [36:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
     wire term_7 = compared_valid & compared_exists;
     wire [8:0] chosen_left_count = compared_chosen_stored ? stored[8:0] : compared_left_count;
     wire term_8 = &chosen_left_count[7:0] & (chosen_left_count[8] | ~lower);
     wire chosen_right_below = compared_chosen_stored ? stored[9] : compared_right_below;
-    wire [38:0] choice_9 = carried_first ? chosen_entry : joined_6;
-    wire [28:0] rival = compared_rival_stored ? stored[49:21] : compared_rival;
+    wire [36:0] choice_9 = carried_first ? chosen_entry : joined_6;
+    wire [26:0] rival = compared_rival_stored ? stored[47:21] : compared_rival;
     wire choice_10 = lower ? compared_hole : step_hole;
     wire choice_11 = lower ? |chosen_left_count : step_left_exists;
     wire choice_12 = lower ? chosen_right_below : step_right_exists;
     wire [1:0] choice_13 = lower ? below_rise_node : {1'd0, row_before};
     wire side = choice_13[0];
     wire choice_14 = lower ? below_rise_exists : compared_exists;
-    wire [27:0] joined_15 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[38]) ? (compared_parent_rival[28] == sweep) : (joined_15 < joined_5);
+    wire [25:0] joined_15 = {compared_parent_rival[25:14], compared_parent_rival[13] == last_epoch, compared_parent_rival[12:0]};
+    wire rival_stays = (compared_parent_rival[26] ^ chosen_entry[36]) ? (compared_parent_rival[26] == sweep) : (joined_15 < joined_5);
     wire choice_16 = lower ? below_rise_ahead : (compared_exists & ~rival_stays);
     wire term_17 = (settled_carry | choice_14) & (~settled_rival_exists | settled_ahead | choice_16);
     wire is_first = settled_hole ? term_17 : settled_ahead;
@@ -7903,9 +7903,9 @@ module splat_heap_stage_level0 (
     wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
     wire [1:0] next_row = {row, goes_right};
     wire same_side = goes_right ^ ~side;
-    wire [38:0] choice_19 = ~goes_right ? right_shown[49:11] : left_shown[49:11];
-    wire term_20 = joined_4 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (choice_2 ^ rival[28]) ? term_3 : term_20;
+    wire [36:0] choice_19 = ~goes_right ? right_shown[47:11] : left_shown[47:11];
+    wire term_20 = joined_4 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (choice_2 ^ rival[26]) ? term_3 : term_20;
     wire term_21 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
     wire term_22 = settled_hole & ~settled_carry & choice_14;
     wire choice_23 = lower ? below_rise_right : compared_right;
@@ -7915,10 +7915,10 @@ module splat_heap_stage_level0 (
     wire term_27 = ~choice_23;
     wire term_28 = term_22 & term_27;
     wire [8:0] sum_29 = settled_left_count + {{8{term_28}}, term_28 | (term_25 & term_27)};
-    wire [49:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_26, sum_29};
+    wire [47:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_26, sum_29};
     wire choice_30 = lower ? 1'd0 : next_row[0];
 
-    assign root = newer ? entry_to_store : right_shown[49:11];
+    assign root = newer ? entry_to_store : right_shown[47:11];
     assign below_valid = term_7;
     assign below_hole = compared_hole;
     assign below_carry = compared_carry;
@@ -7952,10 +7952,10 @@ module splat_heap_stage_level0 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_19[38:10];
+        compared_rival <= choice_19[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[10] : left_shown[10];
-        compared_entry <= goes_right ? right_shown[49:11] : left_shown[49:11];
+        compared_entry <= goes_right ? right_shown[47:11] : left_shown[47:11];
         compared_right_below <= goes_right ? right_shown[9] : left_shown[9];
         compared_left_count <= goes_right ? right_shown[8:0] : left_shown[8:0];
         settled_hole <= compared_hole;

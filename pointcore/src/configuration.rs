@@ -169,6 +169,11 @@ mod tests {
             ("kind = \"splat\"\nimage.widht = 4", ["line 2: `widht`", "`width`, `height`, `sampling`"]),
             ("kind = \"splat\"\nimage = 4", ["line 2: `image` is a table", "[image]"]),
             ("kind = \"search\" # a comment\n[image]\nwidth = 64", ["line 2: `image`", "kind = \"splat\""]),
+            (
+                "kind = \"splat\"\n[implementation]\nsequence_bits = 8",
+                ["line 3: `sequence_bits`", "(`heap_levels` + 4)"],
+            ),
+            ("kind = \"search\"\nsieve_depth = 8", ["line 2: `sieve_depth`", "remove the line"]),
             ("kind = \"search\"\n[bus]\nfrob = 64", ["line 3: `frob`", "`memory_bits`"]),
             ("kind = \"search\"\nfrob = 64", ["line 2: `frob`", "[features], [implementation], [bus]"]),
             ("kind = \"search\"\n[implementation]\nlanes = 3", ["`lanes` = 3", "1, 2, 4 or 8"]),

@@ -131,7 +131,6 @@ fn neighbors_on_the_bus_equal_brute_force() {
         bucket: 8,
         threads: 3,
         neighbors: 6,
-        sieve_depth: 4,
         point_cache: 0,
         ..Config::default()
     };

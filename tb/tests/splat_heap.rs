@@ -44,10 +44,10 @@ fn it_agrees_with_the_model_at_every_size() {
         (10, 4, 12, 61),
         (12, 4, 13, 61),
     ] {
-        let config = Config { heap_levels, heap_interval, sequence_bits, width, height: 37, ..Config::default() };
-        let device = Device::new(&heap::module(&config), ports::heap(&config));
+        let config = Config { heap_levels, heap_interval, width, height: 37, ..Config::default() };
+        let device = Device::new(&heap::numbered(&config, sequence_bits), ports::heap(&config));
         let entries = entries(&config);
-        let runs = device.runs(&Heap::new(&config), &entries, &[]);
+        let runs = device.runs(&Heap::numbered(&config, sequence_bits), &entries, &[]);
         let reordered = runs.iter().filter(|run| **run != entries).count() as u64;
         // Without stalls every entry leaves at once, and a slow heap lets them with few stalls as well.
         assert!(reordered >= RUNS - u64::from(heap_interval) / 2, "{reordered} runs of {RUNS} were reordered");

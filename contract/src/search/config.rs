@@ -1,6 +1,6 @@
 //! `Config`: every parameter of the search core's neighbor search, with the ranges the hardware holds.
 
-use crate::configuration::{OutOfRange, configuration};
+use crate::configuration::{Derived, OutOfRange, configuration};
 use crate::splat::config::index_bits;
 use crate::{Format, bus};
 
@@ -40,8 +40,6 @@ configuration! {
             lanes: u32 = 1, described("1, 2, 4, 8"), User;
             /// Leaves a thread may have under way while it goes on searching with the radius known by then.
             leaves_in_flight: u32 = 1, range(1, 4), User;
-            /// Beats of near enough points that may wait for the priority queues.
-            sieve_depth: u32 = 16, range(2, 64), User;
             /// Leaves whose points the point cache holds; 0 leaves it out.
             point_cache: u32 = 64, described("0, or a power of two from 2 to 256"), User;
             /// Records of the tree that the tree cache holds; 0 keeps the whole tree on chip instead.
@@ -79,7 +77,17 @@ pub enum ConfigError {
     Bus(#[from] bus::ConfigError),
 }
 
+/// Entries of the smallest queue.
+const SIEVE_DEPTH_LEAST: u32 = 2;
+
 impl Config {
+    /// What follows from the keys.
+    pub const DERIVED: &'static [Derived] = &[Derived {
+        name: "sieve_depth",
+        rule: "`threads`, at least 2",
+        doc: " Beats of near enough points that may wait for the priority queues: one of each thread.",
+    }];
+
     /// Checks every range.
     ///
     /// # Errors
@@ -110,6 +118,12 @@ impl Config {
     #[must_use]
     pub const fn thread_bits(&self) -> u32 {
         index_bits(self.threads)
+    }
+
+    /// Beats of near enough points that may wait for the priority queues: one of each thread.
+    #[must_use]
+    pub const fn sieve_depth(&self) -> u32 {
+        if self.threads > SIEVE_DEPTH_LEAST { self.threads } else { SIEVE_DEPTH_LEAST }
     }
 
     /// Bits of a node's address: 1 is the root, `2i` and `2i + 1` are the children of `i`, leaves have the top bit set.

@@ -74,7 +74,7 @@ impl Sieve {
             fetched: None,
             judged: None,
             held: None,
-            kept: Fifo::new(config.sieve_depth as usize),
+            kept: Fifo::new(config.sieve_depth() as usize),
             skipped: None,
         }
     }
@@ -175,11 +175,11 @@ mod tests {
     use std::collections::VecDeque;
 
     const LANES: u32 = 2;
-    const SIEVE_DEPTH: u32 = 4;
+    const THREADS: u32 = 4;
 
     /// Four threads of radius² 100.
     fn unit() -> Sieve {
-        let config = Config { lanes: LANES, threads: 4, sieve_depth: SIEVE_DEPTH, ..Config::default() };
+        let config = Config { lanes: LANES, threads: THREADS, ..Config::default() };
         let mut sieve = Sieve::new(&config);
         for thread in 0..4 {
             let start = Start { thread: Thread { thread }, query: Query { radius2: 100, ..Query::default() } };
@@ -265,7 +265,11 @@ mod tests {
             skipped += u32::from(sieve.outputs().skipped.is_some());
             sieve.clock(&In { candidates: Some(beat(0, address, true, [near; 2])), ..In::default() });
         }
-        assert_eq!((kept, skipped), (SIEVE_DEPTH + 5, 0), "those behind wait: in s1, s2, held and in the input queue");
+        assert_eq!(
+            (kept, skipped),
+            (THREADS + 5, 0),
+            "a beat of each thread is kept, those behind wait: in s1, s2, held and in the input queue"
+        );
     }
 
     /// Leaves of any length under random stalls: what is kept and skipped is what each leaf's distances say.

@@ -68,10 +68,16 @@ impl Heap {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
+        Self::numbered(config, config.sequence_bits())
+    }
+
+    /// The unit after reset with arrival numbers of so many bits.
+    #[must_use]
+    pub fn numbered(config: &Config, sequence_bits: u32) -> Self {
         Self {
             shape: Shape::new(config),
             capacity: config.heap_capacity() as usize,
-            epoch_bits: config.sequence_bits - 1,
+            epoch_bits: sequence_bits - 1,
             entries: BTreeMap::new(),
             arrivals: 0,
             current: 0,
@@ -167,8 +173,8 @@ mod tests {
     fn pops_the_least_entry_in_cyclic_order() {
         for_each_seed("heap", |random| {
             let heap_interval = random.u32(1..=2) * 2;
-            let config = Config { heap_levels: 3, heap_interval, sequence_bits: 4, ..Config::default() };
-            let mut heap = Heap::new(&config);
+            let config = Config { heap_levels: 3, heap_interval, ..Config::default() };
+            let mut heap = Heap::numbered(&config, 4);
             let (mut present, mut shown) = (Vec::new(), Vec::new());
             let (mut current, mut pops, mut full) = (0, 0, 0);
             for pointer in 0..4000_u16 {
@@ -199,8 +205,8 @@ mod tests {
 
     #[test]
     fn an_epoch_waits_for_its_last_entry() {
-        let config = Config { heap_levels: 4, sequence_bits: 2, ..Config::default() };
-        let mut heap = Heap::new(&config);
+        let config = Config { heap_levels: 4, ..Config::default() };
+        let mut heap = Heap::numbered(&config, 2);
         let mut entered = 0;
         for cycle in 0..40 {
             entered += u32::from(heap.outputs().in_ready);

@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn copies_of_a_tile_stay_in_order_and_frames_apart() {
         for_each_seed("reorder", |random| {
-            let mut reorder = Reorder::new(&Config { heap_levels: 3, sequence_bits: 4, ..Config::default() });
+            let mut reorder = Reorder::new(&Config { heap_levels: 3, ..Config::default() });
             let copy = |number: u32, random: &mut fastrand::Rng| {
                 let mut copy = SplatCopy { end: number % 50 == 49, tile: random.u32(0..6), ..SplatCopy::default() };
                 copy.attributes[0] = number;

@@ -119,12 +119,10 @@ fn answers_equal_a_search_through_all_points_with_and_without_every_part() {
     let sizes = [(1, 1, 1), (32, 64, 4), (16, 16, 2), (3, 7, 3), (2, 33, 1), (8, 10, 4)].into_iter().cycle();
     let parts =
         [0, 2, 8, 64].into_iter().flat_map(|point_cache| [0, 16, 256].map(|tree_cache| (point_cache, tree_cache)));
-    let parts =
-        parts.flat_map(|(point_cache, tree_cache)| [2, 16].map(|sieve_depth| (point_cache, tree_cache, sieve_depth)));
     let parts = parts.flat_map(|parts| [1, 2, 4, 8].map(|lanes| (parts, lanes)));
     let mut counts = Counts::default();
     for (index, (parts, (threads, neighbors, leaves_in_flight))) in parts.zip(sizes).enumerate() {
-        let ((point_cache, tree_cache, sieve_depth), lanes) = parts;
+        let ((point_cache, tree_cache), lanes) = parts;
         let config = Config {
             geometry: formats[random.usize(..formats.len())],
             threads,
@@ -133,7 +131,6 @@ fn answers_equal_a_search_through_all_points_with_and_without_every_part() {
             tree_depth: random.u32(6..9),
             bucket: random.u32(4..20),
             leaves_in_flight,
-            sieve_depth,
             point_cache,
             tree_cache,
             ..Config::default()
@@ -158,7 +155,6 @@ fn searches_end_in_any_configuration() {
             tree_depth: random.u32(1..=10),
             bucket: random.u32(1..=40),
             leaves_in_flight: random.u32(1..=4),
-            sieve_depth: random.u32(2..=64),
             point_cache: if random.bool() { 1 << random.u32(1..=8) } else { 0 },
             tree_cache: if random.bool() { 1 << random.u32(4..=10) } else { 0 },
             ..Config::default()

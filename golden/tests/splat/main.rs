@@ -59,8 +59,8 @@ fn a_frame_depends_on_its_input_alone() {
     let unhurried = Config { transform_interval: 1, setup_interval: 7, accumulate_stages: 5, ..config.clone() };
     let configs = [
         config.clone(),
-        Config { heap_levels: 2, sequence_bits: 2, ..config.clone() },
-        Config { heap_levels: 10, sequence_bits: 5, ..config.clone() },
+        Config { heap_levels: 2, ..config.clone() },
+        Config { heap_levels: 10, ..config.clone() },
         Config { tile_slots: 2, ..config.clone() },
         Config { tile_slots: 13, ..unhurried },
     ];

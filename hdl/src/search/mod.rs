@@ -33,7 +33,7 @@ mod tests {
         let small =
             Config { threads: 1, neighbors: 1, tree_depth: 1, leaves_in_flight: 1, bucket: 1, ..Config::default() };
         let wide = Config { threads: 3, lanes: 4, index_bits: 4, geometry: Format::F24.flushed(), ..Config::default() };
-        let bare = Config { point_cache: 0, sieve_depth: 2, ..small.clone() };
+        let bare = Config { point_cache: 0, ..small.clone() };
         let external = Config { tree_cache: 16, point_cache: 2, neighbor_cache: 3, ..wide.clone() };
         let single = Config { neighbor_cache: 1, ..small.clone() };
         let coherent = Config { neighbor_cache: 8, ..Config::default() };

@@ -16,7 +16,13 @@ use rtl::{Expr, Instance, Module, bit, cat, lit};
 /// The unit; ports as in `contract::splat::ports::heap`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let format = EntryFormat::new(config);
+    numbered(config, config.sequence_bits())
+}
+
+/// The unit with arrival numbers of so many bits.
+#[must_use]
+pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
+    let format = EntryFormat::new(config, sequence_bits);
     let levels = config.heap_levels as usize;
     let mut m = Module::new("splat_heap", "Pipelined heap that orders splat copies by tile, then by arrival.");
     m.parameter("levels", levels);
@@ -30,7 +36,7 @@ pub fn module(config: &Config) -> Module {
     let pace = Pace::new(&mut m, config);
     let lower = pace.lower(&mut m);
     let begins = m.wire("begins", &pace.at_end(&!&lower));
-    let stages = stages(&mut m, config);
+    let stages = stages(&mut m, config, format);
     let root = m.out(&stages[0], "root");
 
     let count = m.reg_reset("count", levels, 0);
@@ -72,7 +78,7 @@ pub fn module(config: &Config) -> Module {
     m.connect(&stages[0], "newcomer_sweep", &newcomer_sweep);
 
     let newcomer = cat(&[&bit(false), &input.field("tile"), &arrival, &input.field("pointer")]);
-    let step = Record::new(&Place::new(config, 0).step(), |name| match name {
+    let step = Record::new(&Place::new(config, format, 0).step(), |name| match name {
         "valid" => &push | &pop,
         "hole" => pop.clone(),
         "carry" => push.clone(),
@@ -96,11 +102,11 @@ pub fn module(config: &Config) -> Module {
 }
 
 /// Places the stages one below the other and connects neighbors.
-fn stages(m: &mut Module, config: &Config) -> Vec<Instance> {
-    let step_fields = Place::new(config, 0).step();
+fn stages(m: &mut Module, config: &Config, format: EntryFormat) -> Vec<Instance> {
+    let step_fields = Place::new(config, format, 0).step();
     let instances: Vec<_> = (0..config.heap_levels as usize)
         .step_by(2)
-        .map(|level| m.instance(&format!("stage_{level}"), heap_stage::module(config, level)))
+        .map(|level| m.instance(&format!("stage_{level}"), heap_stage::module(config, format, level)))
         .collect();
     for pair in instances.windows(2) {
         let step = Record::new(&step_fields, |name| m.out(&pair[0], &format!("below_{name}")));

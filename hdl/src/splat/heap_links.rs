@@ -17,8 +17,8 @@ pub(super) struct Place {
 }
 
 impl Place {
-    pub fn new(config: &Config, upper: usize) -> Self {
-        Self { format: EntryFormat::new(config), levels: config.heap_levels as usize, upper }
+    pub fn new(config: &Config, format: EntryFormat, upper: usize) -> Self {
+        Self { format, levels: config.heap_levels as usize, upper }
     }
 
     /// Bits of the rows that the stage reads, which are the numbers of the parents.

@@ -16,10 +16,10 @@ pub(super) struct EntryFormat {
 }
 
 impl EntryFormat {
-    pub fn new(config: &Config) -> Self {
+    pub fn new(config: &Config, sequence_bits: u32) -> Self {
         Self {
             tile: config.tile_bits() as usize,
-            sequence: config.sequence_bits as usize,
+            sequence: sequence_bits as usize,
             pointer: config.heap_levels as usize,
         }
     }

@@ -15,7 +15,7 @@
 use pointcore_contract::splat::Config;
 
 use super::heap_links::{Pace, Place, Registers};
-use super::heap_order::Order;
+use super::heap_order::{EntryFormat, Order};
 use crate::units::records::{Record, width};
 use rtl::{Expr, Module, Reg, Wire, bit, cat, lit};
 
@@ -286,8 +286,8 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settleme
 }
 
 /// The stage whose upper level is `upper`.
-pub(super) fn module(config: &Config, upper: usize) -> Module {
-    let place = Place::new(config, upper);
+pub(super) fn module(config: &Config, format: EntryFormat, upper: usize) -> Module {
+    let place = Place::new(config, format, upper);
     let mut m = Module::new("splat_heap_stage", "Two neighboring levels of the pipelined heap.");
     m.parameter("level", upper);
     m.parameter("levels", place.levels);

@@ -60,7 +60,6 @@ mod tests {
     fn units_have_the_specified_ports() {
         let small = Config {
             heap_levels: 2,
-            sequence_bits: 2,
             tile_slots: 5,
             cardinal: 2,
             width: 8,

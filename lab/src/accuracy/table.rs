@@ -113,6 +113,6 @@ mod tests {
     fn json_keeps_what_a_point_was_measured_with() {
         let point = document(&rated(&[("base", 41.25, 100_000, 500)])[0]);
         assert_eq!((&point["figures"]["hardware"]["cycles"], &point["time_ms"]), (&json!(100_000), &json!(1.0)));
-        assert_eq!(point["figures"]["hardware"]["config"]["geometry"], "f32-ftz");
+        assert_eq!(point["figures"]["hardware"]["config"]["features"]["geometry"], "f32-ftz");
     }
 }

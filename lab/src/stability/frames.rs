@@ -8,15 +8,13 @@ use pointcore_contract::splat::{Config, Feature, records};
 /// Splats of a frame: more than the heap holds, on a few tiles.
 pub const FRAME_SPLATS: u64 = 5000;
 
-/// A small image, so that what covers all of it costs little, with a heap that holds 4,095 copies, and sequence numbers that wrap around
-/// within a frame.
+/// A small image, so that what covers all of it costs little, with a heap that holds 4,095 copies.
 #[must_use]
 pub fn config() -> Config {
     Config {
         width: 16,
         height: 8,
         heap_levels: 12,
-        sequence_bits: 13,
         tile_slots: 2,
         culling: Feature::On,
         screen_filter: Feature::On,

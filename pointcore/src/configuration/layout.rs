@@ -1,6 +1,6 @@
 //! Which core a configuration file is for, and whether each of its keys stands where it belongs.
 
-use pointcore_contract::configuration::{Key, Table};
+use pointcore_contract::configuration::{Derived, Key, Table};
 use pointcore_contract::{search, splat};
 use std::fmt::Display;
 use std::ops::Range;
@@ -33,6 +33,15 @@ impl Kind {
         }
     }
 
+    /// What was a key, or might be taken for one.
+    fn derived(self, name: &str) -> Option<&'static Derived> {
+        let all = match self {
+            Self::Splat => splat::Config::DERIVED,
+            Self::Search => search::Config::DERIVED,
+        };
+        all.iter().find(|derived| derived.name == name)
+    }
+
     fn knows(self, name: &str) -> bool {
         self.tables().iter().any(|table| table.name == name) || self.table_of(name).is_some()
     }
@@ -44,6 +53,9 @@ impl Kind {
 
     /// Why a key stands wrong where only some are expected.
     fn misplaced(self, name: &str, expected: &str) -> String {
+        if let Some(Derived { rule, .. }) = self.derived(name) {
+            return format!("`{name}` is no key, it follows from others ({rule}): remove the line");
+        }
         let other = Self::ALL.into_iter().find(|other| *other != self && other.knows(name));
         match (self.table_of(name), other) {
             (Some(table), _) => format!("`{name}` belongs into the table [{}]", table.name),

@@ -276,10 +276,8 @@ fn cores() -> Vec<Unit> {
 /// Heaps of the sizes that others report.
 fn heaps() -> Vec<Unit> {
     let unit = |(name, heap_levels, heap_interval, [width, height]): (_, u32, _, [u32; 2])| {
-        let sequence_bits = heap_levels + 1;
-        let config =
-            splat_spec::Config { heap_levels, heap_interval, sequence_bits, width, height, ..Default::default() };
-        Unit::new(name, move || Ok(splat::heap::module(&config)))
+        let config = splat_spec::Config { heap_levels, heap_interval, width, height, ..Default::default() };
+        Unit::new(name, move || Ok(splat::heap::numbered(&config, heap_levels + 1)))
     };
     HEAPS.map(unit).into()
 }

@@ -25,7 +25,6 @@ pub fn configs() -> [Config; 4] {
         index_bits: 10,
         tree_depth: 4,
         bucket: 8,
-        sieve_depth: 4,
         point_cache: 0,
         ..Config::default()
     };
