@@ -6,18 +6,20 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
 /// Folders and files below the workspace's root.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 13] = [
     "contract/src",
     "golden/src",
     "hdl/src",
     "lab/src/accuracy/figures.rs",
     "lab/src/accuracy/measure.rs",
     "pointcore/src/splat",
+    "pointcore/src/color.rs",
     "pointcore/src/number.rs",
     "pointcore/src/picture.rs",
-    "pointcore/src/plan.rs",
+    "pointcore/src/plan",
     "pointcore/src/scene",
     "pointcore/src/shading.rs",
+    "pointcore/src/uniforms.rs",
 ];
 
 /// All files of a folder, or the file itself.

@@ -1,4 +1,5 @@
-//! What generated hardware of either core goes through: faults of the generator, and a build for speed.
+//! What generated hardware of either core goes through: faults of the generator, a build for speed, and
+//! news of a run.
 
 use pointcore_hdl::compiler::CompileError;
 use pointcore_tb::verilated::{Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
@@ -23,3 +24,6 @@ pub enum GenerateError {
 pub fn verilate(design: &Design, trace: Trace) -> Result<Arc<Library>, VerilatedError> {
     Builder::new()?.build(&Source::from(design), Options { optimization: Optimization::Full, trace })
 }
+
+/// Hears of a run: the cycles so far, and the share of the work that has been sent.
+pub type Progress<'a> = &'a (dyn Fn(u64, f64) + Sync);

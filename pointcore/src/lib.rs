@@ -2,7 +2,9 @@
 
 pub mod area;
 pub mod bus;
+pub mod color;
 pub mod configuration;
+pub mod cost;
 pub mod driver;
 pub mod generated;
 pub mod inspect;
@@ -10,8 +12,10 @@ pub mod number;
 pub mod package;
 pub mod picture;
 pub mod plan;
+pub mod recording;
 pub mod scene;
 pub mod search;
 pub mod shading;
 pub mod splat;
 pub mod synthesis;
+pub mod uniforms;

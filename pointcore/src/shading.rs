@@ -3,6 +3,7 @@
 //! Shading is linear and per pixel: Lambert's diffuse and Blinn's specular reflection of one distant light about the
 //! reconstructed normal. The picture is sRGB.
 
+use crate::color::{linear_from_srgb, srgb_from_linear};
 use crate::picture::Picture;
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
@@ -10,33 +11,6 @@ use pointcore_contract::Sampling;
 use pointcore_contract::surface::{COLOR, NORMAL};
 use pointcore_golden::reference::{Fragment, Frame, sampling};
 use rayon::prelude::*;
-
-/// Below this, sRGB is linear (IEC 61966-2-1).
-const SRGB_LINEAR_LIMIT: f64 = 0.040_45;
-const SRGB_LINEAR_SLOPE: f64 = 12.92;
-const SRGB_OFFSET: f64 = 0.055;
-const SRGB_EXPONENT: f64 = 2.4;
-
-/// Linear intensity of an sRGB component in `0..=1`.
-#[must_use]
-pub fn linear_from_srgb(component: f64) -> f64 {
-    if component <= SRGB_LINEAR_LIMIT {
-        component / SRGB_LINEAR_SLOPE
-    } else {
-        ((component + SRGB_OFFSET) / (1.0 + SRGB_OFFSET)).powf(SRGB_EXPONENT)
-    }
-}
-
-/// sRGB component of a linear intensity; intensities beyond `0..=1` are clipped.
-#[must_use]
-pub fn srgb_from_linear(intensity: f64) -> f64 {
-    let intensity = intensity.clamp(0.0, 1.0);
-    if intensity <= SRGB_LINEAR_LIMIT / SRGB_LINEAR_SLOPE {
-        intensity * SRGB_LINEAR_SLOPE
-    } else {
-        (1.0 + SRGB_OFFSET) * intensity.powf(1.0 / SRGB_EXPONENT) - SRGB_OFFSET
-    }
-}
 
 /// Shades a frame of `scene`, from the reference or read back from hardware.
 #[must_use]
@@ -127,15 +101,6 @@ impl View {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn srgb_round_trips_and_knows_middle_gray() {
-        for step in 0..=255 {
-            let component = f64::from(step) / 255.0;
-            assert!((srgb_from_linear(linear_from_srgb(component)) - component).abs() < 1e-6);
-        }
-        assert!((linear_from_srgb(0.5) - 0.214).abs() < 1e-3);
-    }
 
     /// One white fragment with the given normal in the middle of the view, the light behind the eye.
     fn shade_one(normal: [f64; 3], material: u16) -> [f64; 3] {

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use pointcore::plan::{Costs, Cycles, Plan, table_row};
+use pointcore::area::count;
+use pointcore::cost::{Costs, Cycles, table_row};
+use pointcore::plan::Plan;
 use pointcore::scene::Scene;
-use pointcore::splat::{Core, EncodedFrame, Outcome, Runner, area, assemble};
+use pointcore::splat::{Core, EncodedFrame, Outcome, Runner, assemble};
 use pointcore_contract::splat::{Config, Feature, records};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use pointcore_tb::lockstep::Stall;
@@ -46,7 +48,7 @@ fn hardware_shrinks_with_the_scene() {
 
     let cores = [&small, &large].map(generate);
     assert!(instances(&cores[0]) < instances(&cores[1]));
-    for (figure, small, large) in area::rows(&cores[0].design, &cores[1].design) {
+    for (figure, small, large) in count::rows(&cores[0].design, &cores[1].design) {
         assert!(small < large, "{figure}: {small} for the plane, {large} for the shapes");
     }
 

@@ -14,11 +14,12 @@ pub mod stability;
 pub mod vectors;
 
 use pointcore::configuration::{self, Configuration, ConfigurationError};
+use pointcore::cost::CostError;
 use pointcore::driver::Error as DriverError;
 use pointcore::generated::GenerateError;
 use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
-use pointcore::plan::{CostError, Plan, PlanError};
+use pointcore::plan::{Plan, PlanError};
 use pointcore::scene::{Scene, SceneError};
 use pointcore::search::{Difference, Error as SearchError};
 use pointcore::synthesis::SynthesisError;

@@ -2,10 +2,12 @@
 
 use super::accuracy::estimator;
 use super::{Failure, Output, load, scene_name};
+use pointcore::area::count;
 use pointcore::area::estimate::Estimator;
-use pointcore::plan::{Costs, Cycles, Figures, Plan, TABLE_HEAD, table_row};
+use pointcore::cost::{Costs, Cycles, Figures, TABLE_HEAD, table_row};
+use pointcore::plan::Plan;
 use pointcore::scene::Scene;
-use pointcore::splat::{Core, area};
+use pointcore::splat::Core;
 use pointcore_tb::cache::Cache;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -104,7 +106,7 @@ fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Re
     }
     _ = write!(text, "\n{}", prices(&costs, arguments.measure));
     _ = writeln!(text, "\n  {:22} {:>12} {:>12} {:>8}", "area proxy", "this scene", "everything", "saved");
-    for (name, planned, full) in area::rows(&planned.design, &full.design) {
+    for (name, planned, full) in count::rows(&planned.design, &full.design) {
         let saved = 100.0 * (1.0 - planned as f64 / full.max(1) as f64);
         _ = writeln!(text, "  {name:22} {planned:>12} {full:>12} {saved:>7.1}%");
     }
@@ -125,8 +127,8 @@ fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Re
         "effects": costs.effects,
         "planned": costs.planned,
         "everything": costs.everything,
-        "area": area::document(&planned.design),
-        "area_with_everything": area::document(&full.design),
+        "area": count::document(&planned.design),
+        "area_with_everything": count::document(&full.design),
         "datapaths": planned.manifests,
     });
     Ok((text, document))

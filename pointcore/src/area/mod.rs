@@ -1,5 +1,6 @@
-//! What a configuration takes of a device, estimated from what was measured of others.
+//! What hardware takes: counted before synthesis, and estimated for a device from what was measured of other hardware.
 
+pub mod count;
 pub mod estimate;
 pub mod fit;
 pub mod proxy;

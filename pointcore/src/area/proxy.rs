@@ -1,6 +1,6 @@
 //! What a core holds, counted before synthesis, as it is kept of every point.
 
-use crate::splat::area::total;
+use super::count::total;
 use rtl::Design;
 use serde::{Deserialize, Serialize};
 

@@ -2,17 +2,17 @@
 
 mod constraints;
 mod fusesoc;
-mod recording;
 mod testbench;
 
 pub use fusesoc::fusesoc_name;
-pub use recording::Recording;
 
+use crate::area::count;
 use crate::bus::{Bus, Interface};
 use crate::configuration::Configuration;
 use crate::generated::GenerateError;
+use crate::recording::Recording;
 use crate::search;
-use crate::splat::{self, area};
+use crate::splat;
 use crate::synthesis::{Unit, arguments_for_a_core, shell};
 use pointcore_contract::search::Config as SearchConfig;
 use pointcore_contract::splat::Config as SplatConfig;
@@ -119,8 +119,8 @@ impl Package {
             "generator": GENERATOR,
             "top": top,
             "datapaths": datapaths,
-            "modules": area::modules(design),
-            "area": area::document(design),
+            "modules": count::modules(design),
+            "area": count::document(design),
         });
         let manifest = serde_json::to_string_pretty(&manifest).expect("manifests have string keys");
         let mut package = Self { name: name.to_owned(), title, top, files: Vec::new(), nextpnr: Vec::new() };

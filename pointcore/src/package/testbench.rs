@@ -1,6 +1,7 @@
 //! A self-checking test in SystemVerilog: it replays a recording and compares every output in every cycle.
 
-use super::{GENERATOR, Recording};
+use super::GENERATOR;
+use crate::recording::Recording;
 use pointcore_contract::splat::ports::Direction as Specified;
 use pointcore_tb::lockstep::{RESET_CYCLES, Stream, Streams};
 use rtl::{Design, Direction, Port};

@@ -17,9 +17,9 @@
 //! **In fixed point** rounding is that of offsets and coefficients, absolute rather than relative, and neither argument holds near a splat's
 //! centre. There every splat's samples are tried, with the part and without.
 
-use crate::number::decode;
+use crate::number::{decode, encode};
 use crate::scene::Scene;
-use crate::splat::{uniforms, word};
+use crate::uniforms::uniforms;
 use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::{Config, Feature, RasterFormat};
 use pointcore_contract::{Format, Splat};
@@ -128,8 +128,12 @@ impl<'a> Units<'a> {
     }
 
     fn demand(&self, index: usize, splat: &Splat) -> Demand {
-        let encode = |vector: [f32; 3]| vector.map(|value| word(self.config.geometry, value) as u32);
-        let record = Record { center: encode(splat.center), tangents: splat.tangents.map(encode), ..Record::default() };
+        let record_vector = |vector: [f32; 3]| vector.map(|value| encode(self.config.geometry, value));
+        let record = Record {
+            center: record_vector(splat.center),
+            tangents: splat.tangents.map(record_vector),
+            ..Record::default()
+        };
         let Some(splat) = self.transform.transform(&record, &self.uniforms.transform) else { return Demand::default() };
         let Some(drawn) = self.setup.setup(&splat, &self.uniforms.setup) else {
             let is_culled = self.without_culling.setup(&splat, &self.uniforms.setup).is_some();

@@ -17,7 +17,7 @@ pub use file::{Light, Material};
 pub use model::{Model, NormalOrigin, NormalSource};
 pub use shapes::trefoil;
 
-use crate::shading::linear_from_srgb;
+use crate::color::linear_from_srgb;
 use file::{ImageTable, SceneFile, SplattingTable};
 use glam::DVec3;
 use pointcore_contract::splat::config::{IMAGE_EDGE_MAX, KERNEL_GAMMA_RANGE};

@@ -5,7 +5,7 @@ use super::error::SceneError;
 use super::file::{DerivedRadius, Kind, ObjectTable, Radius};
 use super::model::{COORDINATE_LIMIT, Model};
 use super::{SPLAT_LIMIT, neighbors, shapes};
-use crate::shading::linear_from_srgb;
+use crate::color::linear_from_srgb;
 use glam::{DQuat, DVec2, DVec3, EulerRot};
 use pointcore_contract::Splat;
 use std::ops::RangeInclusive;

@@ -5,7 +5,7 @@ use super::answers::Answers;
 use super::memory::{Extent, Memory, MemorySettings};
 use super::query::{Asked, Neighbor};
 use super::reuse::{Kind, Reuse};
-use crate::splat::Progress;
+use crate::generated::Progress;
 use pointcore_contract::search::{Config, ports};
 use pointcore_golden::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, Shape, TreeRecord, TreeWrite};
 use pointcore_golden::search::top::{In, Out};

@@ -6,7 +6,7 @@ use super::reuse::Kind;
 use super::run::Runner;
 use super::samples::queries_near;
 use super::{Error, MemorySettings, PointSet, Reuse, Splitting, Tree};
-use crate::package::Recording;
+use crate::recording::Recording;
 use fastrand::Rng;
 use pointcore_contract::search::Config;
 use pointcore_tb::lockstep::Stall;

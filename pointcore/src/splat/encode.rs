@@ -1,11 +1,11 @@
 //! A scene as the words that the renderer takes: splat records and uniform registers.
 
-use crate::number::{encode, encode_attribute, encode_uniform};
+use crate::number::{encode, encode_attribute};
 use crate::plan::Plan;
 use crate::scene::Scene;
-use pointcore_contract::splat::ports::UNIFORMS;
-use pointcore_contract::splat::{AttributeFormat, Config, records};
-use pointcore_contract::{Camera, Format, Rendering, Splat};
+use crate::uniforms::uniforms;
+use pointcore_contract::Splat;
+use pointcore_contract::splat::records;
 
 /// Splat records one after the other, and the uniform registers by address.
 pub struct Frame {
@@ -15,16 +15,6 @@ pub struct Frame {
     pub record_words: usize,
     /// Values of the uniform registers.
     pub uniforms: Vec<u64>,
-}
-
-/// A number as a word.
-pub fn word(format: Format, value: f32) -> u64 {
-    encode(format, value).into()
-}
-
-/// An attribute as a word.
-pub(super) fn attribute_word(format: AttributeFormat, value: f32) -> u64 {
-    encode_attribute(format, value).into()
 }
 
 impl Frame {
@@ -53,24 +43,12 @@ impl Frame {
 fn splat_record(splat: &Splat, plan: &Plan) -> Vec<u64> {
     let config = &plan.config;
     let geometry = splat.center.iter().chain(splat.tangents.iter().flatten());
-    let attributes = plan.attributes.iter().map(|&index| attribute_word(config.attribute, splat.attributes[index]));
+    let attributes =
+        plan.attributes.iter().map(|&index| encode_attribute(config.attribute, splat.attributes[index]).into());
     // Hardware may carry more than the scene has.
     let unused = plan.attributes.len()..config.continuous as usize;
     let attributes = attributes.chain(unused.map(|_| 0));
     let cardinals = (0..config.cardinal).map(|_| splat.material.into());
     let end = std::iter::once(0);
-    end.chain(geometry.map(|&value| word(config.geometry, value))).chain(attributes).chain(cardinals).collect()
-}
-
-/// In the order of [`UNIFORMS`].
-pub fn uniforms(camera: &Camera, rendering: &Rendering, config: &Config) -> Vec<u64> {
-    let radius = rendering.filter_radius_px.unwrap_or(1.0);
-    let viewport = [camera.scale_x, camera.scale_y, camera.center_x, camera.center_y, camera.depth_a, camera.depth_b];
-    let tests = [camera.near, rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)];
-    let values = camera.model_view.iter().flatten().chain(&viewport).chain(&tests);
-    UNIFORMS
-        .iter()
-        .zip(values)
-        .map(|(name, &value)| encode_uniform(config.uniform_format(name), value as f32).into())
-        .collect()
+    end.chain(geometry.map(|&value| encode(config.geometry, value).into())).chain(attributes).chain(cardinals).collect()
 }

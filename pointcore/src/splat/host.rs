@@ -2,6 +2,7 @@
 
 use super::encode::Frame;
 use super::memory::ReconstructionBuffer;
+use crate::generated::Progress;
 use pointcore_contract::splat::ports::{self, Direction, EVENTS, UNIFORM_ADDRESS_BITS, UNIFORMS};
 use pointcore_contract::splat::{Config, Port, records};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
@@ -63,9 +64,6 @@ pub struct Counters {
     /// Pixels written to it.
     pub pixels_written: u64,
 }
-
-/// Hears of the cycles run and of the share of the frame that was sent.
-pub type Progress<'a> = &'a (dyn Fn(u64, f64) + Sync);
 
 /// The host as a stimulus: it sees the outputs of the cycle before.
 #[derive(Clone)]

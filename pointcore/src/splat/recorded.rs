@@ -1,9 +1,11 @@
 //! The beginning of a small frame, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
-use super::encode::{Frame, attribute_word, uniforms, word};
+use super::encode::Frame;
 use super::generate::Core;
 use super::run::Runner;
-use crate::package::Recording;
+use crate::number::{encode, encode_attribute};
+use crate::recording::Recording;
+use crate::uniforms::uniforms;
 use fastrand::Rng;
 use pointcore_contract::splat::{Config, records};
 use pointcore_contract::{Camera, Rendering};
@@ -63,8 +65,8 @@ fn frame(config: &Config) -> Frame {
         // The cross product of the tangents points at the eye.
         let geometry = [x, y, DEPTH + random.f32(), 0.0, RADIUS, 0.0, RADIUS, 0.0, 0.0];
         words.push(0);
-        words.extend(geometry.map(|number| word(config.geometry, number)));
-        words.extend((0..config.continuous).map(|_| attribute_word(config.attribute, random.f32())));
+        words.extend(geometry.map(|number| u64::from(encode(config.geometry, number))));
+        words.extend((0..config.continuous).map(|_| u64::from(encode_attribute(config.attribute, random.f32()))));
         words.extend((0..config.cardinal).map(|_| 1));
     }
     let end = words.len();

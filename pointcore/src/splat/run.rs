@@ -2,9 +2,10 @@
 
 use super::encode::Frame as EncodedFrame;
 use super::generate::Core;
-use super::host::{Counters, Host, Progress};
+use super::host::{Counters, Host};
 use super::mask::end_records;
-use crate::package::Recording;
+use crate::generated::Progress;
+use crate::recording::Recording;
 use pointcore_contract::splat::{Config, ports};
 use pointcore_golden::splat::Top;
 use pointcore_golden::unit::{Ported, Unit};

@@ -3,7 +3,7 @@
 use super::Figures;
 use crate::commands::accuracy::estimator;
 use crate::commands::{Failure, load};
-use pointcore::plan::{Costs, Cycles};
+use pointcore::cost::{Costs, Cycles};
 use pointcore_tb::cache::Cache;
 use std::path::Path;
 

@@ -2,11 +2,12 @@
 
 use super::{Figures, median};
 use crate::commands::{Failure, load, scene_name};
+use pointcore::area::count;
 use pointcore::generated::verilate;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::shading::shade;
-use pointcore::splat::{Core, EncodedFrame, Measured, Outcome, Report, Runner, area, assemble};
+use pointcore::splat::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble};
 use pointcore_golden::reference::{self, Mapping};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::{Library, Trace};
@@ -161,7 +162,7 @@ fn saving_figures(planned: &Prepared, figures: &mut Figures) -> Result<(), Failu
         ratios.push(small? / large?);
     }
     figures.insert(format!("plan.{}.time_ratio", planned.name), median(ratios).into());
-    for (name, small, large) in area::rows(&planned.core.design, &everything.core.design) {
+    for (name, small, large) in count::rows(&planned.core.design, &everything.core.design) {
         let key = format!("plan.{}.{}_ratio", planned.name, name.replace(' ', "_"));
         figures.insert(key, (small as f64 / large as f64).into());
     }

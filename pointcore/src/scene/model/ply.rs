@@ -1,7 +1,7 @@
 //! PLY: ASCII or binary of either byte order, properties in any order, foreign elements and properties skipped.
 
 use super::{Model, fan};
-use crate::shading::linear_from_srgb;
+use crate::color::linear_from_srgb;
 use glam::DVec3;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{

@@ -1,9 +1,13 @@
 //! What the effects of planned hardware cost, and what leaving the others out saves.
 
-use super::{Effect, Extent, Plan};
+mod table;
+
+pub use table::{TABLE_HEAD, choices_row, table_row};
+
 use crate::area::estimate::Estimator;
 use crate::area::proxy::Proxy;
 use crate::generated::GenerateError;
+use crate::plan::{Effect, Extent, Plan};
 use crate::scene::Scene;
 use crate::splat::{Core, EncodedFrame, Runner};
 use pointcore_contract::splat::Config;

@@ -4,18 +4,14 @@
 //! bounds on their rounding that hold with a margin of two.
 
 mod attributes;
-mod cost;
 mod demand;
 mod effect;
 mod error;
 mod given;
 mod overrides;
-mod table;
 
-pub use cost::{CostError, Costs, Cycles, Figures, Priced};
 pub use effect::{Effect, Extent};
 pub use error::PlanError;
-pub use table::{TABLE_HEAD, choices_row, table_row};
 
 use crate::scene::Scene;
 use attributes::{attributes, filter_conflict, material_conflict};

@@ -1,6 +1,7 @@
 //! A line for a scene: what its hardware has, and what that saves.
 
-use super::{Costs, Plan};
+use super::Costs;
+use crate::plan::Plan;
 
 /// The head of the table.
 pub const TABLE_HEAD: &str = "| scene | culling | filter | eye plane | attributes | cardinal | heap | slots | LUT4 saved | memory | multipliers | cycles |\n\
