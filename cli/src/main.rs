@@ -6,8 +6,8 @@ use clap::{Parser, Subcommand};
 use commands::{Failure, accuracy, area, bench, generate, inspect, knn, plan, run, stability, vectors};
 use pointcore::driver::Error as DriverError;
 use pointcore::search::Error as SearchError;
-use pointcore::synthesis::SynthesisError;
 use pointcore_lab::accuracy::AccuracyError;
+use pointcore_lab::synthesis::SynthesisError;
 use std::process::ExitCode;
 
 /// Generates, simulates and measures hardware for point-based graphics.

@@ -4,4 +4,5 @@ pub mod accuracy;
 pub mod float_check;
 pub mod plot;
 pub mod stability;
+pub mod synthesis;
 pub mod vectors;

@@ -1,6 +1,6 @@
 //! From a unit to its area through the real tools.
 
-use pointcore::synthesis::{Measurement, State, Step, SynthesisError, Synthesizer, Target, all};
+use pointcore_lab::synthesis::{Measurement, State, Step, SynthesisError, Synthesizer, Target, all};
 use std::sync::Mutex;
 
 /// What a target says of a unit; none, visibly, where its tools are not installed.

@@ -1,9 +1,12 @@
 //! What generated hardware of either core goes through: faults of the generator, a build for speed, and
 //! news of a run.
 
-use pointcore_hdl::compiler::CompileError;
+use crate::configuration::Configuration;
+use pointcore_hdl::compiler::{CompileError, Options as CompilerOptions};
+use pointcore_hdl::{search, splat};
 use pointcore_tb::verilated::{Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
-use rtl::{Design, ElaborationError};
+use rtl::{Design, ElaborationError, Module};
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// The hardware could not be built: a fault of the generator, not of its input.
@@ -15,6 +18,20 @@ pub enum GenerateError {
     /// The module hierarchy.
     #[error(transparent)]
     Elaborate(#[from] ElaborationError),
+}
+
+impl Configuration {
+    /// The module of the whole core.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn module(&self) -> Result<Rc<Module>, GenerateError> {
+        let options = CompilerOptions::default();
+        Ok(match self {
+            Self::Splat(config) => splat::top::core(config, &options)?.module.into(),
+            Self::Search(config) => search::top::core(config, &options)?.module.into(),
+        })
+    }
 }
 
 /// Verilates a core, for speed.

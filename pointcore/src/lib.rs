@@ -17,5 +17,4 @@ pub mod scene;
 pub mod search;
 pub mod shading;
 pub mod splat;
-pub mod synthesis;
 pub mod uniforms;

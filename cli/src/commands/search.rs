@@ -1,6 +1,7 @@
 //! What is searched, on which hardware: the arguments that `knn` and `vectors` share.
 
 use super::Failure;
+use super::choices;
 use pointcore::configuration;
 use pointcore::search::{Error as SearchError, Order, PointSet, Query, Reuse, Source, Splitting, config_for};
 use pointcore_contract::search::Config;
@@ -45,7 +46,7 @@ pub struct Search {
     #[arg(long, value_name = "COUNT", default_value = "2000")]
     limit: Limit,
     /// How the tree divides points.
-    #[arg(long, value_enum, default_value = "packed")]
+    #[arg(long, value_parser = choices::splittings(), default_value = "packed")]
     pub tree: Splitting,
     /// The hardware's configuration, such as configs/knn.toml.
     #[arg(long, value_name = "FILE")]

@@ -8,7 +8,7 @@ use serde::Serialize;
 const EQUAL_DB: f64 = 0.1;
 
 /// What the cheapest point has the least of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Prefer {
     /// Time multiplied by area: frames a second from a device full of cores.
@@ -21,7 +21,7 @@ pub enum Prefer {
 }
 
 /// Which error counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Against {
     /// The truth of 16 samples a pixel.

@@ -11,12 +11,12 @@ pub mod point;
 pub mod sweep;
 pub mod table;
 
+use crate::synthesis::Record;
 use pointcore::area::estimate::Estimator;
 use pointcore::generated::GenerateError;
 use pointcore::picture::PictureError;
 use pointcore::plan::PlanError;
 use pointcore::scene::SceneError;
-use pointcore::synthesis::Record;
 use pointcore_tb::cache::{Cache, FileError, file, key};
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::VerilatedError;
@@ -48,7 +48,7 @@ fn read_result<T: DeserializeOwned>(folder: &Path) -> Result<T, AccuracyError> {
 /// It cannot be kept or read.
 pub fn kept_estimator(record: &Record, text: &str, cache: &Cache) -> Result<Estimator, AccuracyError> {
     let content = key(["estimator", sweep::SOURCES, text]);
-    read_result(&cache.entry(&content, |folder| write_result(folder, &Estimator::new(record)))?)
+    read_result(&cache.entry(&content, |folder| write_result(folder, &record.estimator()))?)
 }
 
 /// Why a point could not be measured.

@@ -190,7 +190,6 @@ pub fn markdown(ranked: &[Ranked]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore::synthesis::Record;
 
     fn found(worst_ratio: f64, cycles_per_query: f64) -> Found {
         let setting = Setting { epsilon: 0.1, entries: 8, bucket: 16 };
@@ -208,7 +207,7 @@ mod tests {
     #[test]
     fn the_front_is_what_nothing_betters() {
         let points = vec![found(1.0, 30.0), found(1.1, 20.0), found(1.1, 25.0), found(1.2, 20.0)];
-        let ranked = rank(points, &Estimator::new(&Record::default()));
+        let ranked = rank(points, &Estimator::new(&[]));
         let front: Vec<_> = ranked.iter().map(|point| point.on_front).collect();
         assert_eq!(front, [true, true, false, false]);
         assert!(

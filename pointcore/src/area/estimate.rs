@@ -2,18 +2,13 @@
 
 use super::fit::{TERMS, fit, predict};
 use super::proxy::Proxy;
-use crate::configuration::{Configuration, ecp5, parse, read_text};
-use crate::synthesis::{Area, Entry, Record, Target, Unit};
 use pointcore_contract::splat::Config;
-use rtl::elaborate;
 use serde::{Deserialize, Serialize};
 
 /// The clock of what has not been placed and routed.
 pub const NOMINAL_MHZ: f64 = 100.0;
 /// Units below which a fit says nothing about others.
 const UNITS_MIN: usize = 8;
-/// Places that a carry cell of ECP5 takes from look-up tables.
-const LUT4_PER_CARRY: u64 = 2;
 
 /// Where a figure comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -40,7 +35,20 @@ pub struct Estimate {
     pub mhz_origin: Origin,
 }
 
-/// A whole core that was measured.
+/// Hardware that was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// What it holds.
+    pub proxy: Proxy,
+    /// Look-up tables with four inputs that it takes, those in the place of carry cells included.
+    pub lut4: f64,
+    /// Its clock, where it was placed and routed.
+    pub mhz: Option<f64>,
+    /// The configuration, where it is a whole renderer.
+    pub renderer: Option<Config>,
+}
+
+/// A whole renderer that was measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Known {
     config: Config,
@@ -59,7 +67,7 @@ pub struct Fit {
     pub median_error: f64,
 }
 
-/// What a record of areas says of configurations that are not in it.
+/// What hardware that was measured says of configurations that were not.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimator {
     cores: Vec<Known>,
@@ -67,38 +75,15 @@ pub struct Estimator {
     pub fit: Option<Fit>,
 }
 
-fn lut4(area: &Area) -> f64 {
-    (area.lut + LUT4_PER_CARRY * area.carry) as f64
-}
-
-/// The configuration of an entry that is a whole renderer.
-fn configuration(entry: &Entry) -> Option<Config> {
-    match &entry.configuration {
-        Some(path) => match parse(path, &read_text(path).ok()?) {
-            Ok(Configuration::Splat(config)) => Some(config),
-            _ => None,
-        },
-        None => (entry.unit == "splat").then(ecp5),
-    }
-}
-
-fn proxy(unit: &Unit) -> Option<Proxy> {
-    let module = unit.module().ok()?;
-    Some(Proxy::of(&elaborate(&module).ok()?))
-}
-
 impl Estimator {
-    /// Learns from the entries of a record that are of the hardware as it is now.
+    /// Learns from hardware that was measured as it is now.
     #[must_use]
-    pub fn new(record: &Record) -> Self {
-        let fresh = record.fresh(Target::Ecp5);
-        let core = |entry: &Entry| {
-            let mhz = entry.timing.as_ref().map(|timing| timing.fmax_mhz);
-            Some(Known { config: configuration(entry)?, lut4: lut4(&entry.area), mhz })
-        };
-        let cores = fresh.iter().filter_map(|(entry, _)| core(entry)).collect();
-        let row = |(entry, unit): &(&Entry, Unit)| Some((proxy(unit)?.logic(), lut4(&entry.area)));
-        let rows: Vec<_> = fresh.iter().filter_map(row).filter(|(_, value)| *value > 0.0).collect();
+    pub fn new(samples: &[Sample]) -> Self {
+        let core =
+            |sample: &Sample| Some(Known { config: sample.renderer.clone()?, lut4: sample.lut4, mhz: sample.mhz });
+        let cores = samples.iter().filter_map(core).collect();
+        let rows = samples.iter().map(|sample| (sample.proxy.logic(), sample.lut4));
+        let rows: Vec<_> = rows.filter(|(_, value)| *value > 0.0).collect();
         Self { cores, fit: (rows.len() >= UNITS_MIN).then(|| Fit::new(&rows)).flatten() }
     }
 
@@ -158,8 +143,8 @@ mod tests {
     }
 
     #[test]
-    fn without_a_record_there_is_no_area() {
-        let estimator = Estimator::new(&Record::default());
+    fn without_samples_there_is_no_area() {
+        let estimator = Estimator::new(&[]);
         assert_eq!(estimator.estimate(&Config::default(), &proxy()).lut4, None);
     }
 

@@ -2,6 +2,8 @@
 
 mod constraints;
 mod fusesoc;
+pub mod place_and_route;
+pub mod shell;
 mod testbench;
 
 pub use fusesoc::fusesoc_name;
@@ -13,7 +15,6 @@ use crate::generated::GenerateError;
 use crate::recording::Recording;
 use crate::search;
 use crate::splat;
-use crate::synthesis::{Unit, arguments_for_a_core, shell};
 use pointcore_contract::search::Config as SearchConfig;
 use pointcore_contract::splat::Config as SplatConfig;
 use pointcore_hdl::compiler::Manifest;
@@ -89,7 +90,7 @@ impl Package {
         let text = Configuration::Splat(config.clone()).text();
         let mut package = Self::new(name, "surface splatting", &core.design, &core.manifests, text);
         package.add_bus(&Bus::splat(config)?, &Interface::splat(config));
-        package.add_pins(Configuration::Splat(config.clone()))?;
+        package.add_pins(&Configuration::Splat(config.clone()))?;
         package.add_test(&core.design, &splat::record(config, core)?);
         Ok(package)
     }
@@ -102,7 +103,7 @@ impl Package {
         let text = Configuration::Search(config.clone()).text();
         let mut package = Self::new(name, "neighbor search", &core.design, &core.manifests, text);
         package.add_bus(&Bus::search(config)?, &Interface::search(config));
-        package.add_pins(Configuration::Search(config.clone()))?;
+        package.add_pins(&Configuration::Search(config.clone()))?;
         package.add_test(&core.design, &search::record(config, core)?);
         Ok(package)
     }
@@ -146,10 +147,10 @@ impl Package {
     }
 
     /// The core between registers and behind few pins: what can be placed on a device and loaded as it is.
-    fn add_pins(&mut self, configuration: Configuration) -> Result<(), GenerateError> {
+    fn add_pins(&mut self, configuration: &Configuration) -> Result<(), GenerateError> {
         let name = format!("{}_pins", self.top.trim_end_matches("_top"));
-        self.nextpnr = arguments_for_a_core(&configuration).collect();
-        let shell = shell::wrap_named(&name, Unit::core(&name, configuration).module()?)?;
+        self.nextpnr = place_and_route::arguments(configuration);
+        let shell = shell::wrap_named(&name, configuration.module()?)?;
         self.add(format!("{name}.v"), shell.outermost(), Role::Pins);
         for (ending, text) in constraints::of(&name) {
             self.add(format!("{name}.{ending}"), text, Role::Pins);

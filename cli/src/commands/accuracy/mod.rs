@@ -2,11 +2,10 @@
 
 mod neighbors;
 
-use super::{Failure, Figures, Output, merge, scene_name, write};
+use super::{Failure, Figures, Output, choices, merge, scene_name, write};
 use pointcore::area::estimate::Estimator;
 use pointcore::configuration::read_text;
 use pointcore::search::Source;
-use pointcore::synthesis::Record;
 use pointcore_lab::accuracy::AccuracyError;
 use pointcore_lab::accuracy::choice::{Against, Decibels, Prefer, Rated, cheapest, most_accurate, rate};
 use pointcore_lab::accuracy::figures::Engine;
@@ -14,6 +13,7 @@ use pointcore_lab::accuracy::page::Page;
 use pointcore_lab::accuracy::point::{Knob, UnknownKnob, points};
 use pointcore_lab::accuracy::sweep::{Measured, Planned, Sweep};
 use pointcore_lab::accuracy::table::{cells, document, legend, markdown};
+use pointcore_lab::synthesis::Record;
 use pointcore_tb::cache::Cache;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -42,10 +42,10 @@ pub struct Arguments {
     #[arg(long, value_name = "DECIBELS")]
     at_least: Option<Decibels>,
     /// Which error --at-least is about.
-    #[arg(long, value_enum, default_value = "truth")]
+    #[arg(long, value_parser = choices::errors(), default_value = "truth")]
     against: Against,
     /// What the cheapest configuration has the least of.
-    #[arg(long, value_enum, default_value = "area-time")]
+    #[arg(long, value_parser = choices::preferences(), default_value = "area-time")]
     prefer: Prefer,
     /// Values of a knob, all combined with those of other knobs, in the place of the usual sweep: `geometry`, `rasterizer`, `attribute`, `samples`, `cutoff`,
     /// `kernel`, `division`, `sharing`, `tile_slots`, or a key of the scene such as `overrides.accumulate_stages`.
@@ -123,7 +123,7 @@ fn report(count: usize, folder: &Path, output: Output) {
 /// What a record says of areas.
 pub fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
     if !path.exists() {
-        return Ok(Estimator::new(&Record::default()));
+        return Ok(Estimator::new(&[]));
     }
     Ok(pointcore_lab::accuracy::kept_estimator(&Record::load(path)?, &read_text(path)?, cache)?)
 }

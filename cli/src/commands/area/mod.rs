@@ -3,10 +3,9 @@
 mod progress;
 mod record;
 
-use super::{Failure, Figures, Output, merge, scene_name};
-use clap::ValueEnum;
+use super::{Failure, Figures, Output, choices, merge, scene_name};
 use pointcore::configuration::{parse, read_text};
-use pointcore::synthesis::{self, Measurement, Record, Style, Synthesizer, Target, Unit};
+use pointcore_lab::synthesis::{self, Measurement, Record, Style, Synthesizer, Target, Unit};
 use progress::Display;
 use rayon::prelude::*;
 use record::Recorder;
@@ -22,7 +21,7 @@ pub struct Arguments {
     #[arg(value_name = "UNIT|CONFIG")]
     units: Vec<String>,
     /// The technology: ecp5 and ice40 are placed and routed, the others synthesized only.
-    #[arg(long, value_enum, default_value = "ecp5")]
+    #[arg(long, value_parser = choices::targets(), default_value = "ecp5")]
     target: Target,
     /// Runs of place and route for each unit, with seeds from 1; the median counts.
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=99))]
@@ -122,7 +121,7 @@ fn recorded(record: &Record) -> Figures {
         let measurements: Vec<_> = record.fresh(target).into_iter().map(|(entry, _)| entry.measurement()).collect();
         figures(target, &measurements)
     };
-    Target::value_variants().iter().flat_map(of_target).collect()
+    Target::ALL.iter().flat_map(of_target).collect()
 }
 
 /// Measures units, one after the other or several at a time; one that fails does not keep the others from being measured.

@@ -1,7 +1,7 @@
 //! Signs of life from the tools: a line for each step that is done, and of one that takes long what it is and since when.
 
 use indicatif::{MultiProgress, ProgressBar};
-use pointcore::synthesis::{State, Step};
+use pointcore_lab::synthesis::{State, Step};
 use std::collections::HashMap;
 use std::io::IsTerminal;
 use std::sync::Mutex;

@@ -2,7 +2,7 @@
 
 use crate::commands::{Failure, Output, write};
 use pointcore::configuration::{read_text, wrong};
-use pointcore::synthesis::{Entry, Measurement, Record, Stale, Synthesizer, Unit, source_hash};
+use pointcore_lab::synthesis::{Entry, Measurement, Record, Stale, Synthesizer, Unit, source_hash};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;

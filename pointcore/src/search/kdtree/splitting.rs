@@ -4,7 +4,7 @@ use super::divide::Item;
 use std::ops::RangeInclusive;
 
 /// A way to divide the points of a node along their widest dimension.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Splitting {
     /// Half of the points on either side.
     Median,
@@ -15,6 +15,9 @@ pub enum Splitting {
 }
 
 impl Splitting {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Median, Self::Packed, Self::Midpoint];
+
     /// As the command line spells it.
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -24,6 +24,7 @@ pub struct Shelled {
 
 impl Shelled {
     /// The text of the shell's module alone, without the unit.
+    #[must_use]
     pub fn outermost(&self) -> String {
         let end = "endmodule\n";
         let length = self.verilog.find(end).map_or(self.verilog.len(), |place| place + end.len());

@@ -2,7 +2,7 @@
 //! from it.
 
 use super::{Area, Measurement, Style, Target, Timing, Unit, all, source_hash, table};
-use crate::configuration::{ConfigurationError, parse, read_text, wrong};
+use pointcore::configuration::{ConfigurationError, parse, read_text, wrong};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -187,8 +187,9 @@ impl Record {
             let Some(rest) = line.strip_prefix(TABLE_BEGIN) else { continue };
             let place = format!("line {}", number + 1);
             let name = rest.split([' ', ':']).next().unwrap_or_default();
-            let target = <Target as clap::ValueEnum>::from_str(name, false)
-                .map_err(|_| format!("{place}: unknown target `{name}`: expected ecp5, ice40, xilinx7 or gates"))?;
+            let target = Target::ALL.into_iter().find(|target| target.name() == name);
+            let target = target
+                .ok_or_else(|| format!("{place}: unknown target `{name}`: expected ecp5, ice40, xilinx7 or gates"))?;
             let entries = self.entries.iter().filter(|entry| entry.target == target);
             let measurements: Vec<_> = entries.map(Entry::measurement).collect();
             written += &format!("\n{}\n{TABLE_END}\n", table(target, &measurements, Style::Markdown));

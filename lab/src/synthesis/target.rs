@@ -1,26 +1,20 @@
 //! What a unit is synthesized for: devices and their tools' arguments.
 
 use super::cells::Area;
-use super::shell::Shelled;
-use super::units::Extent;
-use crate::configuration::Configuration;
+use super::units::Scope;
+use pointcore::package::place_and_route::{self, Crowding};
+use pointcore::package::shell::Shelled;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
 /// A clock in MHz beyond what the units reach, so that the tools do not stop early.
 const ALONE: &[&str] = &["--freq", "160"];
-/// A core has room, and its router knows of time.
-const WHOLE: &[&str] = &["--freq", "100"];
-/// In a crowded core what counts first is that all wires find a way: cells less dense than they could be, and the router that
-/// negotiates.
-const CROWDED: &[&str] = &["--freq", "100", "--placer-heap-beta", "0.75", "--router", "router2"];
-
 /// How many tiles a wire of a crowded core may leave the rectangle of its pins. With nextpnr's own three, the last hundred wires
 /// of a full device find no way around.
 const WIDE: &[(&str, u32)] = &[("router2/bbMargin/x", 10), ("router2/bbMargin/y", 10)];
 
 /// A technology.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Target {
     /// Lattice ECP5 LFE5U-85F, speed grade 6: synthesis, place and route.
@@ -58,7 +52,7 @@ pub(super) struct Device {
 static ECP5: Device = Device {
     name: "LFE5U-85F",
     program: "nextpnr-ecp5",
-    arguments: &["--85k", "--speed", "6", "--package", "CABGA756", "--lpf-allow-unconstrained"],
+    arguments: place_and_route::ECP5,
     capacities: &[
         Capacity {
             name: "LUT4",
@@ -85,30 +79,27 @@ const ICE40: Device = Device {
 
 impl Device {
     /// The arguments of place and route, beside files and seed, for a unit alone or a whole core.
-    pub(super) fn arguments(&self, extent: Extent) -> impl Iterator<Item = &str> {
-        let effort = match extent {
-            Extent::Unit => ALONE,
-            Extent::Core => WHOLE,
-            Extent::CrowdedCore => CROWDED,
+    pub(super) fn arguments(&self, scope: Scope) -> impl Iterator<Item = &str> {
+        let effort = match scope {
+            Scope::Unit => ALONE,
+            Scope::Core(crowding) => crowding.arguments(),
         };
         self.arguments.iter().chain(effort).copied()
     }
 }
 
 /// What the router has no argument for, as settings of a placed core.
-pub(super) const fn routing_settings(extent: Extent) -> &'static [(&'static str, u32)] {
-    match extent {
-        Extent::Unit | Extent::Core => &[],
-        Extent::CrowdedCore => WIDE,
+pub(super) const fn routing_settings(scope: Scope) -> &'static [(&'static str, u32)] {
+    match scope {
+        Scope::Unit | Scope::Core(Crowding::Roomy) => &[],
+        Scope::Core(Crowding::Crowded) => WIDE,
     }
 }
 
-/// The arguments of `nextpnr-ecp5` for the whole core of a configuration, beside files and seed.
-pub(crate) fn arguments_for_a_core(configuration: &Configuration) -> impl Iterator<Item = &'static str> {
-    ECP5.arguments(Extent::of(configuration))
-}
-
 impl Target {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Ecp5, Self::Ice40, Self::Xilinx7, Self::Gates];
+
     /// Its name on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {

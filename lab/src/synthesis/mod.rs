@@ -4,7 +4,7 @@
 
 mod cells;
 mod record;
-pub(crate) mod shell;
+mod samples;
 mod steps;
 mod table;
 mod target;
@@ -17,15 +17,14 @@ pub use record::{Entry, Record, Stale};
 pub use steps::{Progress, State, Step};
 pub use table::{Style, table};
 pub use target::Target;
-pub(crate) use target::arguments_for_a_core;
 pub use timing::Timing;
-pub use units::{Extent, GROUPS, Group, Unit, all, known, standard};
+pub use units::{GROUPS, Group, Scope, Unit, all, known, standard};
 
-use crate::generated::GenerateError;
+use pointcore::generated::GenerateError;
+use pointcore::package::shell::{self, Shelled};
 use pointcore_tb::cache::{Cache, FileError, file, key};
 use rayon::prelude::*;
 use serde::Serialize;
-use shell::Shelled;
 use std::fs;
 use std::path::{Path, PathBuf};
 use steps::watched;
@@ -182,13 +181,13 @@ impl Synthesizer {
     ) -> Result<Timing, SynthesisError> {
         let run = |(start, start_key): &(PathBuf, String), netlist: &str, options: &[&str]| {
             let seed = seed.to_string();
-            let arguments: Vec<&str> = device.arguments(unit.extent).chain(options.iter().copied()).collect();
+            let arguments: Vec<&str> = device.arguments(unit.scope).chain(options.iter().copied()).collect();
             let parts = [start_key.as_str(), &router.description, &seed];
             let key = key(parts.into_iter().chain(arguments.iter().copied()));
             let entry = self.cache.entry(&key, |content| {
                 let copy = content.join(netlist);
                 if netlist == PLACED {
-                    write(&copy, &with_settings(unit.extent, &read(&start.join(netlist))?))?;
+                    write(&copy, &with_settings(unit.scope, &read(&start.join(netlist))?))?;
                 } else {
                     fs::copy(start.join(netlist), &copy).map_err(file("copy the netlist to", &copy))?;
                 }
@@ -198,11 +197,11 @@ impl Synthesizer {
             })?;
             Ok::<_, SynthesisError>((entry, key))
         };
-        let (entry, _) = match unit.extent {
-            Extent::Unit => run(synthesis, NETLIST, &[])?,
-            Extent::Core | Extent::CrowdedCore => {
+        let (entry, _) = match unit.scope {
+            Scope::Unit => run(synthesis, NETLIST, &[])?,
+            Scope::Core(_) => {
                 let placed = run(synthesis, NETLIST, &["--no-route", "--write", PLACED])?;
-                let key = key([placed.1.as_str(), &with_settings(unit.extent, SETTINGS)]);
+                let key = key([placed.1.as_str(), &with_settings(unit.scope, SETTINGS)]);
                 run(&(placed.0, key), PLACED, &["--no-pack", "--no-place"])?
             }
         };
@@ -212,9 +211,9 @@ impl Synthesizer {
 }
 
 /// A placed design with the router's settings among its own.
-fn with_settings(extent: Extent, design: &str) -> String {
+fn with_settings(scope: Scope, design: &str) -> String {
     let settings: String =
-        routing_settings(extent).iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
+        routing_settings(scope).iter().map(|(key, value)| format!("\n\"{key}\": \"{value:032b}\",")).collect();
     design.replacen(SETTINGS, &format!("{SETTINGS}{settings}"), 1)
 }
 
@@ -231,8 +230,8 @@ fn design(unit: &Unit) -> Result<Shelled, SynthesisError> {
 pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError> {
     let design = design(unit)?;
     let script = target.script(&design);
-    let arguments: Vec<&str> = target.device().into_iter().flat_map(|device| device.arguments(unit.extent)).collect();
-    let settings = with_settings(unit.extent, SETTINGS);
+    let arguments: Vec<&str> = target.device().into_iter().flat_map(|device| device.arguments(unit.scope)).collect();
+    let settings = with_settings(unit.scope, SETTINGS);
     let settings = (target.device().is_some() && settings != SETTINGS).then_some(settings.as_str());
     Ok(key([design.verilog.as_str(), &script].into_iter().chain(arguments).chain(settings)))
 }
@@ -273,11 +272,14 @@ fn write(path: &Path, text: &str) -> Result<(), FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore::package::place_and_route::Crowding;
 
     #[test]
     fn a_placed_design_gets_the_routers_settings_once() {
-        let design =
-            with_settings(Extent::CrowdedCore, r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#);
+        let design = with_settings(
+            Scope::Core(Crowding::Crowded),
+            r#"{ "a": { "settings": { "seed": "1" }, "b": { "settings": { } } } }"#,
+        );
         let design: serde_json::Value = serde_json::from_str(&design).expect("it stays JSON");
         let margin = design["a"]["settings"]["router2/bbMargin/x"].as_str().expect("it is a string of bits");
         assert_eq!((u32::from_str_radix(margin, 2), &design["a"]["settings"]["seed"]), (Ok(10), &"1".into()));

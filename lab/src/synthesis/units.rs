@@ -1,7 +1,8 @@
 //! What can be synthesized by name: every operator, and the cores, all their units and those of their bus at the configurations `ecp5` and `ecp5_knn`.
 
-use crate::configuration::{Configuration, ecp5, ecp5_knn};
-use crate::generated::GenerateError;
+use pointcore::configuration::{Configuration, ecp5, ecp5_knn};
+use pointcore::generated::GenerateError;
+use pointcore::package::place_and_route::Crowding;
 use pointcore_contract::{Fixed, Format, Signedness, search as search_spec, splat as splat_spec};
 use pointcore_hdl::compiler::{CompileError, Datapath, Options};
 use pointcore_hdl::float::{self, Operator};
@@ -29,23 +30,11 @@ type Build = Box<dyn Fn() -> Result<Rc<Module>, GenerateError> + Send + Sync>;
 
 /// Whether something is a part of a core or the whole of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
+pub enum Scope {
     /// A part.
     Unit,
     /// The whole.
-    Core,
-    /// The whole, and more wires than find their way by themselves.
-    CrowdedCore,
-}
-
-impl Extent {
-    /// That of a configuration's core.
-    pub(super) const fn of(configuration: &Configuration) -> Self {
-        match configuration {
-            Configuration::Splat(_) => Self::CrowdedCore,
-            Configuration::Search(_) => Self::Core,
-        }
-    }
+    Core(Crowding),
 }
 
 /// Something to synthesize.
@@ -53,7 +42,7 @@ pub struct Unit {
     /// What it is called on the command line and in tables.
     pub name: String,
     /// How much of a core it is.
-    pub extent: Extent,
+    pub scope: Scope,
     build: Build,
 }
 
@@ -70,20 +59,14 @@ impl Unit {
         name: impl Into<String>,
         build: impl Fn() -> Result<M, CompileError> + Send + Sync + 'static,
     ) -> Self {
-        Self { name: name.into(), extent: Extent::Unit, build: Box::new(move || Ok(build()?.into())) }
+        Self { name: name.into(), scope: Scope::Unit, build: Box::new(move || Ok(build()?.into())) }
     }
 
     /// The whole core of a configuration.
     #[must_use]
     pub fn core(name: impl Into<String>, configuration: Configuration) -> Self {
-        let extent = Extent::of(&configuration);
-        let unit = Self::new(name, move || {
-            Ok(match &configuration {
-                Configuration::Splat(config) => splat::top::core(config, &Options::default())?.module,
-                Configuration::Search(config) => search::top::core(config, &Options::default())?.module,
-            })
-        });
-        Self { extent, ..unit }
+        let scope = Scope::Core(Crowding::of(&configuration));
+        Self { name: name.into(), scope, build: Box::new(move || configuration.module()) }
     }
 }
 
