@@ -14,12 +14,14 @@ POINTS ?= $(firstword $(SCAN) surface:100000)
 # Points of accuracy measured at a time, and the page it makes of SCENE.
 JOBS ?= $(shell nproc)
 PAGE ?= out/accuracy/$(basename $(notdir $(SCENE)))/index.html
+# Where the record of areas last changed: every figure was checked to be of the hardware there.
+REVISION ?= $(shell git log -1 --format=%h -- docs/area.json)
 # What runs under FuseSoC.
 CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench stability accuracy check-page synth check-area generated check-generated fusesoc doc clean
+.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -91,8 +93,11 @@ check-page: ## Hover over every point of PAGE, made by accuracy, in a real brows
 synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5; into docs/area.json, README's tables, out/bench.json
 	cargo run --release --bin pointcore -- area --record docs/area.json --tables README.md --merge out/bench.json $(UNIT) $(ARGS)
 
-check-area: ## Check that docs/area.json was measured of the hardware as it is now, and that README's tables are made from it
+check-area: ## Check that docs/area.json is of the hardware as it is now where it does not say otherwise, and that README's tables are made from it
 	cargo run --bin pointcore -- area --check docs/area.json --tables README.md
+
+mark-area: ## Have what docs/area.json holds of other hardware name the REVISION it was measured of (default: where the record last changed)
+	cargo run --bin pointcore -- area --mark-stale $(REVISION) --record docs/area.json --tables README.md
 
 generated: ## Write the Verilog of all configurations into generated/, which is committed
 	@./scripts/generated

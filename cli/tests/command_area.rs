@@ -72,13 +72,25 @@ fn measurements_are_kept_with_what_they_were_made_of() {
     let parts = [
         "`small` on gates was measured of other Verilog",
         "pointcore area small.toml --target gates --record area.json",
+        "pointcore area --mark-stale REVISION --record area.json",
         "the tables of page.md are not those of area.json",
         "pointcore area --record area.json --tables page.md --recorded",
     ];
     workplace.fails(STALE, &check, &parts);
     workplace.succeeds(&["area", "--record", "area.json", "--tables", "page.md", "--recorded"]);
     assert_eq!(read(&document), page);
-    workplace.fails(STALE, &check, &parts[..2]);
+    workplace.fails(STALE, &check, &parts[..3]);
+
+    // What cannot be measured again now says of what it was measured: it passes, and everybody sees it.
+    let mark = ["area", "--mark-stale", "abc1234", "--record", "area.json", "--tables", "page.md"];
+    assert!(
+        workplace.succeeds(&mark).contains("3 measurements, 2 of the hardware as it is now, 1 of earlier revisions")
+    );
+    assert!(read(&document).contains("| `small` | 42 | 0 | 0 | abc1234 |"), "{}", read(&document));
+    assert_eq!(json(&workplace.succeeds(&[&check[..], &["--json"]].concat()))["earlier"], 1);
+    let refused = workplace.pointcore(&["area", "--mark-stale", "a|b", "--record", "area.json"]);
+    assert_eq!(refused.status.code(), Some(WRONG_INPUT));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("`a|b` is no revision"));
 
     // Figures of other hardware stay out.
     workplace.succeeds(&["area", "--recorded", "--record", "area.json", "--merge", "figures.json"]);

@@ -13,9 +13,9 @@ mod tools;
 mod units;
 
 pub use cells::Area;
-pub use record::{Entry, Record, Stale};
+pub use record::{Entry, Record, Revision, Stale};
 pub use steps::{Progress, State, Step};
-pub use table::{Style, table};
+pub use table::{Line, Style, table};
 pub use target::Target;
 pub use timing::Timing;
 pub use units::{GROUPS, Group, Scope, Unit, all, known, standard};

@@ -1,7 +1,10 @@
 //! The record of measurements that is kept with the source: of which Verilog each was made, with which tools; and the tables made
 //! from it.
+//!
+//! An entry claims to be of the hardware as it is now, and is held to it by the hash of what it was measured of, unless it names the
+//! revision of the project that it was measured of. Hardware may so change faster than it is measured, and no table says what is not true.
 
-use super::{Area, Measurement, Style, Target, Timing, Unit, all, source_hash, table};
+use super::{Area, Line, Measurement, Style, Target, Timing, Unit, all, source_hash, table};
 use pointcore::configuration::{ConfigurationError, parse, read_text, wrong};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -27,6 +30,9 @@ pub struct Entry {
     pub seeds: usize,
     /// Hash of the Verilog, the script and the arguments.
     pub source: String,
+    /// The revision of the project that it was measured of, where the hardware has changed since.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub revision: Option<Revision>,
     /// What the tools say of their versions.
     pub tools: Vec<String>,
     /// What the unit takes.
@@ -39,7 +45,38 @@ pub struct Entry {
     pub fmax_mhz: Vec<f64>,
 }
 
-/// An entry that is not of the hardware as it is now.
+/// A revision of the project: a commit's short hash, or a date.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String")]
+pub struct Revision(String);
+
+impl TryFrom<String> for Revision {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let allowed = |c: char| c.is_ascii_alphanumeric() || ".-_".contains(c);
+        let is_name = !text.is_empty() && text.chars().all(allowed);
+        is_name.then(|| Self(text.clone())).ok_or_else(|| {
+            format!("`{text}` is no revision: expected a commit's short hash or a date, of letters, digits and .-_")
+        })
+    }
+}
+
+impl std::str::FromStr for Revision {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        text.to_owned().try_into()
+    }
+}
+
+impl std::fmt::Display for Revision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// An entry that claims to be of the hardware as it is now, and is not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stale {
     /// What is wrong.
@@ -69,7 +106,7 @@ impl Entry {
         let round = |mhz: f64| (mhz * 100.0).round() / 100.0;
         let timing = timing.map(|timing| Timing { fmax_mhz: round(timing.fmax_mhz), ..timing });
         let (seeds, fmax_mhz) = (fmax_mhz.len(), fmax_mhz.into_iter().map(round).collect());
-        Self { unit, target, configuration, seeds, source, tools, area, timing, fmax_mhz }
+        Self { unit, target, configuration, seeds, source, revision: None, tools, area, timing, fmax_mhz }
     }
 
     /// What was measured.
@@ -151,12 +188,15 @@ impl Record {
         self.entries.sort_by_cached_key(|entry| (entry.target, place(entry), entry.unit.clone()));
     }
 
-    /// The entries that are not of the hardware as it is now, found by generating it; nothing is synthesized. `path` is where the record
-    /// lies.
+    /// The entries that claim to be of the hardware as it is now and are not, found by generating it; nothing is synthesized. `path` is
+    /// where the record lies.
     #[must_use]
     pub fn stale(&self, path: &Path) -> Vec<Stale> {
         let known = all();
         let stale = |entry: &Entry| {
+            if entry.revision.is_some() {
+                return None;
+            }
             let Entry { unit, target, .. } = entry;
             let name = format!("`{unit}` on {}", target.name());
             let remedy = entry.command(path);
@@ -171,6 +211,23 @@ impl Record {
             }
         };
         self.entries.par_iter().filter_map(stale).collect()
+    }
+
+    /// Has every entry that is not of the hardware as it is now name the revision that it was measured of: `revision`, unless it names one
+    /// already. An entry that has come true again names none. Returns how many entries are of an earlier revision.
+    pub fn mark_stale(&mut self, revision: &Revision) -> usize {
+        let known = all();
+        self.entries.par_iter_mut().for_each(|entry| {
+            let is_current = entry.regenerated(&known).is_ok_and(|source| source.as_ref() == Some(&entry.source));
+            entry.revision = (!is_current).then(|| entry.revision.take().unwrap_or_else(|| revision.clone()));
+        });
+        self.earlier()
+    }
+
+    /// How many entries are of an earlier revision, and say so.
+    #[must_use]
+    pub fn earlier(&self) -> usize {
+        self.entries.iter().filter(|entry| entry.revision.is_some()).count()
     }
 
     /// A document with its tables written anew: whatever stands between a line `<!-- area TARGET … -->` and `<!-- end of area -->`.
@@ -191,8 +248,9 @@ impl Record {
             let target = target
                 .ok_or_else(|| format!("{place}: unknown target `{name}`: expected ecp5, ice40, xilinx7 or gates"))?;
             let entries = self.entries.iter().filter(|entry| entry.target == target);
-            let measurements: Vec<_> = entries.map(Entry::measurement).collect();
-            written += &format!("\n{}\n{TABLE_END}\n", table(target, &measurements, Style::Markdown));
+            let line = |entry: &Entry| Line { measurement: entry.measurement(), revision: entry.revision.clone() };
+            let lines_of_target: Vec<_> = entries.map(line).collect();
+            written += &format!("\n{}\n{TABLE_END}\n", table(target, &lines_of_target, Style::Markdown));
             lines
                 .by_ref()
                 .find(|(_, line)| *line == TABLE_END)
@@ -218,6 +276,10 @@ mod tests {
         let unit = all().into_iter().find(|known| known.name == unit);
         let source = unit.map(|unit| source_hash(target, &unit).unwrap_or_else(|error| panic!("{error}")));
         Entry::new(target, None, source.unwrap_or_default(), vec!["yosys".into()], measurement)
+    }
+
+    fn revision(text: &str) -> Revision {
+        text.parse().unwrap_or_else(|error| panic!("{error}"))
     }
 
     fn record(units: &[&str]) -> Record {
@@ -248,6 +310,41 @@ mod tests {
         let missing = Entry { configuration: Some("gone.toml".into()), ..entry("gone", Target::Gates) };
         let stale = Record { entries: vec![missing] }.stale(path);
         assert!(stale[0].problem.contains("gone.toml: cannot be read"), "{stale:?}");
+    }
+
+    #[test]
+    fn what_names_its_revision_passes_and_is_shown_with_it() {
+        let path = Path::new("area.json");
+        let mut record = record(&["bf16_lt", "bf16_eq", "bf16_gone"]);
+        record.entries[0].source += "0";
+        let changed = record.entries[0].unit.clone();
+        assert_eq!(record.stale(path).len(), 2, "unmarked");
+        assert_eq!(record.mark_stale(&revision("abc1234")), 2);
+        assert_eq!(record.stale(path), [], "marked");
+        assert_eq!(record.mark_stale(&revision("def5678")), 2, "what names a revision keeps it");
+        let again: Record = serde_json::from_str(&record.text()).expect("it was written as JSON");
+        assert_eq!(again, record);
+
+        let text =
+            record.tabulate("<!-- area ecp5 -->\n<!-- end of area -->\n").unwrap_or_else(|error| panic!("{error}"));
+        let of = |unit: &str| text.lines().find(|line| line.starts_with(&format!("| `{unit}` "))).unwrap_or_default();
+        assert!(text.contains("| critical path | revision |"), "{text}");
+        assert!(of(&changed).ends_with("| abc1234 |") && of("bf16_gone").ends_with("| abc1234 |"), "{text}");
+        assert_eq!(text.matches("abc1234").count(), 2, "the third is of the hardware as it is now: {text}");
+
+        record.entries[0].source.pop();
+        assert_eq!(record.mark_stale(&revision("def5678")), 1, "what has come true again names none");
+        record.insert(entry("bf16_gone", Target::Ecp5));
+        assert_eq!((record.earlier(), record.stale(path).len()), (0, 1), "measured anew, it claims to be current");
+    }
+
+    #[test]
+    fn a_revision_fits_a_cell() {
+        for wrong in ["", "a b", "a|b", "`a`"] {
+            let error = wrong.parse::<Revision>().unwrap_err();
+            assert!(error.contains("expected a commit's short hash"), "{error}");
+        }
+        assert_eq!(revision("2026-11-22").to_string(), "2026-11-22");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Measurements side by side.
 
-use super::{Area, Measurement, Target};
+use super::{Area, Measurement, Revision, Target};
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +9,20 @@ pub enum Style {
     Plain,
     /// Markdown.
     Markdown,
+}
+
+/// What a line of a table shows.
+pub struct Line {
+    /// The figures.
+    pub measurement: Measurement,
+    /// The revision that they are of, where that is not the hardware as it is now.
+    pub revision: Option<Revision>,
+}
+
+impl From<Measurement> for Line {
+    fn from(measurement: Measurement) -> Self {
+        Self { measurement, revision: None }
+    }
 }
 
 /// A figure of every row.
@@ -45,17 +59,27 @@ const fn columns(target: Target) -> &'static [Column] {
     }
 }
 
-/// Writes measurements as a table, one a line.
+/// Writes measurements as a table. Where one is of an earlier revision, a last column says of which.
 #[must_use]
-pub fn table(target: Target, measurements: &[Measurement], style: Style) -> String {
+pub fn table(target: Target, lines: &[Line], style: Style) -> String {
     let timed = target.device().is_some();
+    let is_mixed = lines.iter().any(|line| line.revision.is_some());
     let mut header = vec!["unit".to_owned()];
     header.extend(columns(target).iter().map(|(name, _)| (*name).to_owned()));
     if timed {
         header.extend(["MHz", "range", "seeds", "critical path"].map(String::from));
     }
+    if is_mixed {
+        header.push("revision".to_owned());
+    }
     let mut rows = vec![header];
-    rows.extend(measurements.iter().map(|measurement| row(target, measurement, style)));
+    rows.extend(lines.iter().map(|line| {
+        let mut row = row(target, &line.measurement, style);
+        if is_mixed {
+            row.push(line.revision.as_ref().map_or_else(|| "this".to_owned(), Revision::to_string));
+        }
+        row
+    }));
     match style {
         Style::Plain => plain(&rows),
         Style::Markdown => markdown(&rows),
@@ -118,7 +142,7 @@ mod tests {
 
     #[test]
     fn a_table_shows_the_median_and_the_range() {
-        let text = table(Target::Ecp5, &[measurement()], Style::Plain);
+        let text = table(Target::Ecp5, &[measurement().into()], Style::Plain);
         let [header, row] = text.lines().collect::<Vec<_>>()[..] else { panic!("two lines: {text}") };
         assert!(header.starts_with("unit") && header.ends_with("critical path"), "{header}");
         let cells: Vec<_> = row.split_whitespace().collect();
@@ -130,7 +154,7 @@ mod tests {
     fn markdown_has_as_many_cells_in_every_line() {
         for target in [Target::Ecp5, Target::Ice40, Target::Xilinx7, Target::Gates] {
             let timing = if target.device().is_some() { measurement().timing } else { None };
-            let text = table(target, &[Measurement { timing, ..measurement() }], Style::Markdown);
+            let text = table(target, &[Measurement { timing, ..measurement() }.into()], Style::Markdown);
             let bars: Vec<_> = text.lines().map(|line| line.matches('|').count()).collect();
             assert_eq!(bars, [bars[0]; 3], "{text}");
         }

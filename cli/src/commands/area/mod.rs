@@ -5,7 +5,7 @@ mod record;
 
 use super::{Failure, Figures, Output, choices, merge, scene_name};
 use pointcore::configuration::{parse, read_text};
-use pointcore_lab::synthesis::{self, Measurement, Record, Style, Synthesizer, Target, Unit};
+use pointcore_lab::synthesis::{self, Line, Measurement, Record, Revision, Style, Synthesizer, Target, Unit};
 use progress::Display;
 use rayon::prelude::*;
 use record::Recorder;
@@ -44,9 +44,13 @@ pub struct Arguments {
     /// Measure nothing: write --tables from --record, and merge those of its figures that are of the hardware as it is now.
     #[arg(long, requires = "record", conflicts_with = "units")]
     recorded: bool,
-    /// Measure nothing: say which figures of this record are not of the hardware as it is now, and whether --tables are those of the
-    /// record.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["units", "merge", "record", "recorded"])]
+    /// Measure nothing: have every figure of --record that is not of the hardware as it is now name this revision of the project, a commit's short
+    /// hash or a date, as the one it was measured of. What names one keeps it. Tables show it, and --check lets it pass.
+    #[arg(long, value_name = "REVISION", requires = "record", conflicts_with_all = ["units", "merge", "recorded"])]
+    mark_stale: Option<Revision>,
+    /// Measure nothing: say which figures of this record claim to be of the hardware as it is now and are not, and whether --tables are those
+    /// of the record. Figures that name the revision they were measured of claim no such thing.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["units", "merge", "record", "recorded", "mark_stale"])]
     check: Option<PathBuf>,
 }
 
@@ -133,7 +137,9 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         let problem = "--tables needs the record that they are made from: expected --record or --check FILE";
         return Err(Failure::Usage(problem.to_owned()));
     }
-    if !arguments.recorded {
+    if let (Some(revision), Some(path)) = (&arguments.mark_stale, &arguments.record) {
+        record::mark_stale(path, revision, output)?;
+    } else if !arguments.recorded {
         measure(arguments, output)?;
     } else if let (Some(path), Some(record)) = (&arguments.merge, &arguments.record) {
         merge(path, recorded(&Record::load(record)?))?;
@@ -173,8 +179,9 @@ fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     }
     if !measurements.is_empty() {
         let style = if arguments.markdown { Style::Markdown } else { Style::Plain };
-        let text = synthesis::table(arguments.target, &measurements, style);
-        output.print(&json!({ "target": arguments.target.name(), "units": measurements }), &text);
+        let document = json!({ "target": arguments.target.name(), "units": measurements });
+        let lines: Vec<_> = measurements.into_iter().map(Line::from).collect();
+        output.print(&document, &synthesis::table(arguments.target, &lines, style));
     }
     let last = failures.pop();
     for failure in failures {

@@ -2,7 +2,7 @@
 
 use crate::commands::{Failure, Output, write};
 use pointcore::configuration::{read_text, wrong};
-use pointcore_lab::synthesis::{Entry, Measurement, Record, Stale, Synthesizer, Unit, source_hash};
+use pointcore_lab::synthesis::{Entry, Measurement, Record, Revision, Stale, Synthesizer, Unit, source_hash};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -52,8 +52,8 @@ pub fn write_tables(record: &Path, tables: &Path) -> Result<(), Failure> {
     if wanted == present { Ok(()) } else { write(tables, &wanted) }
 }
 
-/// Compares the record with the hardware as it is now, and the tables with the record.
-pub fn check(path: &Path, tables: Option<&Path>, output: Output) -> Result<(), Failure> {
+/// A record that is there and has entries.
+fn load(path: &Path) -> Result<Record, Failure> {
     if !path.exists() {
         return Err(wrong(path, "there is no such record").into());
     }
@@ -61,7 +61,37 @@ pub fn check(path: &Path, tables: Option<&Path>, output: Output) -> Result<(), F
     if record.entries().is_empty() {
         return Err(wrong(path, "has no entry: nothing was checked").into());
     }
+    Ok(record)
+}
+
+/// What of a record is of the hardware as it is now, in words and for programs.
+fn print_ages(path: &Path, record: &Record, output: Output) {
+    let (entries, earlier) = (record.entries().len(), record.earlier());
+    let ages = match earlier {
+        0 => "all of the hardware as it is now".to_owned(),
+        _ => format!(
+            "{} of the hardware as it is now, {earlier} of earlier revisions, which they name",
+            entries - earlier
+        ),
+    };
+    let document = json!({ "measurements": entries, "earlier": earlier, "stale": 0 });
+    output.print(&document, &format!("{}: {entries} measurements, {ages}", path.display()));
+}
+
+/// Has what is not of the hardware as it is now name the revision it was measured of.
+pub fn mark_stale(path: &Path, revision: &Revision, output: Output) -> Result<(), Failure> {
+    let mut record = load(path)?;
+    record.mark_stale(revision);
+    write(path, &record.text())?;
+    print_ages(path, &record, output);
+    Ok(())
+}
+
+/// Compares the record with the hardware as it is now, and the tables with the record.
+pub fn check(path: &Path, tables: Option<&Path>, output: Output) -> Result<(), Failure> {
+    let record = load(path)?;
     let mut stale = record.stale(path);
+    let has_aged = !stale.is_empty();
     if let Some(tables) = tables {
         let (wanted, present) = tabulated(&record, tables)?;
         if wanted != present {
@@ -71,10 +101,14 @@ pub fn check(path: &Path, tables: Option<&Path>, output: Output) -> Result<(), F
         }
     }
     if stale.is_empty() {
-        let entries = record.entries().len();
-        let text = format!("{}: {entries} measurements, all of the hardware as it is now", path.display());
-        output.print(&json!({ "measurements": entries, "stale": 0 }), &text);
+        print_ages(path, &record, output);
         return Ok(());
+    }
+    if has_aged {
+        stale.push(Stale {
+            problem: "what is not measured again can say of what it was measured".to_owned(),
+            remedy: format!("pointcore area --mark-stale REVISION --record {}", path.display()),
+        });
     }
     let lines = stale.into_iter().map(|Stale { problem, remedy }| format!("  {problem}\n    {remedy}\n"));
     Err(Failure::Stale { path: path.to_owned(), list: lines.collect() })
