@@ -62,8 +62,8 @@ plan: ## Show which hardware SCENE calls for, and why
 gen: ## Write the Verilog for SCENE into out/verilog
 	cargo run --release --bin pointcore -- gen $(SCENE) -o out/verilog
 
-test: setup-tests ## Run all tests
-	cargo test --workspace
+test: setup-tests ## Run all tests, and say which were skipped
+	@./scripts/test
 
 formal: setup-formal ## Prove queues, stacks and the AXI units, or UNIT only (formal/README.md), and that every proof finds faults
 	@./scripts/formal $(UNIT)

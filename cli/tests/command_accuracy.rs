@@ -1,6 +1,7 @@
 //! `pointcore accuracy` as a user meets it: a sweep in parts, put together, and the scene it recommends.
 
 use crate::command::{WRONG_INPUT, Workplace, json};
+use pointcore_tb::skipped::skipped;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -114,12 +115,10 @@ fn the_page_works_in_a_browser() {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scripts/check-page");
     let output = Command::new("python3").arg(script).arg(workplace.path().join("page/index.html")).output();
     let Ok(output) = output else {
-        eprintln!("SKIPPED the_page_works_in_a_browser: python3 is missing");
-        return;
+        return skipped("python3 is missing");
     };
     if output.status.code() == Some(77) {
-        eprintln!("SKIPPED the_page_works_in_a_browser: {}", text(&output.stderr));
-        return;
+        return skipped(&text(&output.stderr));
     }
     assert!(output.status.success(), "{}{}", text(&output.stdout), text(&output.stderr));
     assert!(text(&output.stdout).contains("shown on hovering"), "{}", text(&output.stdout));

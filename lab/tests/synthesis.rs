@@ -1,6 +1,7 @@
 //! From a unit to its area through the real tools.
 
 use pointcore_lab::synthesis::{Measurement, State, Step, SynthesisError, Synthesizer, Target, all};
+use pointcore_tb::skipped::skipped;
 use std::sync::Mutex;
 
 /// What a target says of a unit; none, visibly, where its tools are not installed.
@@ -8,7 +9,7 @@ fn measure(target: Target, name: &str) -> Option<Measurement> {
     let synthesizer = match Synthesizer::new(target) {
         Ok(synthesizer) => synthesizer,
         Err(error @ SynthesisError::Missing { .. }) => {
-            println!("SKIPPED: {error}");
+            skipped(&error.to_string());
             return None;
         }
         Err(error) => panic!("{error}"),

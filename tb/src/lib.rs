@@ -2,5 +2,6 @@
 
 pub mod cache;
 pub mod lockstep;
+pub mod skipped;
 pub mod toolchain;
 pub mod verilated;

@@ -1,4 +1,5 @@
 use super::*;
+use pointcore_tb::skipped::skipped;
 use std::path::PathBuf;
 
 const TRIANGLE_HEADER: &str = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
@@ -27,7 +28,7 @@ fn assert_fails(name: &str, content: &[u8], parts: &[&str]) {
 pub(crate) fn shared(name: &str) -> Option<(PathBuf, Model)> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(name);
     if !path.exists() {
-        println!("SKIPPED: {} is not present", path.display());
+        skipped(&format!("there is no file {}", path.display()));
         return None;
     }
     let model = Model::load(&path).unwrap_or_else(|error| panic!("{error}"));
