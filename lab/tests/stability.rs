@@ -3,9 +3,9 @@
 use fastrand::Rng;
 use glam::DVec3;
 use pointcore::number::encode;
+use pointcore_contract::splat::records::Splat;
 use pointcore_contract::splat::{Division, Feature};
 use pointcore_contract::{Format, Subnormals};
-use pointcore_golden::splat::records::Splat;
 use pointcore_lab::stability::case::{Case, IMAGE_EDGE_PX, Lens};
 use pointcore_lab::stability::check::{Property, check};
 use pointcore_lab::stability::compare::compare;
@@ -91,7 +91,7 @@ fn an_error_in_the_footprint_exceeds_the_bound() {
     for (case, drawn) in &drawn {
         let mut footprint = drawn.footprint;
         // A thousandth of one coefficient: some hundred times its bound.
-        footprint.a[0] ^= 1 << 13;
+        footprint.ax ^= 1 << 13;
         let pixel = [drawn.bounds.left, drawn.bounds.top].map(u32::from);
         let bounded = Analysis::new(case, units.division).squared_distance(pixel);
         let computed = f64::from(units.squared_distance(case, &footprint, pixel).value());

@@ -291,7 +291,7 @@ fn neighborhoods_agree_with_the_model_and_with_brute_force() {
         let model =
             NeighborCache::new(&config, CacheLatencies { check: unit.check.latency, cover: unit.cover.latency });
         let begin = |feeds: &mut Feeds| Surroundings::begin(&config, feeds);
-        lockstep(&unit.module, &model, &ports::neighbor_cache(&config), begin, all, |surroundings, report| {
+        lockstep(&config, &unit.module, &model, &ports::neighbor_cache(&config), begin, all, |surroundings, report| {
             assert_eq!(surroundings.closed, PHASES.len() * QUERIES);
             for query in &surroundings.queries {
                 check(&config, &surroundings.clouds[query.phase], query, &mut seen.borrow_mut());

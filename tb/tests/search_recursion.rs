@@ -80,7 +80,7 @@ fn recursion_agrees_with_the_model() {
             surroundings
         };
         let (module, model) = (recursion::module(&config), Recursion::new(&config));
-        lockstep(&module, &model, &ports::recursion(&config), begin, all, |surroundings, report| {
+        lockstep(&config, &module, &model, &ports::recursion(&config), begin, all, |surroundings, report| {
             assert_eq!(surroundings.paths_left, 0);
             let resumed = report.transfers("resume");
             assert!(resumed > PATHS / 8 && resumed < PATHS, "{resumed} of {PATHS} paths were near");

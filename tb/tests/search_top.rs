@@ -207,26 +207,34 @@ fn searches_agree_with_the_model_and_with_brute_force() {
             host.set_up(feeds);
             host
         };
-        lockstep(&core.module, &Top::new(&config, latencies), &ports::top(&config), begin, all, |host, report| {
-            check(host);
-            let cached = host.answers.iter().filter(|answer| answer.cached).count() as u64;
-            let searches = QUERIES - cached;
-            if config.neighbor_cache > 0 {
-                let events = ["event_cache_hit", "event_cache_miss"].map(|event| report.events(event));
-                assert_eq!(events, [cached, searches]);
-                assert!(searches > 0);
-                reused.set(reused.get() + cached);
-            }
-            let [hits, misses] = ["event_point_hit", "event_point_miss"].map(|event| report.events(event));
-            match config.point_cache {
-                0 => assert!(report.transfers("fetch") >= searches, "every query visits a leaf"),
-                _ => assert!(hits + misses >= searches && hits > 0 && misses > 0, "{hits} hits, {misses} misses"),
-            }
-            if config.tree_cache > 0 {
-                let [hits, misses] = ["event_tree_hit", "event_tree_miss"].map(|event| report.events(event));
-                assert!(hits > 0 && misses > 0, "{hits} hits, {misses} misses");
-            }
-        });
+        lockstep(
+            &config,
+            &core.module,
+            &Top::new(&config, latencies),
+            &ports::top(&config),
+            begin,
+            all,
+            |host, report| {
+                check(host);
+                let cached = host.answers.iter().filter(|answer| answer.cached).count() as u64;
+                let searches = QUERIES - cached;
+                if config.neighbor_cache > 0 {
+                    let events = ["event_cache_hit", "event_cache_miss"].map(|event| report.events(event));
+                    assert_eq!(events, [cached, searches]);
+                    assert!(searches > 0);
+                    reused.set(reused.get() + cached);
+                }
+                let [hits, misses] = ["event_point_hit", "event_point_miss"].map(|event| report.events(event));
+                match config.point_cache {
+                    0 => assert!(report.transfers("fetch") >= searches, "every query visits a leaf"),
+                    _ => assert!(hits + misses >= searches && hits > 0 && misses > 0, "{hits} hits, {misses} misses"),
+                }
+                if config.tree_cache > 0 {
+                    let [hits, misses] = ["event_tree_hit", "event_tree_miss"].map(|event| report.events(event));
+                    assert!(hits > 0 && misses > 0, "{hits} hits, {misses} misses");
+                }
+            },
+        );
     }
     assert!(reused.get() > 0, "no neighborhood was reused");
 }

@@ -14,11 +14,11 @@ use crate::support;
 #[test]
 fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(fixed_configs()) {
-        let device = Device::new(&accumulator::module(&config), ports::accumulator(&config));
+        let device = Device::new(&config, &accumulator::module(&config), ports::accumulator(&config));
         for seed in seeds(RUNS).unwrap() {
             let drive = Drive::new(Exchange::new(&config, stalls(seed), seed), Side::Accumulator, &device);
             let drained = DrainedPixel::new(&support::ports(device.library()));
-            let golden = drained.watch(device.golden(Ported::new(Accumulator::new(&config))));
+            let golden = drained.watch(device.golden(Ported::new(&config, Accumulator::new(&config))));
             let run = Lockstep::new(device.library(), golden, seed).mask(drained.mask()).run(drive);
             let run = run.unwrap_or_else(|error| panic!("{error}"));
             let counts = run.stimulus.exchange.counts;

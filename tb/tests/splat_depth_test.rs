@@ -29,7 +29,7 @@ fn operands(random: &mut fastrand::Rng) -> In {
 #[test]
 fn it_agrees_with_the_model_next_to_its_limits() {
     let config = Config::default();
-    let device = Device::new(&depth_test::module(&config), ports::depth_test(&config));
+    let device = Device::new(&config, &depth_test::module(&config), ports::depth_test(&config));
     let places = device.input_places();
     for seed in seeds(RUNS).unwrap() {
         let mut random = fastrand::Rng::with_seed(seed);
@@ -47,7 +47,7 @@ fn it_agrees_with_the_model_next_to_its_limits() {
             places.iter().zip(words).for_each(|(&place, word)| inputs[place] = word);
             if cycle < CYCLES { Flow::Continue } else { Flow::Done }
         };
-        let run = device.lockstep(Ported::new(DepthTest::new(&config)), seed).run(stimulus);
+        let run = device.lockstep(Ported::new(&config, DepthTest::default()), seed).run(stimulus);
         assert_eq!(run.unwrap_or_else(|error| panic!("{error}")).report.cycles, CYCLES);
     }
 }

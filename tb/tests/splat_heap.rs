@@ -45,7 +45,7 @@ fn it_agrees_with_the_model_at_every_size() {
         (12, 4, 13, 61),
     ] {
         let config = Config { heap_levels, heap_interval, width, height: 37, ..Config::default() };
-        let device = Device::new(&heap::numbered(&config, sequence_bits), ports::heap(&config));
+        let device = Device::new(&config, &heap::numbered(&config, sequence_bits), ports::heap(&config));
         let entries = entries(&config);
         let runs = device.runs(&Heap::numbered(&config, sequence_bits), &entries, &[]);
         let reordered = runs.iter().filter(|run| **run != entries).count() as u64;

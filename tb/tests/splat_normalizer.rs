@@ -55,7 +55,7 @@ fn pixels(config: &Config) -> Vec<Vec<u64>> {
 fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(fixed_configs()).chain(knobs()) {
         let hardware = normalizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&hardware.module, ports::normalizer(&config));
+        let device = Device::new(&config, &hardware.module, ports::normalizer(&config));
         let fragments = device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &[]);
         assert_eq!(fragments.len() as u64, PIXELS);
         assert_eq!(fragments.iter().filter(|fragment| fragment[0] == 1).count() as u64, PIXELS / 250);

@@ -13,7 +13,7 @@ const SPLATS: usize = 700;
 fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
         let hardware = rasterizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&hardware.module, ports::rasterizer(&config));
+        let device = Device::new(&config, &hardware.module, ports::rasterizer(&config));
         let copies = scene::placed_copies(&config, SPLATS);
         let model = Rasterizer::new(&config, hardware.manifest.latency);
         let samples = device.run(&model, &copies, &scene::uniforms(&config));

@@ -34,7 +34,7 @@ fn by_frame(copies: &[Vec<u64>]) -> Vec<Vec<Vec<u64>>> {
 #[test]
 fn it_agrees_with_the_model() {
     for config in configs() {
-        let device = Device::new(&reorder::module(&config), ports::reorder(&config));
+        let device = Device::new(&config, &reorder::module(&config), ports::reorder(&config));
         let copies = copies(&config);
         let runs = device.runs(&Reorder::new(&config), &copies, &[]);
         for run in &runs {

@@ -13,7 +13,7 @@ const SPLATS: usize = 1500;
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
     for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
         let hardware = setup::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&hardware.module, ports::setup(&config));
+        let device = Device::new(&config, &hardware.module, ports::setup(&config));
         let mut splats = scene::camera(&config, SPLATS);
         let mut random = scene::random();
         scene::spoil(&config, &mut splats, 16, &mut random);

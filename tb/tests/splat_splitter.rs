@@ -30,7 +30,7 @@ fn splats(config: &Config) -> Vec<Vec<u64>> {
 #[test]
 fn it_agrees_with_the_model() {
     for config in configs() {
-        let device = Device::new(&splitter::module(&config), ports::splitter(&config));
+        let device = Device::new(&config, &splitter::module(&config), ports::splitter(&config));
         let copies = device.run(&Splitter::new(&config), &splats(&config), &[]);
         assert!(copies.len() as u64 > 2 * SPLATS, "{} copies", copies.len());
         let ends = copies.iter().filter(|copy| copy[0] == 1).count() as u64;

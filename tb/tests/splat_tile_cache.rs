@@ -15,11 +15,11 @@ use crate::support;
 #[test]
 fn it_agrees_with_the_model() {
     for config in configs() {
-        let device = Device::new(&tile_cache::module(&config), ports::tile_cache(&config));
+        let device = Device::new(&config, &tile_cache::module(&config), ports::tile_cache(&config));
         let mut most_in_flight = 0;
         for seed in seeds(RUNS).unwrap() {
             let drive = Drive::new(Exchange::new(&config, stalls(seed), seed), Side::TileCache, &device);
-            let golden = device.golden(Ported::new(TileCache::new(&config)));
+            let golden = device.golden(Ported::new(&config, TileCache::new(&config)));
             let mask = mask::tile_cache(&support::ports(device.library()));
             let run = Lockstep::new(device.library(), golden, seed).mask(mask).run(drive);
             let run = run.unwrap_or_else(|error| panic!("{error}"));

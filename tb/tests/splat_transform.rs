@@ -13,7 +13,7 @@ const SPLATS: usize = 1500;
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
     for config in configs().into_iter().chain(fixed_configs()) {
         let hardware = transform::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&hardware.module, ports::transform(&config));
+        let device = Device::new(&config, &hardware.module, ports::transform(&config));
         let mut splats = scene::world(&config, SPLATS);
         scene::spoil(&config, &mut splats, 16, &mut scene::random());
         let model = Transform::new(&config, hardware.manifest.latency);

@@ -22,7 +22,7 @@ fn samples(config: &Config) -> Vec<Vec<u64>> {
 fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(fixed_configs()) {
         let hardware = weighting::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&hardware.module, ports::weighting(&config));
+        let device = Device::new(&config, &hardware.module, ports::weighting(&config));
         let samples = samples(&config);
         assert!(samples.len() > SAMPLES, "{} samples", samples.len());
         let weighted = device.run(&Weighting::new(&config, hardware.manifest.latency), &samples, &[]);

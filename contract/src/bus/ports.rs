@@ -5,10 +5,11 @@ use super::config::{
 };
 use super::layout::Layout;
 use super::registers::{ERRORS, Kind, Register};
+use crate::Port;
 use crate::search;
 use crate::splat::config::index_bits;
 use crate::splat::ports::Ports;
-use crate::splat::{self, Field, Port};
+use crate::splat::{self, Field};
 
 const LENGTH_BITS: u32 = index_bits(BURST_BEATS_MAX);
 const SIZE_BITS: u32 = 3;

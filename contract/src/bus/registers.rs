@@ -1,7 +1,7 @@
 //! The register maps of both cores.
 
 use super::config::BORDER_BYTES;
-use crate::search::{self, ports as ports_b};
+use crate::search;
 use crate::splat::{self, ports as ports_a};
 
 /// Address of `id`.
@@ -170,7 +170,7 @@ impl Register {
 }
 
 /// What both maps begin with: identity to counters.
-fn common(core: u32, events: &[&str]) -> Vec<Register> {
+fn common(core: u32, events: &[impl AsRef<str>]) -> Vec<Register> {
     let identity = SIGNATURE << 16 | core << 8 | VERSION;
     let mut map = vec![
         Register::new(
@@ -187,7 +187,8 @@ fn common(core: u32, events: &[&str]) -> Vec<Register> {
     let errors = ERRORS.map(|(name, doc)| (name, doc.to_owned(), Kind::Errors));
     let run = RUN_COUNTERS.map(|(name, doc)| (name, doc.to_owned(), Kind::Run));
     let common = (COUNTERS..).step_by(4).zip(errors.into_iter().chain(run));
-    let events = events.iter().map(|name| (*name, format!("cycles of the run in which `{name}` was high"), Kind::Run));
+    let events = events.iter().map(AsRef::as_ref);
+    let events = events.map(|name| (name, format!("cycles of the run in which `{name}` was high"), Kind::Run));
     let counters = common.chain((EVENTS..).step_by(4).zip(events));
     map.extend(counters.map(|(address, (name, doc, kind))| Register::new(name, address, kind, 32, doc)));
     map
@@ -215,7 +216,7 @@ pub fn splat(config: &splat::Config) -> Vec<Register> {
 /// The registers of the search core, by address.
 #[must_use]
 pub fn search(config: &search::Config) -> Vec<Register> {
-    let mut map = common(SEARCH, &ports_b::events(config));
+    let mut map = common(SEARCH, &search::units::events(config));
     map.push(base("points_base", SETTINGS, "the points"));
     if config.tree_cache > 0 {
         map.push(base("tree_base", SETTINGS + 0x4, "the tree"));

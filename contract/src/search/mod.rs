@@ -1,7 +1,9 @@
-//! The search core, the point-set processor: its configuration, the records that flow between its units and their ports.
+//! The search core: its configuration, the records that flow between its units and the units' ports.
 
 pub mod config;
+mod lists;
 pub mod ports;
 pub mod records;
+pub mod units;
 
 pub use config::{Config, ConfigError};

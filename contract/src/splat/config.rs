@@ -213,6 +213,18 @@ impl Config {
         self.rasterizer.unwrap_or(RasterFormat::Float(self.geometry))
     }
 
+    /// Format of the reciprocal of the screen filter's squared radius.
+    #[must_use]
+    pub fn filter_scale_format(&self) -> UniformFormat {
+        self.uniform_format("filter_scale")
+    }
+
+    /// Whether each sample has a depth of its own, by its splat's plane.
+    #[must_use]
+    pub fn has_depth_plane(&self) -> bool {
+        self.depth == FragmentDepth::Plane
+    }
+
     /// Format of a uniform register.
     #[must_use]
     pub fn uniform_format(&self, name: &str) -> UniformFormat {

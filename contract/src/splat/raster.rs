@@ -106,6 +106,33 @@ impl Coefficient {
 }
 
 impl RasterFormat {
+    /// Bits of a projected centre's coordinate.
+    #[must_use]
+    pub const fn center_width(self) -> u32 {
+        match self {
+            Self::Float(format) => format.width(),
+            Self::Fixed(coefficient) => coefficient.center().width,
+        }
+    }
+
+    /// Bits of a coefficient.
+    #[must_use]
+    pub const fn coefficient_width(self) -> u32 {
+        match self {
+            Self::Float(format) => format.width(),
+            Self::Fixed(coefficient) => coefficient.width(),
+        }
+    }
+
+    /// Bits of `Δ`.
+    #[must_use]
+    pub const fn delta_width(self) -> u32 {
+        match self {
+            Self::Float(format) => format.width(),
+            Self::Fixed(coefficient) => coefficient.delta_width(),
+        }
+    }
+
     /// The width of coefficients, in fixed point.
     #[must_use]
     pub const fn fixed(self) -> Option<Coefficient> {

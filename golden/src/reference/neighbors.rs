@@ -5,8 +5,8 @@
 
 use crate::float::convert;
 use crate::search::leaf::squared_distance;
-use crate::search::records::Point;
 use pointcore_contract::Format;
+use pointcore_contract::search::records::Point;
 use std::cmp::Ordering;
 
 /// A neighbor.

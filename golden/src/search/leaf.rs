@@ -4,49 +4,20 @@
 
 mod table;
 
-use super::records::{Beat, Candidates, Fetch, LeafVisit, Point, Shape, Start, TreeWrite};
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Beat, Candidates, Point};
+pub use pointcore_contract::search::units::leaf::{In, Out};
 use table::Table;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Write to the leaf table; this and the next two without a tree cache.
-    pub tree: Option<TreeWrite>,
-    /// Leaves reached.
-    pub leaf: Option<LeafVisit>,
-    /// Whether the memory takes a request.
-    pub fetch_ready: bool,
-    /// A thread taking up a query.
-    pub start: Option<Start>,
-    /// Points from memory.
-    pub beat: Option<Beat>,
-    /// Whether the queue takes a beat of distances.
-    pub candidates_ready: bool,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a leaf is accepted.
-    pub leaf_ready: bool,
-    /// Requests to the memory.
-    pub fetch: Option<Fetch>,
-    /// Whether a beat is accepted.
-    pub beat_ready: bool,
-    /// Squared distances.
-    pub candidates: Option<Candidates>,
-}
 
 /// The leaf processing.
 #[derive(Clone, Debug)]
 pub struct Leaf {
-    shape: Shape,
+    lanes: usize,
     geometry: Format,
     /// Not with a tree cache, which knows the leaves.
     table: Option<Table>,
@@ -62,7 +33,7 @@ impl Leaf {
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
         Self {
-            shape: Shape::new(config),
+            lanes: config.lanes as usize,
             geometry: config.geometry,
             table: (config.tree_cache == 0).then(|| Table::new(config)),
             points: vec![Point::default(); config.threads as usize],
@@ -74,7 +45,7 @@ impl Leaf {
 
     fn measure(&self, beat: &Beat, query: Point) -> Candidates {
         let mut candidates = Candidates { place: beat.place, ..Candidates::default() };
-        for (distance, point) in candidates.distances.iter_mut().zip(&beat.points[..self.shape.lanes]) {
+        for (distance, point) in candidates.distances.iter_mut().zip(&beat.points.lane[..self.lanes]) {
             *distance = squared_distance(self.geometry, *point, query);
         }
         candidates
@@ -92,13 +63,9 @@ pub fn squared_distance(geometry: Format, point: Point, query: Point) -> u32 {
 }
 
 impl Model for Leaf {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -129,35 +96,12 @@ impl Model for Leaf {
     }
 }
 
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        if !shape.tree_cache {
-            stream(visitor, shape, "tree_", &mut self.tree);
-            stream(visitor, shape, "leaf_", &mut self.leaf);
-            visitor.field("fetch_ready", &mut self.fetch_ready);
-        }
-        stream(visitor, shape, "start_", &mut self.start);
-        stream(visitor, shape, "beat_", &mut self.beat);
-        visitor.field("candidates_ready", &mut self.candidates_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        if !shape.tree_cache {
-            visitor.field("leaf_ready", &mut self.leaf_ready);
-            stream(visitor, shape, "fetch_", &mut self.fetch);
-        }
-        visitor.field("beat_ready", &mut self.beat_ready);
-        stream(visitor, shape, "candidates_", &mut self.candidates);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::records::{BeatPlace, Bucket, Query, Thread};
     use crate::testing::for_each_seed;
+    use pointcore_contract::search::records::{BeatPlace, Bucket, Query, Thread};
+    use pointcore_contract::search::records::{LeafVisit, Points, Start, TreeWrite};
 
     /// The host's f32 rounds each operation as the hardware does.
     #[test]
@@ -187,7 +131,7 @@ mod tests {
         let mut shown = Vec::new();
         for cycle in 0..20_u8 {
             let place = BeatPlace { thread: Thread { thread: cycle }, address: 9, last: cycle == 1 };
-            let beat = (cycle < 2).then_some(Beat { place, points });
+            let beat = (cycle < 2).then_some(Beat { place, points: Points { lane: points } });
             shown.extend(leaf.outputs().candidates.map(|candidates| {
                 assert_eq!(candidates.place.address, 9);
                 let [first, second, ..] = candidates.distances.map(f32::from_bits);

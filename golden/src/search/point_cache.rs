@@ -4,40 +4,12 @@
 //! or from memory in the order in which the memory answers. A leaf from memory takes its slot unless a request that may have
 //! found the slot's present leaf is under way.
 
-use super::events::Served;
-use super::records::{Beat, BeatPlace, Fetch, LANES_MAX, Point, Shape};
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::search::Config;
-use pointcore_contract::search::ports::POINT_CACHE_EVENTS;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Leaves wanted.
-    pub fetch: Option<Fetch>,
-    /// Whether the leaf processing takes a beat.
-    pub beat_ready: bool,
-    /// Whether the memory takes a request.
-    pub miss_ready: bool,
-    /// Points from memory.
-    pub fill: Option<Beat>,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a request is accepted.
-    pub fetch_ready: bool,
-    /// Points of the leaves wanted.
-    pub beat: Option<Beat>,
-    /// Requests to the memory.
-    pub miss: Option<Fetch>,
-    /// Whether a beat from memory is accepted.
-    pub fill_ready: bool,
-    /// Leaves found in the cache and not, in the last cycle.
-    pub events: Served,
-}
+use pointcore_contract::search::records::{Beat, BeatPlace, Fetch, LANES_MAX, Point, Points};
+use pointcore_contract::search::units::PointCacheEvents;
+pub use pointcore_contract::search::units::point_cache::{In, Out};
 
 /// A leaf's place in the cache.
 #[derive(Clone, Debug)]
@@ -73,7 +45,6 @@ struct Filling {
 /// The point cache.
 #[derive(Clone, Debug)]
 pub struct PointCache {
-    shape: Shape,
     slots: Vec<Slot>,
     fetch: Skid<Fetch>,
     fill: Skid<Beat>,
@@ -85,7 +56,7 @@ pub struct PointCache {
     chosen: Option<Beat>,
     miss: Skid<Fetch>,
     beat: Skid<Beat>,
-    events: Served,
+    events: PointCacheEvents,
 }
 
 impl PointCache {
@@ -95,7 +66,6 @@ impl PointCache {
         let slot_beats = config.bucket.div_ceil(config.lanes).next_power_of_two() as usize;
         let slot = Slot { present: false, tag: 0, beats: vec![[Point::default(); LANES_MAX]; slot_beats] };
         Self {
-            shape: Shape::new(config),
             slots: vec![slot; config.point_cache as usize],
             fetch: Skid::default(),
             fill: Skid::default(),
@@ -105,7 +75,7 @@ impl PointCache {
             chosen: None,
             miss: Skid::default(),
             beat: Skid::default(),
-            events: Served::default(),
+            events: PointCacheEvents::default(),
         }
     }
 
@@ -124,7 +94,7 @@ impl PointCache {
     /// The next beat of a leaf that is read from its slot, and what is left of the leaf.
     fn read(&self, run: Run) -> (Beat, Option<Run>) {
         let Run { fetch: Fetch { thread, address, beats }, beats_read } = run;
-        let points = self.slots[self.slot(address)].beats[usize::from(beats_read)];
+        let points = Points { lane: self.slots[self.slot(address)].beats[usize::from(beats_read)] };
         let last = beats_read + 1 == beats;
         let place = BeatPlace { thread, address: address + u32::from(beats_read), last };
         (Beat { place, points }, (!last).then_some(Run { beats_read: beats_read + 1, ..run }))
@@ -138,7 +108,7 @@ impl PointCache {
             Filling { slot, beats_taken: 0 }
         });
         if let Some(slot) = filling.slot.map(|slot| &mut self.slots[slot]) {
-            slot.beats[filling.beats_taken] = beat.points;
+            slot.beats[filling.beats_taken] = beat.points.lane;
             slot.present = last;
             if filling.beats_taken == 0 {
                 slot.tag = address;
@@ -160,13 +130,9 @@ fn slot(mut address: u32, slots: usize) -> usize {
 }
 
 impl Model for PointCache {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -211,31 +177,12 @@ impl Model for PointCache {
         if let Some(LookedUp { fetch, .. }) = hit {
             self.run = Some(Run { fetch, beats_read: 0 });
         }
-        self.events = Served { hit: hit.is_some(), miss: missed.is_some() };
+        self.events = PointCacheEvents { hit: hit.is_some(), miss: missed.is_some() };
 
         self.beat.step(shown, inputs.beat_ready);
         self.miss.step(missed.map(|request| request.fetch), inputs.miss_ready);
         self.fetch.step(inputs.fetch, takes_request);
         self.fill.step(inputs.fill, takes_fill);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "fetch_", &mut self.fetch);
-        visitor.field("beat_ready", &mut self.beat_ready);
-        visitor.field("miss_ready", &mut self.miss_ready);
-        stream(visitor, shape, "fill_", &mut self.fill);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("fetch_ready", &mut self.fetch_ready);
-        stream(visitor, shape, "beat_", &mut self.beat);
-        stream(visitor, shape, "miss_", &mut self.miss);
-        visitor.field("fill_ready", &mut self.fill_ready);
-        self.events.visit(visitor, POINT_CACHE_EVENTS);
     }
 }
 

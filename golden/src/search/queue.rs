@@ -8,16 +8,15 @@
 //!
 //! Distances are compared as unsigned integers. Of points at equal distance the first to come stays, and stays in front.
 
-mod ports;
 #[cfg(test)]
 mod tests;
 
-pub use ports::{In, Out};
-
-use super::records::{Candidates, LANES_MAX, QueryResult, Radius, Shape, Start, Thread};
 use crate::stream::Skid;
 use crate::unit::Model;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Candidates, LANES_MAX, QueryResult, Radius, Start, Thread};
+use pointcore_contract::search::units::QueueEvents;
+pub use pointcore_contract::search::units::queue::{In, Out};
 
 /// A place in a row.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -107,21 +106,10 @@ enum Readout {
     Send(usize),
 }
 
-/// What the unit did in the last cycle.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Events {
-    /// A beat was done.
-    pub beat: bool,
-    /// A neighbor was inserted.
-    pub insert: bool,
-    /// A beat stayed for one more insertion.
-    pub insert_wait: bool,
-}
-
 /// The priority queues.
 #[derive(Clone, Debug)]
 pub struct Queue {
-    shape: Shape,
+    lanes: usize,
     /// Entries of a row.
     neighbors: usize,
     searches: Vec<Search>,
@@ -145,7 +133,7 @@ pub struct Queue {
     sent_number: u32,
     radius: Option<Radius>,
     released: Option<Thread>,
-    events: Events,
+    events: QueueEvents,
 }
 
 impl Queue {
@@ -155,7 +143,7 @@ impl Queue {
         let (threads, neighbors) = (config.threads as usize, config.neighbors as usize);
         let row = vec![Entry::default(); neighbors];
         Self {
-            shape: Shape::new(config),
+            lanes: config.lanes as usize,
             neighbors,
             searches: vec![Search::default(); threads],
             rows: vec![Entry::default(); threads * neighbors],
@@ -174,7 +162,7 @@ impl Queue {
             sent_number: 0,
             radius: None,
             released: None,
-            events: Events::default(),
+            events: QueueEvents::default(),
         }
     }
 
@@ -268,7 +256,7 @@ impl Queue {
     /// Stage b: the lowest lane of a beat goes on; returns what is left of it.
     fn choose(&mut self, mut work: Work, farthest: Option<Radius>) -> Option<Work> {
         let Candidates { place, distances } = work.candidates;
-        let lanes = self.shape.lanes;
+        let lanes = self.lanes;
         let chosen = work.pending[..lanes].iter().position(|pending| *pending);
         let neighbor = chosen.map(|lane| {
             work.pending[lane] = false;
@@ -297,13 +285,9 @@ impl Queue {
 }
 
 impl Model for Queue {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -319,7 +303,7 @@ impl Model for Queue {
     fn clock(&mut self, inputs: &In) {
         let shown_radius = self.radius.take();
         self.released = None;
-        self.events = Events::default();
+        self.events = QueueEvents::default();
         let written_back = self.written_back();
         let is_idle = matches!(self.readout, Readout::Idle);
         let finished = self.finish.out().copied().filter(|thread| is_idle && Some(*thread) != written_back);

@@ -3,41 +3,11 @@
 //! A path is taken if its squared distance is below the thread's squared radius, compared as unsigned integers; equal is not
 //! nearer. Three stages: a pop, its path, the comparison; a thread whose path is too far goes back to the first.
 
-use super::records::{Descent, Path, Radius, Shape, Start, Thread};
-use super::stack::visit_top;
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::search::Config;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// A thread taking up a query.
-    pub start: Option<Start>,
-    /// A thread's new radius.
-    pub radius: Option<Radius>,
-    /// Threads that want their next path.
-    pub input: Option<Thread>,
-    /// The path that the last pop found; `None` when its stack was empty.
-    pub top: Option<Path>,
-    /// Whether the traversal takes a descent.
-    pub resume_ready: bool,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a thread is accepted.
-    pub in_ready: bool,
-    /// A thread whose last path is popped.
-    pub pop: Option<Thread>,
-    /// Paths to descend.
-    pub resume: Option<Descent>,
-    /// A thread whose stack was found empty in the last cycle.
-    pub empty: Option<Thread>,
-    /// A path was popped.
-    pub event_pop: bool,
-}
+use pointcore_contract::search::records::{Descent, Path, Radius, Thread};
+pub use pointcore_contract::search::units::recursion::{In, Out};
 
 /// A thread with its last path, `None` when its stack was empty, and its radius as of the cycle in which the path came.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +20,6 @@ struct Popped {
 /// The stack recursion.
 #[derive(Clone, Debug)]
 pub struct Recursion {
-    shape: Shape,
     radii2: Vec<u32>,
     input: Skid<Thread>,
     /// The stages r0, r1 and r2.
@@ -67,7 +36,6 @@ impl Recursion {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         Self {
-            shape: Shape::new(config),
             radii2: vec![0; config.threads as usize],
             input: Skid::default(),
             popping: None,
@@ -85,13 +53,9 @@ impl Recursion {
 }
 
 impl Model for Recursion {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -119,7 +83,8 @@ impl Model for Recursion {
         let takes_input = advances && back.is_none();
         if advances {
             let radius2 = |thread: Thread| self.radii2[thread.index()];
-            self.popped = self.waiting.map(|thread| Popped { thread, path: inputs.top, radius2: radius2(thread) });
+            let path = (!inputs.top_empty).then_some(inputs.top);
+            self.popped = self.waiting.map(|thread| Popped { thread, path, radius2: radius2(thread) });
             self.waiting = self.popping;
             self.popping = back.or(self.input.out().copied());
         }
@@ -135,31 +100,11 @@ impl Model for Recursion {
     }
 }
 
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "start_", &mut self.start);
-        stream(visitor, shape, "radius_", &mut self.radius);
-        stream(visitor, shape, "in_", &mut self.input);
-        visit_top(&mut self.top, shape, visitor);
-        visitor.field("resume_ready", &mut self.resume_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "pop_", &mut self.pop);
-        stream(visitor, shape, "resume_", &mut self.resume);
-        stream(visitor, shape, "empty_", &mut self.empty);
-        visitor.field("event_pop", &mut self.event_pop);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::records::{Push, Query};
     use crate::search::stack::{self, Stack};
+    use pointcore_contract::search::records::{Push, Query, Start};
 
     /// The unit with the stacks it pops from.
     struct Bench {
@@ -185,7 +130,8 @@ mod tests {
 
         fn clock(&mut self, inputs: In) -> Out {
             let out = self.recursion.outputs();
-            self.recursion.clock(&In { top: self.stack.outputs().top, ..inputs });
+            let stack::Out { top_empty, top } = self.stack.outputs();
+            self.recursion.clock(&In { top_empty, top, ..inputs });
             self.stack.clock(&stack::In { push: None, pop: out.pop });
             out
         }

@@ -4,34 +4,11 @@
 //! integers; equal is not nearer, NaN never is. `last` moves to the last beat kept of a leaf; of a leaf without any the thread is
 //! told as skipped.
 
-use super::records::{Candidates, Radius, Shape, Start, Thread};
 use crate::stream::{Fifo, Skid};
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::search::Config;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// A thread taking up a query.
-    pub start: Option<Start>,
-    /// A thread's new radius.
-    pub radius: Option<Radius>,
-    /// Squared distances; the beats of a leaf come together.
-    pub candidates: Option<Candidates>,
-    /// Whether the queue takes a beat.
-    pub kept_ready: bool,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a beat is accepted.
-    pub candidates_ready: bool,
-    /// Beats with a point that is near enough.
-    pub kept: Option<Candidates>,
-    /// The thread of a leaf of which no beat was kept.
-    pub skipped: Option<Thread>,
-}
+use pointcore_contract::search::records::{Candidates, Radius, Thread};
+pub use pointcore_contract::search::units::sieve::{In, Out};
 
 /// A beat with its thread's radius as of the cycle in which it was taken.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +27,7 @@ struct Judged {
 /// The sieve.
 #[derive(Clone, Debug)]
 pub struct Sieve {
-    shape: Shape,
+    lanes: usize,
     radii2: Vec<u32>,
     candidates: Skid<Candidates>,
     /// The stage s1.
@@ -68,7 +45,7 @@ impl Sieve {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         Self {
-            shape: Shape::new(config),
+            lanes: config.lanes as usize,
             radii2: vec![0; config.threads as usize],
             candidates: Skid::default(),
             fetched: None,
@@ -80,7 +57,7 @@ impl Sieve {
     }
 
     fn judge(&self, Fetched { candidates, radius2 }: Fetched) -> Judged {
-        let survives = candidates.distances[..self.shape.lanes].iter().any(|distance| *distance < radius2);
+        let survives = candidates.distances[..self.lanes].iter().any(|distance| *distance < radius2);
         Judged { candidates, survives }
     }
 
@@ -105,13 +82,9 @@ impl Sieve {
 }
 
 impl Model for Sieve {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out { candidates_ready: self.candidates.in_ready(), kept: self.kept.out().copied(), skipped: self.skipped }
@@ -150,28 +123,11 @@ impl Model for Sieve {
     }
 }
 
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "start_", &mut self.start);
-        stream(visitor, shape, "radius_", &mut self.radius);
-        stream(visitor, shape, "candidates_", &mut self.candidates);
-        visitor.field("kept_ready", &mut self.kept_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("candidates_ready", &mut self.candidates_ready);
-        stream(visitor, shape, "kept_", &mut self.kept);
-        stream(visitor, shape, "skipped_", &mut self.skipped);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::records::{BeatPlace, Query};
     use crate::testing::for_each_seed;
+    use pointcore_contract::search::records::{BeatPlace, Query, Start};
     use std::collections::VecDeque;
 
     const LANES: u32 = 2;

@@ -2,30 +2,14 @@
 //!
 //! A stack holds a path a level at most, since what is on it lies above the node the thread descends from.
 
-use super::records::{Path, Push, Shape, Thread};
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::search::Config;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// A path to remember.
-    pub push: Option<Push>,
-    /// A thread that wants its last path back.
-    pub pop: Option<Thread>,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// The path that the last pop found; `None` when its stack was empty.
-    pub top: Option<Path>,
-}
+use pointcore_contract::search::records::{Path, Push, Thread};
+pub use pointcore_contract::search::units::stack::{In, Out};
 
 /// The stacks of all threads.
 #[derive(Clone, Debug)]
 pub struct Stack {
-    shape: Shape,
     capacity: usize,
     paths: Vec<Path>,
     depths: Vec<usize>,
@@ -37,13 +21,7 @@ impl Stack {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         let (threads, capacity) = (config.threads as usize, config.tree_depth as usize);
-        Self {
-            shape: Shape::new(config),
-            capacity,
-            paths: vec![Path::default(); threads * capacity],
-            depths: vec![0; threads],
-            top: None,
-        }
+        Self { capacity, paths: vec![Path::default(); threads * capacity], depths: vec![0; threads], top: None }
     }
 
     fn address(&self, thread: Thread) -> usize {
@@ -52,16 +30,12 @@ impl Stack {
 }
 
 impl Model for Stack {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
 
-    fn shape(&self) -> Shape {
-        self.shape
-    }
-
     fn outputs(&self) -> Out {
-        Out { top: self.top }
+        Out { top_empty: self.top.is_none(), top: self.top.unwrap_or_default() }
     }
 
     fn clock(&mut self, inputs: &In) {
@@ -82,30 +56,6 @@ impl Model for Stack {
     }
 }
 
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "push_", &mut self.push);
-        stream(visitor, shape, "pop_", &mut self.pop);
-    }
-}
-
-/// The flag and the fields of a path that may not be there.
-pub(super) fn visit_top(top: &mut Option<Path>, shape: Shape, visitor: &mut impl Visitor) {
-    let mut empty = top.is_none();
-    let mut path = top.take().unwrap_or_default();
-    visitor.prefix("top_");
-    visitor.field("empty", &mut empty);
-    path.visit(shape, visitor);
-    visitor.prefix("");
-    *top = (!empty).then_some(path);
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visit_top(&mut self.top, shape, visitor);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -119,7 +69,8 @@ mod tests {
             let mut shown = None;
             let (mut pops, mut empty) = (0, 0);
             for node in 0..2000 {
-                assert_eq!(unit.outputs().top, shown);
+                let Out { top_empty, top } = unit.outputs();
+                assert_eq!((!top_empty).then_some(top), shown);
                 let pushing = random.usize(0..5);
                 let popping = (pushing + random.usize(1..5)) % 5;
                 let (pushes, popped) = (random.bool() && stacks[pushing].len() < 3, random.bool());

@@ -3,53 +3,14 @@
 //! A thread that has reached a leaf goes on popping while fewer than `leaves_in_flight` of its leaves are under way, else when
 //! the next of them is done. It finishes when its stack is empty and no leaf is under way.
 
-use super::records::{Descent, Query, Shape, Start, Thread};
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Descent, Start, Thread};
+pub use pointcore_contract::search::units::threads::{In, Out};
 
 /// The root of the tree.
 const ROOT: u32 = 1;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Queries.
-    pub query: Option<Query>,
-    /// Whether the traversal takes a descent.
-    pub descend_ready: bool,
-    /// Whether the recursion takes a thread.
-    pub pop_ready: bool,
-    /// Whether the queue takes a finished thread.
-    pub finish_ready: bool,
-    /// A thread's descent ended in a leaf.
-    pub reached: Option<Thread>,
-    /// All points of a leaf are in the thread's queue.
-    pub leaf_done: Option<Thread>,
-    /// No point of a leaf was near enough for the thread's queue.
-    pub skipped: Option<Thread>,
-    /// A thread's stack has nothing left.
-    pub empty: Option<Thread>,
-    /// A thread's results are safe.
-    pub released: Option<Thread>,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a query is accepted.
-    pub query_ready: bool,
-    /// A thread taking up a query.
-    pub start: Option<Start>,
-    /// Descents from the root.
-    pub descend: Option<Descent>,
-    /// Threads that want the next path from their stack.
-    pub pop: Option<Thread>,
-    /// Threads whose search is over.
-    pub finish: Option<Thread>,
-    /// A query waited for a free thread in the last cycle.
-    pub event_thread_wait: bool,
-}
 
 #[derive(Clone, Copy, Debug, Default)]
 struct State {
@@ -83,7 +44,6 @@ impl State {
 /// The thread control.
 #[derive(Clone, Debug)]
 pub struct Threads {
-    shape: Shape,
     leaves_in_flight: u8,
     states: Vec<State>,
     popping: Turns,
@@ -98,7 +58,6 @@ impl Threads {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         Self {
-            shape: Shape::new(config),
             leaves_in_flight: config.leaves_in_flight as u8,
             states: vec![State::default(); config.threads as usize],
             popping: Turns::default(),
@@ -162,13 +121,9 @@ impl Turns {
 }
 
 impl Model for Threads {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -200,34 +155,10 @@ impl Model for Threads {
     }
 }
 
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "query_", &mut self.query);
-        visitor.field("descend_ready", &mut self.descend_ready);
-        visitor.field("pop_ready", &mut self.pop_ready);
-        visitor.field("finish_ready", &mut self.finish_ready);
-        stream(visitor, shape, "reached_", &mut self.reached);
-        stream(visitor, shape, "leaf_done_", &mut self.leaf_done);
-        stream(visitor, shape, "skipped_", &mut self.skipped);
-        stream(visitor, shape, "empty_", &mut self.empty);
-        stream(visitor, shape, "released_", &mut self.released);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("query_ready", &mut self.query_ready);
-        stream(visitor, shape, "start_", &mut self.start);
-        stream(visitor, shape, "descend_", &mut self.descend);
-        stream(visitor, shape, "pop_", &mut self.pop);
-        stream(visitor, shape, "finish_", &mut self.finish);
-        visitor.field("event_thread_wait", &mut self.event_thread_wait);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_contract::search::records::Query;
 
     const READY: In = In {
         query: None,

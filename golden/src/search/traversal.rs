@@ -7,54 +7,15 @@
 
 mod nodes;
 
-use super::records::{Descent, LeafVisit, Node, NodeRecord, Path, Point, Push, Shape, Start, Thread, TreeWrite};
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use nodes::Nodes;
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Write to the node memory, without a tree cache.
-    pub tree: Option<TreeWrite>,
-    /// Whether the tree cache takes a node.
-    pub node_ready: bool,
-    /// Nodes from the tree cache.
-    pub record: Option<NodeRecord>,
-    /// A thread taking up a query.
-    pub start: Option<Start>,
-    /// Descents from the root.
-    pub descend: Option<Descent>,
-    /// Descents from a path that was not taken before.
-    pub resume: Option<Descent>,
-    /// Whether the leaf unit takes a leaf.
-    pub leaf_ready: bool,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Nodes that the tree cache is to look up.
-    pub node: Option<Descent>,
-    /// Whether a node from the tree cache is accepted.
-    pub record_ready: bool,
-    /// Whether a descent from the root is accepted.
-    pub descend_ready: bool,
-    /// Whether a descent from a path is accepted.
-    pub resume_ready: bool,
-    /// A path for the thread's stack.
-    pub push: Option<Push>,
-    /// Leaves reached.
-    pub leaf: Option<LeafVisit>,
-    /// A thread whose paths down to a leaf have all been pushed.
-    pub reached: Option<Thread>,
-    /// A node was visited in the last cycle.
-    pub event_node: bool,
-}
+use pointcore_contract::search::records::{Descent, LeafVisit, Node, NodeRecord, Path, Point, Push, Thread};
+pub use pointcore_contract::search::units::traversal::{In, Out};
 
 /// A node and what is needed to decide on it.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +59,6 @@ enum Step {
 /// The node traversal.
 #[derive(Clone, Debug)]
 pub struct Traversal {
-    shape: Shape,
     geometry: Format,
     depth: u32,
     nodes: Nodes,
@@ -120,7 +80,6 @@ impl Traversal {
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
         Self {
-            shape: Shape::new(config),
             geometry: config.geometry,
             depth: config.tree_depth,
             nodes: Nodes::new(config),
@@ -167,13 +126,9 @@ impl Traversal {
 }
 
 impl Model for Traversal {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -223,36 +178,6 @@ impl Model for Traversal {
         if let Some(start) = inputs.start {
             self.points[start.thread.index()] = start.query.point;
         }
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        if shape.tree_cache {
-            visitor.field("node_ready", &mut self.node_ready);
-            stream(visitor, shape, "record_", &mut self.record);
-        } else {
-            stream(visitor, shape, "tree_", &mut self.tree);
-        }
-        stream(visitor, shape, "start_", &mut self.start);
-        stream(visitor, shape, "descend_", &mut self.descend);
-        stream(visitor, shape, "resume_", &mut self.resume);
-        visitor.field("leaf_ready", &mut self.leaf_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        if shape.tree_cache {
-            stream(visitor, shape, "node_", &mut self.node);
-            visitor.field("record_ready", &mut self.record_ready);
-        }
-        visitor.field("descend_ready", &mut self.descend_ready);
-        visitor.field("resume_ready", &mut self.resume_ready);
-        stream(visitor, shape, "push_", &mut self.push);
-        stream(visitor, shape, "leaf_", &mut self.leaf);
-        stream(visitor, shape, "reached_", &mut self.reached);
-        visitor.field("event_node", &mut self.event_node);
     }
 }
 

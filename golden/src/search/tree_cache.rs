@@ -4,49 +4,13 @@
 //! level needs no record and gets one of zeros. The lines are cleared after reset, one a cycle; a model has none to clear, but waits
 //! as long.
 
-use super::events::Served;
-use super::records::{Bucket, Descent, Fetch, LeafVisit, Lookup, Node, NodeRecord, Shape, TreeRecord};
 use crate::stream::{Fifo, Skid};
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::search::Config;
-use pointcore_contract::search::ports::TREE_CACHE_EVENTS;
+use pointcore_contract::search::records::{Bucket, Descent, Fetch, LeafVisit, Lookup, Node, NodeRecord, TreeRecord};
+use pointcore_contract::search::units::TreeCacheEvents;
+pub use pointcore_contract::search::units::tree_cache::{In, Out};
 use std::mem::discriminant;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Nodes that the traversal has come to.
-    pub node: Option<Descent>,
-    /// Leaves reached.
-    pub leaf: Option<LeafVisit>,
-    /// Whether the traversal takes a node's record.
-    pub record_ready: bool,
-    /// Whether a leaf's request is taken.
-    pub fetch_ready: bool,
-    /// Whether the memory takes a request.
-    pub lookup_ready: bool,
-    /// Records from memory, in any order.
-    pub fill: Option<TreeRecord>,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a node is accepted.
-    pub node_ready: bool,
-    /// Whether a leaf is accepted.
-    pub leaf_ready: bool,
-    /// Nodes with what they hold.
-    pub record: Option<NodeRecord>,
-    /// Requests for the points of leaves.
-    pub fetch: Option<Fetch>,
-    /// Requests to the memory.
-    pub lookup: Option<Lookup>,
-    /// Whether a record from memory is accepted.
-    pub fill_ready: bool,
-    /// Records found in the cache and not, in the last cycle.
-    pub events: Served,
-}
 
 /// What a request asks for, by the output that answers it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +67,6 @@ fn fetch(Lookup { thread, .. }: Lookup, Bucket { begin, beats }: Bucket) -> Answ
 /// The tree cache.
 #[derive(Clone, Debug)]
 pub struct TreeCache {
-    shape: Shape,
     tree_depth: u32,
     lines: Vec<Option<Line>>,
     /// Lines that the hardware has cleared since reset.
@@ -117,7 +80,7 @@ pub struct TreeCache {
     record: Skid<NodeRecord>,
     fetch: Skid<Fetch>,
     lookup: Skid<Lookup>,
-    events: Served,
+    events: TreeCacheEvents,
 }
 
 impl TreeCache {
@@ -126,7 +89,6 @@ impl TreeCache {
     pub fn new(config: &Config) -> Self {
         let (nodes, leaves) = (config.threads, config.threads * config.leaves_in_flight);
         Self {
-            shape: Shape::new(config),
             tree_depth: config.tree_depth,
             lines: vec![None; config.tree_cache as usize],
             cleared: 0,
@@ -138,7 +100,7 @@ impl TreeCache {
             record: Skid::default(),
             fetch: Skid::default(),
             lookup: Skid::default(),
-            events: Served::default(),
+            events: TreeCacheEvents::default(),
         }
     }
 
@@ -182,13 +144,9 @@ impl TreeCache {
 }
 
 impl Model for TreeCache {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -214,7 +172,7 @@ impl Model for TreeCache {
         let misses = answer.is_none() && self.lookup.in_ready();
         let missed = self.looked_up.filter(|_| misses).map(|request| request.lookup);
         let counts = self.looked_up.is_some_and(|request| request.wanted != Wanted::DeepestNode);
-        self.events = Served { hit: served.is_some() && counts, miss: missed.is_some() };
+        self.events = TreeCacheEvents { hit: served.is_some() && counts, miss: missed.is_some() };
 
         let (mut record, mut fetch) = (None, None);
         for answer in [filled, served].into_iter().flatten() {
@@ -240,29 +198,6 @@ impl Model for TreeCache {
         self.node.step(inputs.node, takes_node);
         self.leaf.step(inputs.leaf, takes_leaf);
         self.fill.step(inputs.fill, fill.is_some());
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "node_", &mut self.node);
-        stream(visitor, shape, "leaf_", &mut self.leaf);
-        visitor.field("record_ready", &mut self.record_ready);
-        visitor.field("fetch_ready", &mut self.fetch_ready);
-        visitor.field("lookup_ready", &mut self.lookup_ready);
-        stream(visitor, shape, "fill_", &mut self.fill);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("node_ready", &mut self.node_ready);
-        visitor.field("leaf_ready", &mut self.leaf_ready);
-        stream(visitor, shape, "record_", &mut self.record);
-        stream(visitor, shape, "fetch_", &mut self.fetch);
-        stream(visitor, shape, "lookup_", &mut self.lookup);
-        visitor.field("fill_ready", &mut self.fill_ready);
-        self.events.visit(visitor, TREE_CACHE_EVENTS);
     }
 }
 

@@ -6,54 +6,17 @@
 
 use super::attribute::Arithmetic;
 use super::depth_test;
-use super::records::{Pixel, Shape, WeightedSample};
-use super::tile_cache::{Fill, Slot, SlotPixel};
 use crate::stream::Fifo;
-use crate::unit::{Model, Record, Visitor, optional, stream};
+use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS, WEIGHT_SUM_BITS};
+use pointcore_contract::splat::records::{Fill, Slot, SlotPixel};
+use pointcore_contract::splat::records::{Pixel, WeightedSample};
+use pointcore_contract::splat::units::AccumulatorEvents;
+pub use pointcore_contract::splat::units::accumulator::{In, Out};
 use std::collections::VecDeque;
 
 const WEIGHT_SUM_MAX: u32 = (1 << WEIGHT_SUM_BITS) - 1;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Samples.
-    pub input: Option<WeightedSample>,
-    /// A bit for each slot that may be accumulated into.
-    pub slot_ready: u64,
-    /// Write to a slot.
-    pub fill: Option<Fill>,
-    /// Read of a slot.
-    pub drain: Option<SlotPixel>,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a sample is accepted.
-    pub in_ready: bool,
-    /// The last sample of a copy is accumulated.
-    pub retire: Option<Slot>,
-    /// Every sample of the frame is accumulated.
-    pub frame_end: bool,
-    /// The pixel of the last [`In::drain`] but one.
-    pub drained: Pixel,
-    /// What happened in the cycle before.
-    pub events: Events,
-}
-
-/// Why the accumulator worked or waited.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Events {
-    /// It took a sample inside a splat.
-    pub accumulate: bool,
-    /// An earlier sample of the pixel was under way.
-    pub hazard: bool,
-    /// The slot was not ready.
-    pub slot_wait: bool,
-}
 
 /// A sample under way.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +31,7 @@ struct Stage {
 /// The accumulator.
 #[derive(Clone, Debug)]
 pub struct Accumulator {
-    shape: Shape,
+    continuous: usize,
     attribute: Arithmetic,
     input: Fifo<WeightedSample>,
     /// The sample that issues next.
@@ -84,7 +47,7 @@ pub struct Accumulator {
     /// The pixel that was read last for the tile cache, and the one before.
     read: Pixel,
     drained: Pixel,
-    events: Events,
+    events: AccumulatorEvents,
 }
 
 impl Accumulator {
@@ -92,7 +55,7 @@ impl Accumulator {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         Self {
-            shape: Shape::new(config),
+            continuous: config.continuous as usize,
             attribute: Arithmetic(config.attribute),
             input: Fifo::new(SAMPLE_QUEUE_DEPTH as usize),
             head: None,
@@ -103,17 +66,17 @@ impl Accumulator {
             frame_end: false,
             read: Pixel::default(),
             drained: Pixel::default(),
-            events: Events::default(),
+            events: AccumulatorEvents::default(),
         }
     }
 
     /// Whether the sample at the head waits, and for what.
-    fn stall(&self, sample: &WeightedSample) -> Events {
+    fn stall(&self, sample: &WeightedSample) -> AccumulatorEvents {
         let place = &sample.place;
         let index = index(place.slot, place.pixel);
         let slot_wait = place.inside && self.slot_ready >> place.slot & 1 == 0;
         let hazard = place.inside && !slot_wait && self.stages.iter().flatten().any(|stage| stage.index == Some(index));
-        Events { accumulate: place.inside && !slot_wait && !hazard, hazard, slot_wait }
+        AccumulatorEvents { accumulate: place.inside && !slot_wait && !hazard, hazard, slot_wait }
     }
 
     fn start(&self, sample: &WeightedSample) -> Stage {
@@ -135,7 +98,7 @@ impl Accumulator {
         }
         let mut attributes = sample.attributes;
         if outcome.pass {
-            for sum in &mut attributes[..self.shape.continuous] {
+            for sum in &mut attributes[..self.continuous] {
                 *sum = self.attribute.alone(*sum);
             }
             let (weight_sum, depth) = (u32::from(weight), sample.weighted_depth);
@@ -148,7 +111,7 @@ impl Accumulator {
         let stronger = stored.peak < weight;
         let peak = if stronger { weight } else { stored.peak };
         for (index, (new, old)) in attributes.iter_mut().zip(stored.attributes).enumerate() {
-            if index < self.shape.continuous {
+            if index < self.continuous {
                 *new = self.attribute.add(old, *new);
             } else if !stronger {
                 *new = old;
@@ -163,13 +126,9 @@ fn index(slot: u8, pixel: u8) -> usize {
 }
 
 impl Model for Accumulator {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -183,7 +142,7 @@ impl Model for Accumulator {
 
     fn clock(&mut self, inputs: &In) {
         self.frame_end = false;
-        self.events = Events::default();
+        self.events = AccumulatorEvents::default();
         let mut issued = false;
         let mut started = None;
         if let Some(sample) = &self.head {
@@ -218,39 +177,10 @@ impl Model for Accumulator {
     }
 }
 
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("slot_ready", &mut self.slot_ready);
-        stream(visitor, shape, "fill_", &mut self.fill);
-        optional(visitor, shape, "drain_", "enable", &mut self.drain);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "retire_", &mut self.retire);
-        visitor.field("frame_end", &mut self.frame_end);
-        visitor.prefix("drain_");
-        self.drained.visit(shape, visitor);
-        visitor.prefix("");
-        self.events.visit(visitor);
-    }
-}
-
-impl Events {
-    pub(super) fn visit(&mut self, visitor: &mut impl Visitor) {
-        visitor.field("event_accumulate", &mut self.accumulate);
-        visitor.field("event_hazard", &mut self.hazard);
-        visitor.field("event_slot_wait", &mut self.slot_wait);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::splat::records::SamplePlace;
+    use pointcore_contract::splat::records::SamplePlace;
 
     /// A sample whose ε-band reaches 100 to either side.
     fn sample(pixel: u8, weight: u16, depth: u32) -> WeightedSample {
@@ -263,11 +193,11 @@ mod tests {
     }
 
     /// Feeds the samples as fast as they are taken, with slot 1 ready from a cycle on; returns the unit and when copies retired.
-    fn run(config: &Config, samples: &[WeightedSample], ready_from: u32) -> (Accumulator, Vec<u32>, Events) {
+    fn run(config: &Config, samples: &[WeightedSample], ready_from: u32) -> (Accumulator, Vec<u32>, AccumulatorEvents) {
         let mut unit = Accumulator::new(config);
         let mut samples = samples.iter().copied();
         let mut input = samples.next();
-        let (mut retired, mut seen) = (Vec::new(), Events::default());
+        let (mut retired, mut seen) = (Vec::new(), AccumulatorEvents::default());
         for cycle in 0..200 {
             let out = unit.outputs();
             retired.extend(out.retire.map(|_| cycle));

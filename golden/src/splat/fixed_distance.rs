@@ -3,8 +3,8 @@
 //! docs/stability.md bounds what all of it together moves `ρ²` by; a test below holds the bound against f64.
 
 use super::fixed_footprint::magnitude;
-use super::records::Footprint;
 use crate::number::Number;
+use pointcore_contract::splat::records::Footprint;
 use pointcore_contract::splat::{Coefficient, Feature};
 use pointcore_contract::{Fixed, Format};
 
@@ -50,7 +50,8 @@ impl Distance {
         let n = self.coefficient.width();
         let [x, y] = offset.map(|offset| signed((offset >> footprint.shift) as u32, n));
         let [[ax, ay], [bx, by], [mx, my]] =
-            [footprint.a, footprint.b, footprint.m].map(|pair| pair.map(|number| signed(number, n)));
+            [[footprint.ax, footprint.ay], [footprint.bx, footprint.by], [footprint.mx, footprint.my]]
+                .map(|pair| pair.map(|number| signed(number, n)));
         let delta = signed(footprint.delta, self.coefficient.delta_width());
 
         let determinant = (delta << self.coefficient.place_fraction()) + x * mx + y * my;
@@ -162,7 +163,7 @@ mod tests {
 
         // Units of a coefficient, of an offset, and of Δ.
         let widest = |integer: u32| signed(integer, coefficient.width()).unsigned_abs() as f64;
-        let coefficients = [(ax, fixed.a[0]), (ay, fixed.a[1]), (bx, fixed.b[0]), (by, fixed.b[1])];
+        let coefficients = [(ax, fixed.ax), (ay, fixed.ay), (bx, fixed.bx), (by, fixed.by)];
         let (length, integer) = coefficients
             .map(|(length, integer)| (length.abs(), widest(integer)))
             .into_iter()

@@ -5,10 +5,10 @@
 //! saturates. A coefficient that is no number, a centre thousands of pixels away, and a `Δ` that is rounding make all coefficients
 //! zero, so that no sample is covered.
 
-use super::records::Footprint;
 use crate::number::Number;
 use pointcore_contract::Fixed;
 use pointcore_contract::splat::Coefficient;
+use pointcore_contract::splat::records::Footprint;
 use std::ops::Range;
 
 /// Biased exponent of numbers from one half to one.
@@ -70,8 +70,8 @@ pub fn footprint(coefficient: Coefficient, projection: &Projection, pixels: [Ran
     if delta.unsigned_abs() < coefficient.delta_least().into() {
         return zeros;
     }
-    let [a, b, m] = [a, b, m].map(|pair| pair.map(|length| truncated(length, width)));
-    Footprint { a, b, delta: truncated(delta, delta_width), m, ..zeros }
+    let [[ax, ay], [bx, by], [mx, my]] = [a, b, m].map(|pair| pair.map(|length| truncated(length, width)));
+    Footprint { ax, bx, ay, by, delta: truncated(delta, delta_width), mx, my, ..zeros }
 }
 
 /// Bits that tell how far a number reaches: its own, or inverted ones if it is negative.

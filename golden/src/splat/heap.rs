@@ -3,52 +3,16 @@
 //! The model is an ordered map with the hardware's timing; arrival numbers do not wrap here. In the hardware they do: their top
 //! bit is an epoch, whose number is taken again only after its last entry left, so that two epochs can be told apart.
 
-use super::records::Shape;
 use crate::stream::Skid;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::HeapEntry;
+pub use pointcore_contract::splat::units::heap::{In, Out};
 use std::collections::BTreeMap;
-
-/// A copy's tile and where the rest of it is stored.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct HeapEntry {
-    /// Tile index.
-    pub tile: u32,
-    /// Address of the payload.
-    pub pointer: u16,
-}
-
-impl Record<Shape> for HeapEntry {
-    fn visit(&mut self, _shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("tile", &mut self.tile);
-        visitor.field("pointer", &mut self.pointer);
-    }
-}
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Entries in order of arrival.
-    pub input: Option<HeapEntry>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether an entry is accepted.
-    pub in_ready: bool,
-    /// Entries in order of tiles.
-    pub out: Option<HeapEntry>,
-    /// Whether no entry is left, neither to sort nor to show.
-    pub empty: bool,
-}
 
 /// The heap.
 #[derive(Clone, Debug)]
 pub struct Heap {
-    shape: Shape,
     capacity: usize,
     epoch_bits: u32,
     /// Pointers by tile and number of arrival.
@@ -75,7 +39,6 @@ impl Heap {
     #[must_use]
     pub fn numbered(config: &Config, sequence_bits: u32) -> Self {
         Self {
-            shape: Shape::new(config),
             capacity: config.heap_capacity() as usize,
             epoch_bits: sequence_bits - 1,
             entries: BTreeMap::new(),
@@ -124,13 +87,9 @@ impl Heap {
 }
 
 impl Model for Heap {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         let empty = self.entries.is_empty() && self.out.out().is_none();
@@ -145,21 +104,6 @@ impl Model for Heap {
         }
         self.resting = self.resting.checked_sub(1).unwrap_or(self.interval - 1);
         self.out.step(popped, inputs.out_ready);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
-        visitor.field("empty", &mut self.empty);
     }
 }
 

@@ -4,26 +4,21 @@
 
 use super::attribute::Arithmetic;
 use super::division::recip;
-use super::records::{FinishedPixel, Fragment, Shape};
 use crate::datapath::Datapath;
 use crate::number::Number;
-use crate::unit::{Model, ThroughIn, ThroughOut};
+use crate::unit::Model;
 use pointcore_contract::Format;
 use pointcore_contract::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS};
+use pointcore_contract::splat::records::{FinishedPixel, Fragment};
+pub use pointcore_contract::splat::units::normalizer::{In, Out};
 use pointcore_contract::splat::{Config, Division};
 
 const SIZE: u32 = TILE_SIZE;
 
-/// What the unit sees.
-pub type In = ThroughIn<FinishedPixel>;
-
-/// What the unit shows.
-pub type Out = ThroughOut<Fragment>;
-
 /// The normalizer.
 #[derive(Clone, Debug)]
 pub struct Normalizer {
-    shape: Shape,
+    continuous: usize,
     geometry: Format,
     attribute: Arithmetic,
     division: Division,
@@ -36,7 +31,7 @@ impl Normalizer {
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
         Self {
-            shape: Shape::new(config),
+            continuous: config.continuous as usize,
             geometry: config.geometry,
             attribute: Arithmetic(config.attribute),
             division: config.division,
@@ -55,7 +50,7 @@ impl Normalizer {
         let r = recip(self.division, Number::from_fixed(self.geometry, weight, WEIGHT_SUM_BITS, WEIGHT_BITS));
         let depth = Number::from_fixed(self.geometry, placed.value.depth, DEPTH_SUM_BITS, WEIGHT_BITS + DEPTH_BITS) * r;
         let mut attributes = sums.map(|bits| bits as u32);
-        for (attribute, sum) in attributes[..self.shape.continuous].iter_mut().zip(sums) {
+        for (attribute, sum) in attributes[..self.continuous].iter_mut().zip(sums) {
             *attribute = self.attribute.normalize(sum, r, self.geometry);
         }
         let [tile_column, tile_row] =
@@ -72,13 +67,9 @@ impl Normalizer {
 }
 
 impl Model for Normalizer {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
@@ -93,7 +84,7 @@ impl Model for Normalizer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::splat::records::{Pixel, PlacedPixel};
+    use pointcore_contract::splat::records::{Pixel, PlacedPixel};
 
     #[test]
     fn divides_by_the_weight() {

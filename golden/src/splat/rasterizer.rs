@@ -5,51 +5,20 @@
 
 use super::division::squared_ratio;
 use super::fixed_distance::Distance;
-use super::records::{Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace, Shape};
 use crate::datapath::Datapath;
 use crate::float::{Table, kernel_table};
 use crate::number::Number;
 use crate::stream::Fifo;
-use crate::unit::{Model, Record, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE};
+use pointcore_contract::splat::records::{Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace};
+use pointcore_contract::splat::units::RasterizerEvents;
+pub use pointcore_contract::splat::units::rasterizer::{In, Out};
 use pointcore_contract::splat::{Config, Division, Feature, RasterFormat};
-use pointcore_contract::{Format, FragmentDepth, Sampling};
+use pointcore_contract::{Format, Sampling};
 use std::sync::Arc;
 
 const SIZE: u16 = TILE_SIZE as u16;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Copies with their slots.
-    pub input: Option<PlacedCopy>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-    /// Reciprocal of the screen filter's squared radius.
-    pub filter_scale: u32,
-}
-
-/// What the unit shows.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Out {
-    /// Whether a copy is accepted.
-    pub in_ready: bool,
-    /// Samples.
-    pub out: Option<Sample>,
-    /// What happened in the cycle before.
-    pub events: Events,
-}
-
-/// Use of the datapath.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Events {
-    /// A sample entered.
-    pub sample: bool,
-    /// There was no copy to work on.
-    pub starved: bool,
-    /// What follows held it.
-    pub blocked: bool,
-}
 
 /// The copy under rasterization and its next pixel, in tile coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -82,13 +51,14 @@ impl Scan {
 /// The rasterizer.
 #[derive(Clone, Debug)]
 pub struct Rasterizer {
-    shape: Shape,
     format: Format,
     /// In fixed point, in the place of a format.
     fixed: Option<Distance>,
     sampling: Sampling,
     eye_plane: Feature,
     division: Division,
+    has_depth_plane: bool,
+    has_screen_filter: bool,
     tile_column_bits: u32,
     kernel: Arc<Table>,
     /// Bits of `ρ²` that the kernel sees.
@@ -97,7 +67,7 @@ pub struct Rasterizer {
     copies: Fifo<(Band, Attributes)>,
     /// Samples, with their depth band where their splat has none.
     datapath: Datapath<(SamplePlace, Option<Band>)>,
-    events: Events,
+    events: RasterizerEvents,
 }
 
 impl Rasterizer {
@@ -113,19 +83,20 @@ impl Rasterizer {
             }
         };
         Self {
-            shape: Shape::new(config),
             format,
             fixed,
             sampling: config.sampling,
             eye_plane: config.eye_plane,
             division: config.division,
+            has_depth_plane: config.has_depth_plane(),
+            has_screen_filter: config.screen_filter.is_on(),
             tile_column_bits: config.tile_column_bits(),
             kernel: Arc::new(kernel_table(config.kernel_gamma, config.kernel_table())),
             kernel_bits,
             scan: None,
             copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
             datapath: Datapath::new(latency, 1),
-            events: Events::default(),
+            events: RasterizerEvents::default(),
         }
     }
 
@@ -155,7 +126,7 @@ impl Rasterizer {
                 pixel: (scan.row * SIZE + scan.column) as u8,
                 weight: self.weight(squared),
             };
-            let has_plane = self.shape.depth == FragmentDepth::Plane;
+            let has_plane = self.has_depth_plane;
             (place, has_plane.then(|| self.depth_band(&copy.footprint, [column, row])))
         })
     }
@@ -198,9 +169,9 @@ impl Rasterizer {
         }
         let number = |bits| Number::new(self.format, bits);
         let [x, y] = self.offset(footprint, pixel);
-        let [ax, ay] = footprint.a.map(number);
-        let [bx, by] = footprint.b.map(number);
-        let [mx, my] = footprint.m.map(number);
+        let [ax, ay] = [footprint.ax, footprint.ay].map(number);
+        let [bx, by] = [footprint.bx, footprint.by].map(number);
+        let [mx, my] = [footprint.mx, footprint.my].map(number);
         let delta = number(footprint.delta);
 
         let determinant = delta + x * mx + y * my;
@@ -210,7 +181,7 @@ impl Rasterizer {
         } else {
             squared_ratio(self.division, [x * ay - y * ax, x * by - y * bx], determinant)
         };
-        if self.shape.screen_filter.is_on() { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
+        if self.has_screen_filter { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
     }
 
     /// Where the sample of a column and a row lies, px.
@@ -240,13 +211,9 @@ impl Rasterizer {
 }
 
 impl Model for Rasterizer {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         let out = self.datapath.out().map(|&(place, own_band)| {
@@ -261,7 +228,7 @@ impl Model for Rasterizer {
         let busy = self.scan.is_some();
         let taken = inputs.input.filter(|_| self.in_ready());
         let sample = self.scan.as_ref().filter(|_| advances).and_then(|scan| self.sample(scan, inputs.filter_scale));
-        self.events = Events {
+        self.events = RasterizerEvents {
             sample: advances && self.scan.as_ref().is_some_and(|scan| !scan.placed.copy.end),
             starved: advances && !busy,
             blocked: busy && !advances,
@@ -280,36 +247,11 @@ impl Model for Rasterizer {
     }
 }
 
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-        if shape.screen_filter.is_on() {
-            visitor.field("filter_scale", &mut self.filter_scale);
-        }
-    }
-}
-
-impl Record<Shape> for Out {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        visitor.field("in_ready", &mut self.in_ready);
-        stream(visitor, shape, "out_", &mut self.out);
-        self.events.visit(visitor);
-    }
-}
-
-impl Events {
-    pub(super) fn visit(&mut self, visitor: &mut impl Visitor) {
-        visitor.field("event_sample", &mut self.sample);
-        visitor.field("event_starved", &mut self.starved);
-        visitor.field("event_blocked", &mut self.blocked);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::splat::records::{Rectangle, SplatCopy};
+    use pointcore_contract::FragmentDepth;
+    use pointcore_contract::splat::records::{SplatCopy, TileRectangle};
 
     fn bits(number: f32) -> u32 {
         number.to_bits()
@@ -319,13 +261,13 @@ mod tests {
     fn disc(slot: u8) -> PlacedCopy {
         let footprint = Footprint {
             center: [bits(12.0); 2],
-            a: [bits(3.0), 0],
-            b: [0, bits(3.0)],
+            ax: bits(3.0),
+            by: bits(3.0),
             delta: bits(9.0),
             band: Band { depth: u32::from(slot), low: 1, high: 2 },
             ..Footprint::default()
         };
-        let bounds = Rectangle { left: 1, right: 6, top: 1, bottom: 6 };
+        let bounds = TileRectangle { left: 1, right: 6, top: 1, bottom: 6 };
         PlacedCopy { copy: SplatCopy { footprint, bounds, tile: 1 << 5 | 1, ..SplatCopy::default() }, slot }
     }
 

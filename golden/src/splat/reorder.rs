@@ -3,22 +3,17 @@
 //! The heap sorts tiles and pointers; the rest of a copy waits in a payload memory. An end record leaves after all copies before
 //! it, and nothing after it enters until it left.
 
-use super::heap::{self, Heap, HeapEntry};
-use super::records::{Shape, SplatCopy};
+use super::heap::{self, Heap};
 use crate::stream::{Fifo, HalfBuffer};
-use crate::unit::{Model, ThroughIn, ThroughOut};
+use crate::unit::Model;
 use pointcore_contract::splat::Config;
-
-/// What the unit sees.
-pub type In = ThroughIn<SplatCopy>;
-
-/// What the unit shows.
-pub type Out = ThroughOut<SplatCopy>;
+use pointcore_contract::splat::records::HeapEntry;
+use pointcore_contract::splat::records::SplatCopy;
+pub use pointcore_contract::splat::units::reorder::{In, Out};
 
 /// The reorder stage.
 #[derive(Clone, Debug)]
 pub struct Reorder {
-    shape: Shape,
     input: HalfBuffer<SplatCopy>,
     heap: Heap,
     payloads: Vec<SplatCopy>,
@@ -40,7 +35,6 @@ impl Reorder {
     pub fn new(config: &Config) -> Self {
         let pointers = 1 << config.heap_levels;
         Self {
-            shape: Shape::new(config),
             input: HalfBuffer::default(),
             heap: Heap::new(config),
             payloads: vec![SplatCopy::default(); pointers],
@@ -56,13 +50,9 @@ impl Reorder {
 }
 
 impl Model for Reorder {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out { in_ready: self.input.in_ready(), out: self.out.out().copied() }

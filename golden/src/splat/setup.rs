@@ -7,12 +7,13 @@
 
 use super::division::{recip, sqrt};
 use super::fixed_footprint::{self, Projection};
-use super::records::{Band, DepthPlane, Footprint, Rectangle, SetupSplat, Shape, Splat};
 use super::uniforms::SetupUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
-use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::splat::config::DEPTH_BITS;
+use pointcore_contract::splat::records::{Band, DepthPlane, Footprint, ImageRectangle, SetupSplat, Splat};
+pub use pointcore_contract::splat::units::setup::{In, Out};
 use pointcore_contract::splat::{Config, Division, Feature, RasterFormat};
 use pointcore_contract::{Format, Sampling};
 use std::ops::Range;
@@ -37,29 +38,15 @@ const PIXEL: u64 = 1 << BOUND_FRACTION_BITS;
 const FIRST_MARGIN: u64 = 1;
 const LAST_MARGIN: u64 = 2;
 
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Splats in camera space.
-    pub input: Option<Splat>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-    /// Constants of the frame.
-    pub uniforms: SetupUniforms,
-}
-
-/// What the unit shows.
-pub type Out = ThroughOut<SetupSplat>;
-
 /// The setup unit.
 #[derive(Clone, Debug)]
 pub struct Setup {
-    shape: Shape,
     geometry: Format,
     raster: RasterFormat,
     division: Division,
     culling: Feature,
     eye_plane: Feature,
+    has_screen_filter: bool,
     edges: [u64; 2],
     sampling: Sampling,
     datapath: Datapath<SetupSplat>,
@@ -85,10 +72,10 @@ impl Setup {
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
         Self {
-            shape: Shape::new(config),
             geometry: config.geometry,
             raster: config.raster_format(),
             division: config.division,
+            has_screen_filter: config.screen_filter.is_on(),
             culling: config.culling,
             eye_plane: config.eye_plane,
             edges: [config.width, config.height].map(u64::from),
@@ -113,8 +100,8 @@ impl Setup {
         }
         let [ux, uy, uz] = splat.center.map(|bits| self.number(bits));
         let [[a1x, a1y, _], [a2x, a2y, _]] = splat.tangents.map(|tangent| tangent.map(|bits| self.number(bits)));
-        let [scale_x, scale_y] = uniforms.scale.map(|bits| self.number(bits));
-        let [origin_x, origin_y] = uniforms.origin.map(|bits| self.number(bits));
+        let [scale_x, scale_y] = uniforms.viewport.scale.map(|bits| self.number(bits));
+        let [origin_x, origin_y] = uniforms.viewport.origin.map(|bits| self.number(bits));
 
         let r = recip(self.division, uz);
         let (vx, vy) = (ux * r, uy * r);
@@ -147,7 +134,7 @@ impl Setup {
                 Footprint { band: depths.band(), ..footprint }
             }
         };
-        let bounds = Rectangle {
+        let bounds = ImageRectangle {
             left: columns.start as u16,
             right: (columns.end - 1) as u16,
             top: rows.start as u16,
@@ -170,10 +157,13 @@ impl Setup {
         };
         Footprint {
             center: center.map(coefficient),
-            a: a.map(coefficient),
-            b: b.map(coefficient),
+            ax: coefficient(a[0]),
+            bx: coefficient(b[0]),
+            ay: coefficient(a[1]),
+            by: coefficient(b[1]),
             delta: delta.map_or(format.quiet_nan() as u32, coefficient),
-            m: m.map(coefficient),
+            mx: coefficient(m[0]),
+            my: coefficient(m[1]),
             shift: 0,
             band: depths.band(),
             plane,
@@ -220,7 +210,7 @@ impl Setup {
         let t = (a * slant.alpha + b * slant.beta) * f;
         let h = sqrt(self.division, t * t + (a * a + b * b) * f);
         let (mut low, mut high) = ((c - t) - h, (c - t) + h);
-        if self.shape.screen_filter.is_on() {
+        if self.has_screen_filter {
             let radius = self.number(uniforms.filter_radius);
             low = low.min(c - radius);
             high = high.max(c + radius);
@@ -242,8 +232,8 @@ impl Setup {
     /// Depth range and ε (eqs. 5.8, 5.9); `None` behind the far plane.
     fn depths(&self, r: Number, slant: &Slant, uniforms: &SetupUniforms) -> Option<Depths> {
         let (zero, one) = (self.number(0), self.constant(1, 0));
-        let scale = self.number(uniforms.depth_b) * r;
-        let center = self.number(uniforms.depth_a) + scale;
+        let scale = self.number(uniforms.viewport.depth_b) * r;
+        let center = self.number(uniforms.viewport.depth_a) + scale;
         if !center.is_at_most(one) {
             return None;
         }
@@ -252,7 +242,7 @@ impl Setup {
         let beyond_near = range.filter(|(depth, half)| zero.is_at_most(*depth - *half));
         let (middle, half) = beyond_near.unwrap_or((center, scale.abs().min(one)));
         let range = beyond_near.map_or([zero, one], |(depth, half)| [depth - half, depth + half]);
-        let epsilon = half * self.number(uniforms.epsilon_scale) + self.number(uniforms.epsilon_bias);
+        let epsilon = half * self.number(uniforms.epsilon.scale) + self.number(uniforms.epsilon.bias);
         Some(Depths { zero, scale, center, middle, range, epsilon })
     }
 }
@@ -290,13 +280,9 @@ fn is_front(delta: Number, scale_x: Number, scale_y: Number) -> bool {
 }
 
 impl Model for Setup {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
@@ -304,32 +290,28 @@ impl Model for Setup {
 
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
-        let accepted = accepted.and_then(|splat| self.setup(splat, &inputs.uniforms));
+        let In { viewport, epsilon, filter_radius, .. } = *inputs;
+        let uniforms = SetupUniforms { viewport, epsilon, filter_radius };
+        let accepted = accepted.and_then(|splat| self.setup(splat, &uniforms));
         self.datapath.step(accepted, inputs.out_ready);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-        self.uniforms.visit(shape, visitor);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_contract::splat::records::{EpsilonScale, Viewport};
 
     fn uniforms() -> SetupUniforms {
         let bits = f32::to_bits;
         SetupUniforms {
-            scale: [bits(100.0); 2],
-            origin: [bits(128.0), bits(64.0)],
-            depth_a: bits(1.0),
-            depth_b: bits(-1.0),
-            epsilon_scale: bits(1.0),
-            epsilon_bias: bits(0.0),
+            viewport: Viewport {
+                scale: [bits(100.0); 2],
+                origin: [bits(128.0), bits(64.0)],
+                depth_a: bits(1.0),
+                depth_b: bits(-1.0),
+            },
+            epsilon: EpsilonScale { scale: bits(1.0), bias: bits(0.0) },
             filter_radius: bits(1.0),
         }
     }
@@ -351,19 +333,20 @@ mod tests {
         let tangents = tangents.map(|tangent| tangent.map(encode));
         let encode = |bits| encode(f32::from_bits(bits));
         let uniforms = SetupUniforms {
-            scale: uniforms.scale.map(encode),
-            origin: uniforms.origin.map(encode),
-            depth_a: encode(uniforms.depth_a),
-            depth_b: encode(uniforms.depth_b),
-            epsilon_scale: encode(uniforms.epsilon_scale),
-            epsilon_bias: encode(uniforms.epsilon_bias),
+            viewport: Viewport {
+                scale: uniforms.viewport.scale.map(encode),
+                origin: uniforms.viewport.origin.map(encode),
+                depth_a: encode(uniforms.viewport.depth_a),
+                depth_b: encode(uniforms.viewport.depth_b),
+            },
+            epsilon: EpsilonScale { scale: encode(uniforms.epsilon.scale), bias: encode(uniforms.epsilon.bias) },
             filter_radius: encode(uniforms.filter_radius),
         };
         unit.setup(&Splat { end: false, center, tangents, attributes: [0; 14] }, &uniforms)
     }
 
     fn bounds(splat: &SetupSplat) -> [u16; 4] {
-        let Rectangle { left, right, top, bottom } = splat.bounds;
+        let ImageRectangle { left, right, top, bottom } = splat.bounds;
         [left, right, top, bottom]
     }
 
@@ -417,7 +400,7 @@ mod tests {
     fn back_faces_are_culled_in_any_size_and_image() {
         let [upright, upside_down] = [1.0, -1.0].map(|sign| {
             let scale = [100.0_f32, sign * 100.0].map(f32::to_bits);
-            SetupUniforms { scale, ..uniforms() }
+            SetupUniforms { viewport: Viewport { scale, ..uniforms().viewport }, ..uniforms() }
         });
         let is_drawn = |tangents, culling, uniforms| setup_in(Format::F32, culling, tangents, uniforms).is_some();
         for size in [0.2_f32, 1e-12, 1e12] {
@@ -471,16 +454,17 @@ mod tests {
         };
         let (wide, narrow) = (setup(None), setup(Some(Format::BF16)));
         let rounded = |bits| Number::new(Format::F32, bits).convert(Format::BF16).bits();
-        let Footprint { center, a, b, delta, m, shift, band, plane } = wide.footprint;
-        let pairs = [center, a, b, m].map(|pair| pair.map(rounded));
-        let [center, a, b, m] = pairs;
+        let Footprint { center, ax, bx, ay, by, delta, mx, my, shift, band, plane } = wide.footprint;
+        let center = center.map(rounded);
+        let [ax, bx, ay, by, delta, mx, my] = [ax, bx, ay, by, delta, mx, my].map(rounded);
         let plane = DepthPlane {
             center: rounded(plane.center),
             slope: plane.slope.map(rounded),
             range: plane.range.map(rounded),
             epsilon: rounded(plane.epsilon),
         };
-        assert_eq!(narrow.footprint, Footprint { center, a, b, delta: rounded(delta), m, shift, band, plane });
+        let rounded = Footprint { center, ax, bx, ay, by, delta, mx, my, shift, band, plane };
+        assert_eq!(narrow.footprint, rounded);
         assert_eq!(narrow.bounds, wide.bounds);
     }
 

@@ -2,19 +2,14 @@
 //!
 //! A copy every second cycle while the output has room. An end record makes one end copy.
 
-use super::records::{Rectangle, SetupSplat, Shape, SplatCopy};
 use crate::stream::HalfBuffer;
-use crate::unit::{Model, ThroughIn, ThroughOut};
+use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::records::{SetupSplat, SplatCopy, TileRectangle};
+pub use pointcore_contract::splat::units::splitter::{In, Out};
 
 const SIZE: u16 = TILE_SIZE as u16;
-
-/// What the unit sees.
-pub type In = ThroughIn<SetupSplat>;
-
-/// What the unit shows.
-pub type Out = ThroughOut<SplatCopy>;
 
 /// The splat that is being cut and the tile that comes next.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +46,7 @@ impl Work {
         let (left, right) = intersection(bounds.left, bounds.right, self.tile_column);
         let (top, bottom) = intersection(bounds.top, bounds.bottom, self.tile_row);
         let tile = u32::from(self.tile_row) << tile_column_bits | u32::from(self.tile_column);
-        SplatCopy { end, footprint, attributes, bounds: Rectangle { left, right, top, bottom }, tile }
+        SplatCopy { end, footprint, attributes, bounds: TileRectangle { left, right, top, bottom }, tile }
     }
 }
 
@@ -64,7 +59,6 @@ fn intersection(first: u16, last: u16, tile: u16) -> (u16, u16) {
 /// The splitter.
 #[derive(Clone, Debug)]
 pub struct Splitter {
-    shape: Shape,
     tile_column_bits: u32,
     work: Option<Work>,
     out: HalfBuffer<SplatCopy>,
@@ -74,12 +68,7 @@ impl Splitter {
     /// The unit after reset.
     #[must_use]
     pub fn new(config: &Config) -> Self {
-        Self {
-            shape: Shape::new(config),
-            tile_column_bits: config.tile_column_bits(),
-            work: None,
-            out: HalfBuffer::default(),
-        }
+        Self { tile_column_bits: config.tile_column_bits(), work: None, out: HalfBuffer::default() }
     }
 
     fn in_ready(&self) -> bool {
@@ -88,13 +77,9 @@ impl Splitter {
 }
 
 impl Model for Splitter {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out { in_ready: self.in_ready(), out: self.out.out().copied() }
@@ -113,13 +98,14 @@ impl Model for Splitter {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_contract::splat::records::ImageRectangle;
 
     #[test]
     fn copies_cover_exactly_the_rectangle() {
         let config = Config { width: 64, height: 40, ..Config::default() };
         for (left, right, top, bottom) in [(0, 0, 0, 0), (7, 8, 7, 8), (3, 60, 5, 38), (8, 15, 16, 23), (0, 63, 0, 39)]
         {
-            let splat = SetupSplat { bounds: Rectangle { left, right, top, bottom }, ..SetupSplat::default() };
+            let splat = SetupSplat { bounds: ImageRectangle { left, right, top, bottom }, ..SetupSplat::default() };
             let mut splitter = Splitter::new(&config);
             let mut covered = vec![0; 64 * 40];
             let mut input = Some(splat);
@@ -150,7 +136,7 @@ mod tests {
     #[test]
     fn splats_follow_each_other_without_a_gap() {
         let mut splitter = Splitter::new(&Config::default());
-        let bounds = Rectangle { left: 4, right: 11, top: 0, bottom: 0 };
+        let bounds = ImageRectangle { left: 4, right: 11, top: 0, bottom: 0 };
         let (mut accepted, mut copies) = (0, 0);
         for cycle in 0..42 {
             let out = splitter.outputs();

@@ -4,17 +4,17 @@
 //! behind it, pixel by pixel, while copies of other slots go on. A tile that nobody touched in this frame is not loaded but
 //! cleared. After the last copy of a frame is accumulated, every touched tile is sent to normalization.
 
-mod ports;
 #[cfg(test)]
 mod tests;
 
-pub use ports::{Fill, In, Out, Slot, SlotPixel, Tile};
-
-use super::records::{FinishedPixel, Pixel, PlacedCopy, PlacedPixel, Shape, SplatCopy};
 use crate::stream::{HalfBuffer, Skid};
 use crate::unit::Model;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{IN_FLIGHT_BITS, TILE_PIXELS};
+use pointcore_contract::splat::records::{
+    Fill, FinishedPixel, Pixel, PlacedCopy, PlacedPixel, Slot, SlotPixel, SplatCopy, Tile,
+};
+pub use pointcore_contract::splat::units::tile_cache::{In, Out};
 
 const PIXELS: u8 = TILE_PIXELS as u8;
 const IN_FLIGHT_MAX: u8 = ((1_u32 << IN_FLIGHT_BITS) - 1) as u8;
@@ -131,7 +131,6 @@ enum FlushStep {
 /// The tile cache.
 #[derive(Clone, Debug)]
 pub struct TileCache {
-    shape: Shape,
     slots: Vec<Entry>,
     /// The slot that is replaced next.
     next: u8,
@@ -154,7 +153,6 @@ impl TileCache {
     #[must_use]
     pub fn new(config: &Config) -> Self {
         Self {
-            shape: Shape::new(config),
             slots: vec![Entry::default(); config.tile_slots as usize],
             next: 0,
             touched: vec![false; 1 << config.tile_bits()],
@@ -306,13 +304,9 @@ impl TileCache {
 }
 
 impl Model for TileCache {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {

@@ -4,32 +4,19 @@
 //! dropped. Attributes become finite.
 
 use super::attribute::Arithmetic;
-use super::records::{Attributes, Shape, Splat};
 use super::uniforms::TransformUniforms;
 use crate::datapath::Datapath;
 use crate::number::Number;
-use crate::unit::{Model, Record, ThroughOut, Visitor, stream};
+use crate::unit::Model;
 use pointcore_contract::Format;
 use pointcore_contract::splat::Config;
-
-/// What the unit sees.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct In {
-    /// Splats in world space.
-    pub input: Option<Splat>,
-    /// Whether the consumer is ready.
-    pub out_ready: bool,
-    /// Constants of the frame.
-    pub uniforms: TransformUniforms,
-}
-
-/// What the unit shows.
-pub type Out = ThroughOut<Splat>;
+use pointcore_contract::splat::records::{Attributes, Splat};
+pub use pointcore_contract::splat::units::transform::{In, Out};
 
 /// The transform unit.
 #[derive(Clone, Debug)]
 pub struct Transform {
-    shape: Shape,
+    continuous: usize,
     geometry: Format,
     attribute: Arithmetic,
     datapath: Datapath<Splat>,
@@ -40,7 +27,7 @@ impl Transform {
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
         Self {
-            shape: Shape::new(config),
+            continuous: config.continuous as usize,
             geometry: config.geometry,
             attribute: Arithmetic(config.attribute),
             datapath: Datapath::new(latency, config.transform_interval),
@@ -54,7 +41,7 @@ impl Transform {
             return Some(Splat { end: true, ..Splat::default() });
         }
         let number = |bits| Number::new(self.geometry, bits);
-        let matrix = uniforms.model_view.map(|row| row.map(number));
+        let matrix = uniforms.model_view.rows.map(|row| row.map(number));
         let rotate = |[x, y, z]: [Number; 3]| matrix.map(|m| m[0] * x + m[1] * y + m[2] * z);
         let rotated = rotate(splat.center.map(number));
         let center = [0, 1, 2].map(|i| rotated[i] + matrix[i][3]);
@@ -70,7 +57,7 @@ impl Transform {
 
     /// Attributes as numbers, of which every later sum is one.
     fn finite(&self, mut attributes: Attributes) -> Attributes {
-        for bits in &mut attributes[..self.shape.continuous] {
+        for bits in &mut attributes[..self.continuous] {
             *bits = self.attribute.finite(*bits);
         }
         attributes
@@ -78,13 +65,9 @@ impl Transform {
 }
 
 impl Model for Transform {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
@@ -92,22 +75,16 @@ impl Model for Transform {
 
     fn clock(&mut self, inputs: &In) {
         let accepted = inputs.input.as_ref().filter(|_| self.datapath.in_ready());
-        let accepted = accepted.and_then(|splat| self.transform(splat, &inputs.uniforms));
+        let uniforms = TransformUniforms { model_view: inputs.model_view, near_plane: inputs.near_plane };
+        let accepted = accepted.and_then(|splat| self.transform(splat, &uniforms));
         self.datapath.step(accepted, inputs.out_ready);
-    }
-}
-
-impl Record<Shape> for In {
-    fn visit(&mut self, shape: Shape, visitor: &mut impl Visitor) {
-        stream(visitor, shape, "in_", &mut self.input);
-        visitor.field("out_ready", &mut self.out_ready);
-        self.uniforms.visit(shape, visitor);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pointcore_contract::splat::records::ModelView;
     use pointcore_contract::splat::{AttributeFormat, Fraction};
 
     #[test]
@@ -116,7 +93,7 @@ mod tests {
         let unit = Transform::new(&Config::default(), 1);
         // A quarter turn about z and 3 along it.
         let model_view = [[0.0, -1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 3.0]].map(|row| row.map(bits));
-        let uniforms = TransformUniforms { model_view, near_plane: bits(1.0) };
+        let uniforms = TransformUniforms { model_view: ModelView { rows: model_view }, near_plane: bits(1.0) };
         let tangents = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].map(|tangent| tangent.map(bits));
         let splat = |z: f32| Splat { center: [bits(1.0), bits(2.0), bits(z)], tangents, ..Splat::default() };
         let moved = unit.transform(&splat(5.0), &uniforms).expect("it lies beyond the near plane");

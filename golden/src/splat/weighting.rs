@@ -4,21 +4,16 @@
 //! the weight rounded to its format. Cardinal ones pass.
 
 use super::attribute::Arithmetic;
-use super::records::{Sample, Shape, WeightedSample};
 use crate::datapath::Datapath;
-use crate::unit::{Model, ThroughIn, ThroughOut};
+use crate::unit::Model;
 use pointcore_contract::splat::Config;
-
-/// What the unit sees.
-pub type In = ThroughIn<Sample>;
-
-/// What the unit shows.
-pub type Out = ThroughOut<WeightedSample>;
+use pointcore_contract::splat::records::{Sample, WeightedSample};
+pub use pointcore_contract::splat::units::weighting::{In, Out};
 
 /// The weighting unit.
 #[derive(Clone, Debug)]
 pub struct Weighting {
-    shape: Shape,
+    continuous: usize,
     attribute: Arithmetic,
     datapath: Datapath<WeightedSample>,
 }
@@ -27,7 +22,11 @@ impl Weighting {
     /// The unit with a pipeline of `latency` stages.
     #[must_use]
     pub fn new(config: &Config, latency: u32) -> Self {
-        Self { shape: Shape::new(config), attribute: Arithmetic(config.attribute), datapath: Datapath::new(latency, 1) }
+        Self {
+            continuous: config.continuous as usize,
+            attribute: Arithmetic(config.attribute),
+            datapath: Datapath::new(latency, 1),
+        }
     }
 
     /// A sample with its contributions.
@@ -38,7 +37,7 @@ impl Weighting {
             return WeightedSample { place, ..WeightedSample::default() };
         }
         let mut contributions = attributes.map(u64::from);
-        for (contribution, attribute) in contributions[..self.shape.continuous].iter_mut().zip(attributes) {
+        for (contribution, attribute) in contributions[..self.continuous].iter_mut().zip(attributes) {
             *contribution = self.attribute.weigh(place.weight, attribute);
         }
         let weighted_depth = u64::from(place.weight) * u64::from(band.depth);
@@ -47,13 +46,9 @@ impl Weighting {
 }
 
 impl Model for Weighting {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out { in_ready: self.datapath.in_ready(), out: self.datapath.out().copied() }
@@ -68,7 +63,7 @@ impl Model for Weighting {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::splat::records::{Band, SamplePlace};
+    use pointcore_contract::splat::records::{Band, SamplePlace};
 
     #[test]
     fn weighs_what_is_blended() {

@@ -4,11 +4,11 @@
 use crate::tree::Tree;
 use fastrand::Rng;
 use pointcore_contract::search::Config;
-use pointcore_golden::search::Latencies;
-use pointcore_golden::search::events::Events;
-use pointcore_golden::search::records::{
+use pointcore_contract::search::records::{
     Beat, BeatPlace, CacheSetup, CachedQuery, CachedResult, Fetch, Lookup, TreeRecord, TreeWrite,
 };
+use pointcore_contract::search::units::Events;
+use pointcore_golden::search::Latencies;
 use pointcore_golden::search::top::{In, Top};
 use pointcore_golden::unit::Model;
 
@@ -73,7 +73,7 @@ impl Memory<'_> {
         let place = BeatPlace { thread: fetch.thread, address, last: self.beats_sent + 1 == fetch.beats };
         let mut beat = Beat { place, ..Beat::default() };
         let first = address as usize * self.lanes;
-        beat.points[..self.lanes].copy_from_slice(&self.tree.points[first..first + self.lanes]);
+        beat.points.lane[..self.lanes].copy_from_slice(&self.tree.points[first..first + self.lanes]);
         Some(beat)
     }
 

@@ -8,10 +8,10 @@ use driver::{Answer, Bench, Surroundings};
 use fastrand::Rng;
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::Query;
 use pointcore_golden::reference::neighbors;
 use pointcore_golden::search::Latencies;
 use pointcore_golden::search::leaf::squared_distance;
-use pointcore_golden::search::records::Query;
 use std::collections::HashSet;
 use tree::{Tree, build, encode};
 

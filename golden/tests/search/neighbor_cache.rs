@@ -6,9 +6,9 @@ use crate::{cloud, first_seed};
 use fastrand::Rng;
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{CacheSetup, CachedQuery, Query};
 use pointcore_golden::reference::neighbors::{BruteForce, Neighbor, nearest_f64};
 use pointcore_golden::search::leaf::squared_distance;
-use pointcore_golden::search::records::{CacheSetup, CachedQuery, Query};
 use pointcore_golden::search::{CacheLatencies, Latencies};
 use std::collections::HashSet;
 

@@ -3,8 +3,8 @@
 use fastrand::Rng;
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Bucket, Point, TreeWrite};
 use pointcore_golden::float;
-use pointcore_golden::search::records::{Bucket, Point, TreeWrite};
 use std::collections::BTreeMap;
 
 /// A tree's memories.

@@ -3,13 +3,13 @@
 use fastrand::Rng;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::ports::UNIFORMS;
+use pointcore_contract::splat::records::UniformWrite;
+use pointcore_contract::splat::records::{Fragment, Pixel, Splat as SplatRecord};
 use pointcore_contract::splat::{AttributeFormat, Config, UniformFormat};
 use pointcore_contract::{Camera, Format, Rendering, Splat};
 use pointcore_golden::float;
 use pointcore_golden::splat::Latencies;
-use pointcore_golden::splat::records::{Fragment, Pixel, Splat as SplatRecord};
 use pointcore_golden::splat::top::{In, Top};
-use pointcore_golden::splat::uniforms::UniformWrite;
 use pointcore_golden::unit::Model;
 use std::collections::VecDeque;
 

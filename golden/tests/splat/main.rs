@@ -6,11 +6,11 @@ mod scenes;
 use driver::{Bench, LATENCIES, Stalls, decode, decode_attribute, encode, record, uniforms};
 use fastrand::Rng;
 use glam::Vec3;
+use pointcore_contract::splat::records::{Fragment, Splat as SplatRecord};
 use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Feature, Fraction, RasterFormat};
 use pointcore_contract::{Format, Rendering, Splat};
 use pointcore_golden::reference::{self, Mapping};
 use pointcore_golden::splat::Latencies;
-use pointcore_golden::splat::records::{Fragment, Splat as SplatRecord};
 use scenes::{CAMERA, RENDERING, chaos, disc, sphere};
 
 fn config() -> Config {

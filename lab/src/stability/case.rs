@@ -4,8 +4,8 @@ use super::families::Family;
 use pointcore::number::encode;
 use pointcore_contract::Format;
 use pointcore_contract::splat::Feature;
+use pointcore_contract::splat::records::{EpsilonScale, ModelView, Splat, Viewport};
 use pointcore_golden::number::Number;
-use pointcore_golden::splat::records::Splat;
 use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
 use serde::Serialize;
 
@@ -98,20 +98,21 @@ impl Case {
     #[must_use]
     pub fn transform_uniforms(&self) -> TransformUniforms {
         let entry = |row: usize, column: usize| self.encode(f64::from(u8::from(row == column)));
-        let model_view = std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column)));
-        TransformUniforms { model_view, near_plane: self.encode(self.lens.near) }
+        let rows = std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column)));
+        TransformUniforms { model_view: ModelView { rows }, near_plane: self.encode(self.lens.near) }
     }
 
     /// Constants of the setup unit.
     #[must_use]
     pub fn setup_uniforms(&self) -> SetupUniforms {
         SetupUniforms {
-            scale: [self.encode(self.lens.scale); 2],
-            origin: self.lens.origin.map(|value| self.encode(value)),
-            depth_a: self.encode(self.lens.depth_a),
-            depth_b: self.encode(self.lens.depth_b),
-            epsilon_scale: self.encode(1.0),
-            epsilon_bias: self.encode(EPSILON_BIAS.into()),
+            viewport: Viewport {
+                scale: [self.encode(self.lens.scale); 2],
+                origin: self.lens.origin.map(|value| self.encode(value)),
+                depth_a: self.encode(self.lens.depth_a),
+                depth_b: self.encode(self.lens.depth_b),
+            },
+            epsilon: EpsilonScale { scale: self.encode(1.0), bias: self.encode(EPSILON_BIAS.into()) },
             filter_radius: self.encode(FILTER_RADIUS_PX.into()),
         }
     }

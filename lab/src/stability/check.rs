@@ -8,8 +8,8 @@ use super::truth::{Side, Truth};
 use fastrand::Rng;
 use pointcore_contract::Format;
 use pointcore_contract::splat::config::DEPTH_BITS;
+use pointcore_contract::splat::records::SetupSplat;
 use pointcore_golden::number::Number;
-use pointcore_golden::splat::records::SetupSplat;
 use serde::Serialize;
 
 /// Samples looked at in a case.

@@ -31,7 +31,7 @@ pub struct Outcome {
 /// One method, ready to be asked.
 enum Device<'a> {
     Nothing,
-    Ours(&'a Units, Box<pointcore_golden::splat::records::SetupSplat>),
+    Ours(&'a Units, Box<pointcore_contract::splat::records::SetupSplat>),
     Other(Box<Prepared>),
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 use pointcore::number::encode;
 use pointcore_contract::Format;
 use pointcore_contract::splat::Feature;
-use pointcore_golden::splat::records::Splat;
+use pointcore_contract::splat::records::Splat;
 use serde::Serialize;
 
 /// Severities.

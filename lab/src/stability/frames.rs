@@ -3,7 +3,9 @@
 use super::case::{Case, Lens};
 use super::families::{Family, LEVELS, case};
 use pointcore::splat::EncodedFrame;
+use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::{Config, Feature, records};
+use pointcore_contract::words;
 
 /// Splats of a frame: more than the heap holds, on a few tiles.
 pub const FRAME_SPLATS: u64 = 5000;
@@ -47,7 +49,7 @@ fn record(config: &Config, case: &Case) -> Vec<u64> {
     std::iter::once(0).chain(geometry.chain(attributes).map(|&bits| u64::from(bits))).collect()
 }
 
-/// In the order of [`pointcore_contract::splat::ports::UNIFORMS`].
+/// The registers by address.
 fn uniforms(config: &Config) -> Vec<u64> {
     let ordinary = case(Family::Ordinary, 0, config.geometry, 0);
     // The image is a part of that of all cases, magnified to the same angle.
@@ -55,11 +57,17 @@ fn uniforms(config: &Config) -> Vec<u64> {
     let origin = [config.width, config.height].map(|edge| f64::from(edge) / 2.0);
     let case = Case { lens: Lens { scale, origin, ..ordinary.lens }, ..ordinary };
     let (transform, setup) = (case.transform_uniforms(), case.setup_uniforms());
-    let viewport = [setup.scale, setup.origin, [setup.depth_a, setup.depth_b]];
-    let tests =
-        [transform.near_plane, setup.epsilon_scale, setup.epsilon_bias, setup.filter_radius, case.filter_scale()];
-    let registers = transform.model_view.as_flattened().iter().chain(viewport.as_flattened()).chain(&tests);
-    registers.map(|&bits| u64::from(bits)).collect()
+    words(
+        config,
+        Uniforms {
+            model_view: transform.model_view,
+            viewport: setup.viewport,
+            near_plane: transform.near_plane,
+            epsilon: setup.epsilon,
+            filter_radius: setup.filter_radius,
+            filter_scale: case.filter_scale(),
+        },
+    )
 }
 
 #[cfg(test)]

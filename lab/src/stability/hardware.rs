@@ -3,9 +3,9 @@
 use super::case::{Case, FILTER_RADIUS_PX, IMAGE_EDGE_PX};
 use super::rounding::Bounded;
 use pointcore_contract::Format;
+use pointcore_contract::splat::records::{Footprint, Pixel, Sample, SamplePlace, SetupSplat};
 use pointcore_contract::splat::{Config, Division, Feature};
 use pointcore_golden::number::Number;
-use pointcore_golden::splat::records::{Footprint, Pixel, Sample, SamplePlace, SetupSplat};
 use pointcore_golden::splat::{Accumulator, Rasterizer, Setup, Transform, Weighting};
 
 /// `e` at or below which setup takes a splat for one that crosses the eye plane.

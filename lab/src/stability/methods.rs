@@ -69,8 +69,8 @@ impl Input {
         Self {
             u: case.splat.center.map(number),
             tangents: case.splat.tangents.map(|tangent| tangent.map(number)),
-            scale: number(uniforms.scale[0]),
-            origin: uniforms.origin.map(number),
+            scale: number(uniforms.viewport.scale[0]),
+            origin: uniforms.viewport.origin.map(number),
         }
     }
 

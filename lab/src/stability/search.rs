@@ -5,7 +5,7 @@ use super::check::ROUGHLY;
 use super::hardware::Analysis;
 use super::truth::Truth;
 use fastrand::Rng;
-use pointcore_golden::splat::records::SetupSplat;
+use pointcore_contract::splat::records::SetupSplat;
 
 /// Columns or rows tried beyond each edge.
 const LINES: u32 = 48;

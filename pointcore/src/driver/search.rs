@@ -5,8 +5,8 @@ use crate::number::encode;
 use crate::search::{Engine, Kind, MemorySettings, Neighbor, Query, Reuse, Session, Tree};
 use pointcore_contract::bus::config::TREE_WORD_BITS;
 use pointcore_contract::bus::{Layout, packets, registers};
+use pointcore_contract::search::records::Lookup;
 use pointcore_contract::search::{Config, records};
-use pointcore_golden::search::records::Lookup;
 use std::collections::HashMap;
 
 /// A search, with points, and the tree unless the core holds it, in memory from `base` on.

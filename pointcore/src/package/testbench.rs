@@ -2,7 +2,7 @@
 
 use super::GENERATOR;
 use crate::recording::Recording;
-use pointcore_contract::splat::ports::Direction as Specified;
+use pointcore_contract::Direction as Specified;
 use pointcore_tb::lockstep::{RESET_CYCLES, Stream, Streams};
 use rtl::{Design, Direction, Port};
 

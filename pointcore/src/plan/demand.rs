@@ -20,11 +20,13 @@
 use crate::number::{decode, encode};
 use crate::scene::Scene;
 use crate::uniforms::uniforms;
+use pointcore_contract::read;
 use pointcore_contract::splat::config::TILE_SIZE;
+use pointcore_contract::splat::records::Uniforms;
+use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Splat as Record};
 use pointcore_contract::splat::{Config, Feature, RasterFormat};
 use pointcore_contract::{Format, Splat};
-use pointcore_golden::splat::records::{Footprint, Rectangle, SetupSplat, Splat as Record};
-use pointcore_golden::splat::uniforms::Uniforms;
+use pointcore_golden::splat::uniforms::{SetupUniforms, TransformUniforms};
 use pointcore_golden::splat::{Rasterizer, Setup, Slant, Transform};
 use rayon::prelude::*;
 
@@ -98,7 +100,9 @@ impl Demand {
 /// The units that decide, with a frame's constants.
 struct Units<'a> {
     config: &'a Config,
-    uniforms: Uniforms,
+    transform_uniforms: TransformUniforms,
+    setup_uniforms: SetupUniforms,
+    filter_scale: u32,
     transform: Transform,
     setup: Setup,
     without_culling: Setup,
@@ -110,13 +114,13 @@ struct Units<'a> {
 
 impl<'a> Units<'a> {
     fn new(scene: &Scene, config: &'a Config) -> Self {
-        let mut registers = Uniforms::default();
-        for (address, &data) in (0..).zip(&uniforms(&scene.camera, &scene.rendering, config)) {
-            registers.write(address, data as u32);
-        }
+        let registers: Uniforms = read(config, &uniforms(&scene.camera, &scene.rendering, config));
+        let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, filter_scale } = registers;
         Self {
             config,
-            uniforms: registers,
+            transform_uniforms: TransformUniforms { model_view, near_plane },
+            setup_uniforms: SetupUniforms { viewport, epsilon, filter_radius },
+            filter_scale,
             transform: Transform::new(config, 1),
             setup: Setup::new(config, 1),
             without_culling: Setup::new(&Config { culling: Feature::Off, ..config.clone() }, 1),
@@ -134,15 +138,15 @@ impl<'a> Units<'a> {
             tangents: splat.tangents.map(record_vector),
             ..Record::default()
         };
-        let Some(splat) = self.transform.transform(&record, &self.uniforms.transform) else { return Demand::default() };
-        let Some(drawn) = self.setup.setup(&splat, &self.uniforms.setup) else {
-            let is_culled = self.without_culling.setup(&splat, &self.uniforms.setup).is_some();
+        let Some(splat) = self.transform.transform(&record, &self.transform_uniforms) else { return Demand::default() };
+        let Some(drawn) = self.setup.setup(&splat, &self.setup_uniforms) else {
+            let is_culled = self.without_culling.setup(&splat, &self.setup_uniforms).is_some();
             return Demand { back_facing: is_culled.into(), ..Demand::default() };
         };
         let slant = self.setup.slant_of(&splat);
         let covers_filter = self.covers_filter(&drawn, &slant)
-            && self.without_filter.setup(&splat, &self.uniforms.setup) == Some(drawn);
-        let Rectangle { left, right, top, bottom } = drawn.bounds;
+            && self.without_filter.setup(&splat, &self.setup_uniforms) == Some(drawn);
+        let ImageRectangle { left, right, top, bottom } = drawn.bounds;
         let tile = |pixel: u16| u32::from(pixel) / TILE_SIZE;
         let tiles = [[left, right], [top, bottom]].map(|range| range.map(tile));
         let [columns, rows] = tiles.map(|[first, last]| (last - first + 1) as usize);
@@ -163,14 +167,14 @@ impl<'a> Units<'a> {
         let RasterFormat::Float(format) = self.config.raster_format() else {
             return self.differs(drawn, &self.without_side);
         };
-        let Footprint { center, a, b, delta, .. } = drawn.footprint;
+        let Footprint { center, ax, bx, ay, by, delta, .. } = drawn.footprint;
         let value = |bits| value(format, bits);
         let delta = value(delta).abs();
         // A splat seen edge-on: every distance is NaN, on whichever side.
         if delta.is_nan() {
             return false;
         }
-        let Rectangle { left, right, top, bottom } = drawn.bounds;
+        let ImageRectangle { left, right, top, bottom } = drawn.bounds;
         let reach = |center: u32, columns: u32, first: u16, last: u16| {
             // Between these edges of pixels lie all samples. Their places are rounded where a format has fewer digits than an image pixels.
             let edges = [u32::from(first) / columns, u32::from(last) / columns + 1].map(f64::from);
@@ -179,7 +183,7 @@ impl<'a> Units<'a> {
         };
         let columns = self.config.sampling.columns();
         let [x, y] = [reach(center[0], columns, left, right), reach(center[1], 1, top, bottom)];
-        let [extent_x, extent_y] = [0, 1].map(|axis| value(a[axis]).abs() + value(b[axis]).abs());
+        let [extent_x, extent_y] = [[ax, bx], [ay, by]].map(|[a, b]| value(a).abs() + value(b).abs());
         let sum = x * extent_y + y * extent_x + delta;
         let is_far = delta >= SIDE_UNITS * rounding(format) * sum;
         let is_squarable = SQUARABLE.contains(&delta) && SQUARABLE.contains(&sum);
@@ -189,13 +193,13 @@ impl<'a> Units<'a> {
     /// Whether any sample of a splat comes out otherwise without a part of the rasterizer, by trying them; splats of very many are said to
     /// need it.
     fn differs(&self, drawn: &SetupSplat, without: &Rasterizer) -> bool {
-        let Rectangle { left, right, top, bottom } = drawn.bounds;
+        let ImageRectangle { left, right, top, bottom } = drawn.bounds;
         let (columns, rows) = (left..=right, top..=bottom);
         if columns.len() * rows.len() > SAMPLES_TRIED {
             return true;
         }
         let outcome = |unit: &Rasterizer, pixel: [u32; 2]| {
-            let squared = unit.squared_distance(&drawn.footprint, pixel, self.uniforms.filter_scale);
+            let squared = unit.squared_distance(&drawn.footprint, pixel, self.filter_scale);
             (Rasterizer::is_inside(squared), unit.weight(squared))
         };
         let pixels = rows.flat_map(|row| columns.clone().map(move |column| [column, row].map(u32::from)));
@@ -212,8 +216,8 @@ impl<'a> Units<'a> {
         if !slant.is_whole || value(footprint.delta).is_nan() {
             return false;
         }
-        let radius = f64::from(decode(self.config.geometry, self.uniforms.setup.filter_radius));
-        let ([ax, ay], [bx, by]) = (footprint.a.map(value), footprint.b.map(value));
+        let radius = f64::from(decode(self.config.geometry, self.setup_uniforms.filter_radius));
+        let [ax, bx, ay, by] = [footprint.ax, footprint.bx, footprint.ay, footprint.by].map(value);
         let (sum, difference) = ((ax + by).hypot(ay - bx), (ax - by).hypot(ay + bx));
         let (smallest, largest) = ((sum - difference).abs() / 2.0, (sum + difference) / 2.0);
         let steepness = f64::from(slant.alpha.value()).hypot(slant.beta.value().into());

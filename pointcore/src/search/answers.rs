@@ -3,8 +3,8 @@
 use super::host::Work;
 use super::query::{Asked, Neighbor};
 use crate::number::decode;
+use pointcore_contract::search::records::{CachedQuery, CachedResult, Query, QueryResult};
 use pointcore_golden::search::leaf::squared_distance;
-use pointcore_golden::search::records::{CachedQuery, CachedResult, Query, QueryResult};
 
 /// Queries under way, and the neighbors of those that are answered.
 #[derive(Clone)]

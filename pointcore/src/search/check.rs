@@ -5,9 +5,9 @@ use super::query::{Neighbor, Query};
 use super::reuse::Kind;
 use crate::number::{decode, encode};
 use pointcore_contract::Format;
+use pointcore_contract::search::records::Point;
 use pointcore_golden::reference::neighbors::BruteForce;
 use pointcore_golden::search::leaf::squared_distance;
-use pointcore_golden::search::records::Point;
 use rayon::prelude::*;
 use std::fmt;
 

@@ -6,10 +6,11 @@ use super::memory::{Extent, Memory, MemorySettings};
 use super::query::{Asked, Neighbor};
 use super::reuse::{Kind, Reuse};
 use crate::generated::Progress;
+use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, TreeRecord, TreeWrite};
+use pointcore_contract::search::units::Events;
 use pointcore_contract::search::{Config, ports};
-use pointcore_golden::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, Shape, TreeRecord, TreeWrite};
+use pointcore_contract::{Visit, Visitor, Word, Words, read, write};
 use pointcore_golden::search::top::{In, Out};
-use pointcore_golden::unit::{self, Record, Visitor, Word};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
 use std::sync::Arc;
 
@@ -228,8 +229,8 @@ impl<'a> Host<'a> {
             self.counters.results += u64::from(result.result.found);
             self.answers.collect(result);
         }
-        let mut outputs = *outputs;
-        outputs.visit(Shape::new(self.work.config), &mut EventCounter(self.counters.events.iter_mut()));
+        let mut events: Events = outputs.events;
+        events.visit(self.work.config, &mut EventCounter(self.counters.events.iter_mut()));
         if query_moved || beat_moved || record_moved || fetch.is_some() || lookup.is_some() || result.is_some() {
             self.last_transfer = cycle;
         }
@@ -263,7 +264,7 @@ impl<'a> Host<'a> {
         let place = BeatPlace { thread: fetch.thread, address, last: number + 1 == u32::from(fetch.beats) };
         let mut beat = Beat { place, ..Beat::default() };
         let points = self.work.tree.beat(address);
-        beat.points[..points.len()].copy_from_slice(points);
+        beat.points.lane[..points.len()].copy_from_slice(points);
         Some(beat)
     }
 
@@ -273,31 +274,23 @@ impl<'a> Host<'a> {
     }
 }
 
-/// Adds up the fields named after events, which come in the order of [`ports::events`].
+/// Adds up events, which come in the order of [`ports::events`].
 struct EventCounter<'a>(std::slice::IterMut<'a, (&'static str, u64)>);
 
-impl Visitor for EventCounter<'_> {
-    #[inline]
-    fn field(&mut self, name: &str, value: &mut impl Word) {
-        if name.starts_with("event_") {
-            let (event, count) = self.0.next().expect("the core has the events of its configuration");
-            debug_assert_eq!(*event, name);
-            *count += value.to_word();
-        }
+impl Visitor<Words> for EventCounter<'_> {
+    fn bits<W: Word>(&mut self, value: &mut W) {
+        let (_, count) = self.0.next().expect("the core has the events of its configuration");
+        *count += value.to_word();
     }
-
-    fn fields(&mut self, _name: &str, _values: &mut [impl Word]) {}
-
-    fn prefix(&mut self, _prefix: &'static str) {}
 }
 
 /// The host at the core's ports, a word each.
 impl Stimulus for Host<'_> {
     fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
-        let shape = Shape::new(self.work.config);
-        let flow = Host::drive(self, cycle, &unit::read(shape, outputs));
+        let config = self.work.config;
+        let flow = Host::drive(self, cycle, &read(config, outputs));
         // The reset comes first.
-        unit::write(shape, self.inputs, &mut inputs[1..]);
+        write(config, self.inputs, &mut inputs[1..]);
         flow
     }
 }

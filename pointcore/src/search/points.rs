@@ -5,7 +5,7 @@ use crate::number::{decode, encode};
 use crate::scene::{Model, trefoil};
 use glam::DVec3;
 use pointcore_contract::Format;
-use pointcore_golden::search::records::Point;
+use pointcore_contract::search::records::Point;
 use rayon::prelude::*;
 use std::path::PathBuf;
 use std::str::FromStr;

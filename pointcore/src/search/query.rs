@@ -4,7 +4,7 @@ use super::Error;
 use super::reuse::{Kind, Reuse};
 use crate::number::encode;
 use pointcore_contract::search::Config;
-use pointcore_golden::search::records;
+use pointcore_contract::search::records;
 
 /// A point whose nearest neighbors are asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use super::Error;
 use crate::number::encode;
 use pointcore_contract::Format;
-use pointcore_golden::search::records::CacheSetup;
+use pointcore_contract::search::records::CacheSetup;
 
 /// Units in the last place by which coverage is understated, so that no rounding lets a query pass whose neighbors would differ.
 const GUARD_ULPS: f32 = 32.0;

@@ -6,8 +6,8 @@ use super::host::{Counters, End, Host, Work};
 use super::query::Neighbor;
 use crate::generated::Progress;
 use crate::recording::Recording;
+use pointcore_contract::count;
 use pointcore_contract::search::ports;
-use pointcore_contract::splat::ports::count;
 use pointcore_golden::search::Top;
 use pointcore_golden::search::top::Out;
 use pointcore_golden::unit::{Model, Ported, Unit};
@@ -76,7 +76,7 @@ impl<'a> Runner<'a> {
         let list = ports::top(self.work.config);
         let (inputs, outputs) = count(&list);
         let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
-        let mut golden = Ported::new(Top::new(self.work.config, core.latencies()));
+        let mut golden = Ported::new(self.work.config, Top::new(self.work.config, core.latencies()));
         let mut recording = Recording::new(list);
         let mut host = self.host();
         let mut cycle = 0;
@@ -119,7 +119,7 @@ impl<'a> Runner<'a> {
     /// The first difference, or the core is stuck.
     pub fn lockstep(&self, core: &Core, library: &Arc<Library>) -> Result<Outcome, Error> {
         let started = Instant::now();
-        let mut golden = Ported::new(Top::new(self.work.config, core.latencies()));
+        let mut golden = Ported::new(self.work.config, Top::new(self.work.config, core.latencies()));
         let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
         // The host finds out by itself when nothing moves.
         let lockstep = Lockstep::new(library, golden, self.seed).limit(u64::MAX);

@@ -3,7 +3,8 @@
 use super::encode::Frame;
 use super::memory::ReconstructionBuffer;
 use crate::generated::Progress;
-use pointcore_contract::splat::ports::{self, Direction, EVENTS, UNIFORM_ADDRESS_BITS, UNIFORMS};
+use pointcore_contract::Direction;
+use pointcore_contract::splat::ports::{self, EVENTS, UNIFORM_ADDRESS_BITS, UNIFORMS};
 use pointcore_contract::splat::{Config, Port, records};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
 use std::ops::Range;

@@ -1,7 +1,7 @@
 //! What a comparison of the renderer's units leaves open.
 
+use pointcore_contract::Direction;
 use pointcore_contract::splat::Port;
-use pointcore_contract::splat::ports::Direction;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -6,6 +6,7 @@ use super::host::{Counters, Host};
 use super::mask::end_records;
 use crate::generated::Progress;
 use crate::recording::Recording;
+use pointcore_contract::count;
 use pointcore_contract::splat::{Config, ports};
 use pointcore_golden::splat::Top;
 use pointcore_golden::unit::{Ported, Unit};
@@ -64,8 +65,8 @@ impl<'a> Runner<'a> {
     /// # Errors
     /// The frame does not come to its end.
     pub fn golden(&self, core: &Core) -> Result<Outcome, LockstepError> {
-        let mut golden = Ported::new(Top::new(self.config, &core.latencies()));
-        self.alone(ports::count(&ports::top(self.config)), |inputs, outputs| {
+        let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
+        self.alone(count(&ports::top(self.config)), |inputs, outputs| {
             golden.step(inputs, outputs);
             Ok(())
         })
@@ -91,9 +92,9 @@ impl<'a> Runner<'a> {
     pub fn recording(&self, core: &Core, settling_cycles: u64) -> Result<Recording, LockstepError> {
         let list = ports::top(self.config);
         let mut recording = Recording::new(list.clone()).after(settling_cycles);
-        let mut golden = Ported::new(Top::new(self.config, &core.latencies()));
+        let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
         let mut remaining = settling_cycles;
-        self.alone(ports::count(&list), |inputs, outputs| {
+        self.alone(count(&list), |inputs, outputs| {
             // The reset is no part of it.
             if inputs[0] != 0 {
                 golden.step(inputs, outputs);
@@ -132,7 +133,7 @@ impl<'a> Runner<'a> {
     /// The first difference, or the frame does not come to its end.
     pub fn lockstep(&self, core: &Core, library: &Arc<Library>) -> Result<Outcome, LockstepError> {
         let started = Instant::now();
-        let mut golden = Ported::new(Top::new(self.config, &core.latencies()));
+        let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
         let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
         let lockstep = Lockstep::new(library, golden, self.seed).limit(self.limit());
         let reproduce = format!("pointcore run SCENE --seed {}", self.seed);

@@ -39,7 +39,8 @@ pub fn configs() -> [Config; 4] {
 
 /// Steps a unit and its model in lockstep under several seeds; `begin` queues the first items and makes the rule, `check`
 /// looks at the rule and at what moved.
-pub fn lockstep<M: Model + 'static, R: Rule>(
+pub fn lockstep<M: Model<Config = Config> + 'static, R: Rule>(
+    config: &Config,
     module: &Module,
     model: &M,
     specified: &[Port],
@@ -49,7 +50,7 @@ pub fn lockstep<M: Model + 'static, R: Rule>(
 ) {
     let library = support::verilate(module);
     for seed in seeds(SEEDS).unwrap() {
-        let golden = support::by_name(&library, specified, Ported::new(model.clone()));
+        let golden = support::by_name(&library, specified, Ported::new(config, model.clone()));
         let mask = mask.clone();
         let run = Lockstep::new(&library, golden, seed).mask(move |hardware, golden| {
             mask(hardware);

@@ -5,10 +5,11 @@ use std::collections::VecDeque;
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
-use pointcore_contract::splat::{AttributeFormat, Config, Field, records};
-use pointcore_golden::splat::records::{Pixel, PlacedCopy, SamplePlace, Shape, SplatCopy, WeightedSample};
+use pointcore_contract::splat::records::{Pixel, PlacedCopy, SamplePlace, SplatCopy, WeightedSample};
+use pointcore_contract::splat::{AttributeFormat, Config};
+use pointcore_contract::{Field, Record, Visitor, Word, Words, fields, words};
 use pointcore_golden::splat::{Accumulator, TileCache, accumulator, tile_cache};
-use pointcore_golden::unit::{Model, Record, Visitor, Word};
+use pointcore_golden::unit::Model;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus};
 
 use super::{Device, scene};
@@ -59,37 +60,30 @@ pub struct Exchange {
     pub counts: Counts,
 }
 
-/// Fills the fields of a record with random bits, as many as the field has.
-struct Noise<'a>(&'a mut Rng, std::slice::Iter<'a, Field>);
+/// Fills the values of a record with random bits, as many as the field has.
+struct Noise<'a>(&'a mut Rng, std::vec::IntoIter<Field>);
 
-impl Visitor for Noise<'_> {
-    fn field(&mut self, _name: &str, value: &mut impl Word) {
-        let (_, width) = self.1.next().expect("the record has as many fields as specified");
-        *value = Word::from_word(self.0.u64(..) >> (64 - width));
+impl Visitor<Words> for Noise<'_> {
+    fn bits<W: Word>(&mut self, value: &mut W) {
+        let field = self.1.next().expect("the record has as many fields as described");
+        *value = W::from_word(self.0.u64(..) >> (64 - field.width));
     }
-
-    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
-        values.iter_mut().for_each(|value| self.field(name, value));
-    }
-
-    fn prefix(&mut self, _prefix: &'static str) {}
 }
 
-fn noise<T: Record<Shape>>(config: &Config, fields: &[Field], random: &mut Rng) -> T {
-    let mut record = T::default();
-    record.visit(Shape::new(config), &mut Noise(random, fields.iter()));
+fn noise<R: Record<Domain = Words, Config = Config>>(config: &Config, random: &mut Rng) -> R {
+    let mut record = R::default();
+    record.visit(config, &mut Noise(random, fields::<R>(config).into_iter()));
     record
 }
 
 /// Frames of copies: one of a single tile, one that wanders over the image, an empty one, and one of random tiles.
 fn copies(config: &Config, random: &mut Rng) -> VecDeque<SplatCopy> {
-    let fields = records::copy(config);
     let [columns, rows] = [config.width, config.height].map(|edge| edge.div_ceil(8));
     let tile = |index: u32| ((index / columns % rows) << config.tile_column_bits()) | (index % columns);
     let mut copies = VecDeque::new();
     for (frame, count) in [600, 300, 0, 150].into_iter().enumerate() {
         for number in 0..=count {
-            let mut copy: SplatCopy = noise(config, &fields, random);
+            let mut copy: SplatCopy = noise(config, random);
             copy.end = number == count;
             copy.tile = match frame {
                 0 => tile(3),
@@ -126,12 +120,11 @@ impl Exchange {
 
     /// Some samples of a copy on few pixels, of three surfaces; the last one closes it.
     fn sample(&mut self, placed: &PlacedCopy) {
-        let fields = records::weighted_sample(&self.config);
         let count = if placed.copy.end { 1 } else { self.random.usize(1..6) };
         let first = self.random.u8(..);
         for number in 1..=count {
             let random = &mut self.random;
-            let mut sample: WeightedSample = noise(&self.config, &fields, random);
+            let mut sample: WeightedSample = noise(&self.config, random);
             let weight = sample.place.weight;
             let inside = random.u8(0..5) > 0;
             let pixel = first.wrapping_add(random.u8(0..3)) % TILE_PIXELS as u8;
@@ -245,21 +238,6 @@ impl Exchange {
     }
 }
 
-/// Collects the fields of a record.
-struct Words(Vec<u64>);
-
-impl Visitor for Words {
-    fn field(&mut self, _name: &str, value: &mut impl Word) {
-        self.0.push(value.to_word());
-    }
-
-    fn fields(&mut self, name: &str, values: &mut [impl Word]) {
-        values.iter_mut().for_each(|value| self.field(name, value));
-    }
-
-    fn prefix(&mut self, _prefix: &'static str) {}
-}
-
 /// The unit whose hardware is driven.
 #[derive(Clone, Copy)]
 pub enum Side {
@@ -288,15 +266,14 @@ impl Stimulus for Drive {
         if self.exchange.frames == 0 {
             return Flow::Done;
         }
-        let shape = self.exchange.cache.shape();
-        // Behind `rst`.
-        let mut words = Words(vec![0]);
-        let (mut cache, mut accumulator) = self.exchange.step();
-        match self.side {
-            Side::TileCache => cache.visit(shape, &mut words),
-            Side::Accumulator => accumulator.visit(shape, &mut words),
-        }
-        self.places.iter().zip(words.0).for_each(|(&place, word)| inputs[place] = word);
+        let (cache, accumulator) = self.exchange.step();
+        let config = &self.exchange.config;
+        let words = match self.side {
+            Side::TileCache => words(config, cache),
+            Side::Accumulator => words(config, accumulator),
+        };
+        // `rst` comes first.
+        self.places[1..].iter().zip(words).for_each(|(&place, word)| inputs[place] = word);
         Flow::Continue
     }
 }

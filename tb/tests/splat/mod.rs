@@ -132,13 +132,14 @@ pub fn knobs() -> [Config; 2] {
 
 /// A unit of the renderer, verilated, with its ports as specified.
 pub struct Device {
+    config: Config,
     library: Arc<Library>,
     specified: Vec<Port>,
 }
 
 impl Device {
     /// Verilates `module`. The fields of its streams must come in the records' order.
-    pub fn new(module: &Module, specified: Vec<Port>) -> Self {
+    pub fn new(config: &Config, module: &Module, specified: Vec<Port>) -> Self {
         let library = support::verilate(module);
         let found = support::ports(&library);
         assert_eq!(found.len(), specified.len());
@@ -154,7 +155,7 @@ impl Device {
             });
             assert_eq!(ours, theirs, "fields of stream {}", stream.name);
         }
-        Self { library, specified }
+        Self { config: config.clone(), library, specified }
     }
 
     /// The hardware.
@@ -180,7 +181,12 @@ impl Device {
 
     /// Sends `items` through `in` in lockstep with `model`, once for each seed; returns what left through `out` in each run, end
     /// records as a lone 1.
-    pub fn runs<M: Model>(&self, model: &M, items: &[Vec<u64>], constants: &[(&str, u64)]) -> Vec<Vec<Vec<u64>>> {
+    pub fn runs<M: Model<Config = Config>>(
+        &self,
+        model: &M,
+        items: &[Vec<u64>],
+        constants: &[(&str, u64)],
+    ) -> Vec<Vec<Vec<u64>>> {
         let has_end = self.library.outputs().iter().any(|port| port.name == "out_end");
         let run = |seed: u64| {
             let (source, sink) = PATTERNS[(seed % RUNS) as usize];
@@ -189,7 +195,7 @@ impl Device {
             let present = |name: &str| self.library.inputs().iter().any(|port| port.name == name);
             let mut constants = constants.iter().filter(|(name, _)| present(name));
             let testbench = constants.try_fold(testbench, |testbench, &(name, word)| testbench.constant(name, word))?;
-            self.lockstep(Ported::new(model.clone()), seed).run(testbench)
+            self.lockstep(Ported::new(&self.config, model.clone()), seed).run(testbench)
         };
         let outcome = |seed| {
             let run: Run<StreamTestbench> = run(seed).unwrap_or_else(|error| panic!("{error}"));
@@ -202,7 +208,12 @@ impl Device {
     }
 
     /// As [`Device::runs`] for a unit whose results do not depend on when they leave: all runs must have the same.
-    pub fn run<M: Model>(&self, model: &M, items: &[Vec<u64>], constants: &[(&str, u64)]) -> Vec<Vec<u64>> {
+    pub fn run<M: Model<Config = Config>>(
+        &self,
+        model: &M,
+        items: &[Vec<u64>],
+        constants: &[(&str, u64)],
+    ) -> Vec<Vec<u64>> {
         let mut runs = self.runs(model, items, constants);
         assert!(runs.iter().all(|run| *run == runs[0]), "the results depend on stalls");
         runs.swap_remove(0)
@@ -210,7 +221,13 @@ impl Device {
 }
 
 /// What a model with the specified ports makes of `items` when nothing stalls.
-pub fn through<M: Model>(model: M, specified: &[Port], items: &[Vec<u64>], constants: &[(&str, u64)]) -> Vec<Vec<u64>> {
+pub fn through<M: Model<Config = Config>>(
+    config: &Config,
+    model: M,
+    specified: &[Port],
+    items: &[Vec<u64>],
+    constants: &[(&str, u64)],
+) -> Vec<Vec<u64>> {
     let side = |direction| -> Vec<&str> {
         specified.iter().filter(|port| port.direction == direction).map(|port| port.name.as_str()).collect()
     };
@@ -225,7 +242,7 @@ pub fn through<M: Model>(model: M, specified: &[Port], items: &[Vec<u64>], const
     let [in_ready, out_valid] =
         ["in_ready", "out_valid"].map(|name| place(&output_names, name).expect("a stream unit"));
 
-    let mut unit = Ported::new(model);
+    let mut unit = Ported::new(config, model);
     let (mut inputs, mut outputs) = (vec![0; input_names.len()], vec![0; output_names.len()]);
     for (name, word) in constants {
         if let Some(place) = place(&input_names, name) {

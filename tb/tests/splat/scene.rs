@@ -114,17 +114,17 @@ pub fn world(config: &Config, count: usize) -> Vec<Vec<u64>> {
 
 /// Splats in camera space.
 pub fn camera(config: &Config, count: usize) -> Vec<Vec<u64>> {
-    through(Transform::new(config, 1), &ports::transform(config), &world(config, count), &uniforms(config))
+    through(config, Transform::new(config, 1), &ports::transform(config), &world(config, count), &uniforms(config))
 }
 
 /// Splats with their footprints.
 pub fn footprints(config: &Config, count: usize) -> Vec<Vec<u64>> {
-    through(Setup::new(config, 1), &ports::setup(config), &camera(config, count), &uniforms(config))
+    through(config, Setup::new(config, 1), &ports::setup(config), &camera(config, count), &uniforms(config))
 }
 
 /// Copies of splats, one a tile.
 pub fn copies(config: &Config, count: usize) -> Vec<Vec<u64>> {
-    through(Splitter::new(config), &ports::splitter(config), &footprints(config, count), &[])
+    through(config, Splitter::new(config), &ports::splitter(config), &footprints(config, count), &[])
 }
 
 /// Copies with slots, and one end record behind them all: the rasterizer sees no copy until its frame has ended.
@@ -140,5 +140,5 @@ pub fn placed_copies(config: &Config, count: usize) -> Vec<Vec<u64>> {
 /// Samples of splats.
 pub fn samples(config: &Config, count: usize) -> Vec<Vec<u64>> {
     let ports = ports::rasterizer(config);
-    through(Rasterizer::new(config, 1), &ports, &placed_copies(config, count), &uniforms(config))
+    through(config, Rasterizer::new(config, 1), &ports, &placed_copies(config, count), &uniforms(config))
 }

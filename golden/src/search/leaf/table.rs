@@ -1,9 +1,9 @@
 //! The leaf table: where the points of the leaves lie.
 
 use super::In;
-use crate::search::records::{Bucket, Fetch, LeafVisit};
 use crate::stream::Skid;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Bucket, Fetch, LeafVisit};
 
 /// The table and the leaves that are looked up in it.
 #[derive(Clone, Debug)]

@@ -3,9 +3,9 @@
 use super::coverage::Reference;
 use super::entries::Entries;
 use crate::datapath::Datapath;
-use crate::search::records::{CacheSetup, CachedQuery};
 use crate::stream::Skid;
 use pointcore_contract::Format;
+use pointcore_contract::search::records::{CacheSetup, CachedQuery};
 use std::collections::VecDeque;
 
 /// Queries that are being checked.

@@ -3,9 +3,9 @@
 use super::coverage::{Extent, Reference};
 use super::entries::Entries;
 use crate::datapath::Datapath;
-use crate::search::records::{CacheSetup, Query, QueryResult};
 use crate::stream::Skid;
 use pointcore_contract::Format;
+use pointcore_contract::search::records::{CacheSetup, Query, QueryResult};
 
 /// The neighborhood that is copied.
 #[derive(Clone, Copy, Debug)]

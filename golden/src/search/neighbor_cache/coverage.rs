@@ -5,8 +5,8 @@
 
 use crate::number::Number;
 use crate::search::leaf::squared_distance;
-use crate::search::records::{CacheSetup, CachedQuery, Point};
 use pointcore_contract::Format;
+use pointcore_contract::search::records::{CacheSetup, CachedQuery, Point};
 
 /// Squared distances of a neighborhood's farthest neighbor and of the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use super::Neighbor;
 use super::entries::Entries;
-use crate::search::records::{CachedResult, QueryResult};
 use crate::stream::{Fifo, Skid};
+use pointcore_contract::search::records::{CachedResult, QueryResult};
 
 /// Answers that may wait.
 const ANSWERS: usize = 4;

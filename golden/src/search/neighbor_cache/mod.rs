@@ -11,16 +11,11 @@ mod copy;
 mod coverage;
 mod deliver;
 mod entries;
-mod ports;
 #[cfg(test)]
 mod tests;
 mod tickets;
 
-pub use ports::{In, Out};
-
 use super::CacheLatencies;
-use super::events::Served;
-use super::records::{CacheSetup, CachedQuery, Query, Shape};
 use crate::stream::Skid;
 use crate::unit::Model;
 use check::{Check, Verdict};
@@ -28,6 +23,9 @@ use copy::{Copy, Step};
 use deliver::{Answer, Deliver};
 use entries::Entries;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{CacheSetup, CachedQuery, Query};
+use pointcore_contract::search::units::NeighborCacheEvents;
+pub use pointcore_contract::search::units::neighbor_cache::{In, Out};
 use tickets::Tickets;
 
 /// A neighbor in an entry.
@@ -40,7 +38,6 @@ struct Neighbor {
 /// The coherent neighbor cache.
 #[derive(Clone, Debug)]
 pub struct NeighborCache {
-    shape: Shape,
     setup: CacheSetup,
     check: Check,
     tickets: Tickets,
@@ -49,7 +46,7 @@ pub struct NeighborCache {
     entries: Entries,
     neighborhoods: Vec<Vec<Neighbor>>,
     deliver: Deliver,
-    events: Served,
+    events: NeighborCacheEvents,
 }
 
 impl NeighborCache {
@@ -58,7 +55,6 @@ impl NeighborCache {
     pub fn new(config: &Config, latencies: CacheLatencies) -> Self {
         let (entries, neighbors) = (config.neighbor_cache as usize, config.neighbors as usize);
         Self {
-            shape: Shape::new(config),
             setup: CacheSetup::default(),
             check: Check::new(config.geometry, latencies.check),
             tickets: Tickets::new(config.tickets()),
@@ -67,7 +63,7 @@ impl NeighborCache {
             entries: Entries::new(entries),
             neighborhoods: vec![vec![Neighbor::default(); neighbors]; entries],
             deliver: Deliver::new(),
-            events: Served::default(),
+            events: NeighborCacheEvents::default(),
         }
     }
 
@@ -116,13 +112,9 @@ const fn answer(verdict: Option<Verdict>, step: &Step) -> Option<Answer> {
 }
 
 impl Model for NeighborCache {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         Out {
@@ -167,6 +159,6 @@ impl Model for NeighborCache {
             self.setup = setup;
             self.entries.forget();
         }
-        self.events = Served { hit, miss };
+        self.events = NeighborCacheEvents { hit, miss };
     }
 }

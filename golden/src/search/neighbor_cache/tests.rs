@@ -1,7 +1,7 @@
 use super::*;
-use crate::search::records::{CachedResult, QueryResult};
 use crate::testing::for_each_seed;
 use fastrand::Rng;
+use pointcore_contract::search::records::{CachedResult, QueryResult};
 use std::collections::{HashMap, VecDeque};
 
 /// Cycles without any transfer after which the unit counts as stuck.

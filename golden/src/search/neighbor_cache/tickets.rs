@@ -1,6 +1,6 @@
 //! Tickets: the queries that are searched for, each under a number of its own.
 
-use crate::search::records::Query;
+use pointcore_contract::search::records::Query;
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Ticket {

@@ -1,7 +1,7 @@
 use super::*;
-use crate::search::records::Thread;
 use crate::testing::for_each_seed;
 use fastrand::Rng;
+use pointcore_contract::search::records::Thread;
 use std::collections::VecDeque;
 
 fn unit(point_cache: u32) -> PointCache {
@@ -18,7 +18,7 @@ fn answer(Fetch { thread, address, beats }: Fetch) -> Vec<Beat> {
         let address = address + u32::from(number);
         let mut points = [Point::default(); LANES_MAX];
         points[0] = [address, address + 1, address + 2];
-        Beat { place: BeatPlace { thread, address, last: number + 1 == beats }, points }
+        Beat { place: BeatPlace { thread, address, last: number + 1 == beats }, points: Points { lane: points } }
     };
     (0..beats).map(beat).collect()
 }

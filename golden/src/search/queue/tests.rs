@@ -1,6 +1,6 @@
 use super::*;
-use crate::search::records::{BeatPlace, Query};
 use crate::testing::for_each_seed;
+use pointcore_contract::search::records::{BeatPlace, Query};
 use std::collections::VecDeque;
 
 fn config(lanes: u32) -> Config {
@@ -82,7 +82,7 @@ fn a_beat_stays_a_cycle_for_every_further_candidate() {
     queue.clock(&candidates(beat(0, 0, true, &[200, 9, 9, 5, 200, 7, 9, 200])));
     let events = [(); 8].map(|()| {
         queue.clock(&In::default());
-        let Events { beat, insert, insert_wait } = queue.outputs().events;
+        let QueueEvents { beat, insert, insert_wait } = queue.outputs().events;
         (beat, insert, insert_wait)
     });
     // Five lanes are nearer than the radius of the leaf before. The first nine is inserted two cycles after it is chosen and known

@@ -2,23 +2,19 @@
 //!
 //! In a cycle every unit first shows its outputs, which depend on registers only, then all are clocked.
 
-mod ports;
-
-pub use ports::{In, Out};
-
-use super::events::Events;
-use super::records::{CachedResult, Shape};
 use super::{
     Latencies, Leaf, NeighborCache, PointCache, Queue, Recursion, Sieve, Stack, Threads, Traversal, TreeCache, leaf,
     neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache,
 };
 use crate::unit::Model;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::CachedResult;
+use pointcore_contract::search::units::Events;
+pub use pointcore_contract::search::units::top::{In, Out};
 
 /// The whole core.
 #[derive(Clone, Debug)]
 pub struct Top {
-    shape: Shape,
     threads: Threads,
     traversal: Traversal,
     tree_cache: Option<TreeCache>,
@@ -40,7 +36,6 @@ impl Top {
     pub fn new(config: &Config, latencies: Latencies) -> Self {
         assert_eq!(config.neighbor_cache > 0, latencies.neighbor_cache.is_some(), "a neighbor cache has latencies");
         Self {
-            shape: Shape::new(config),
             threads: Threads::new(config),
             traversal: Traversal::new(config, latencies.path),
             tree_cache: (config.tree_cache > 0).then(|| TreeCache::new(config)),
@@ -61,13 +56,9 @@ fn outputs<M: Model<Out: Default>>(part: &Option<M>) -> M::Out {
 }
 
 impl Model for Top {
-    type Shape = Shape;
+    type Config = Config;
     type In = In;
     type Out = Out;
-
-    fn shape(&self) -> Shape {
-        self.shape
-    }
 
     fn outputs(&self) -> Out {
         let threads = self.threads.outputs();
@@ -146,6 +137,7 @@ impl Model for Top {
             start,
             radius: queue.radius,
             input: threads.pop,
+            top_empty: stack.top_empty,
             top: stack.top,
             resume_ready: traversal.resume_ready,
         });

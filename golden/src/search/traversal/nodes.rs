@@ -1,9 +1,9 @@
 //! Where the traversal gets its nodes from: memory on chip, or a tree cache.
 
 use super::In;
-use crate::search::records::{Descent, Node, NodeRecord};
 use crate::stream::Skid;
 use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Descent, Node, NodeRecord};
 
 /// The ring between a node's address and what the node holds.
 #[derive(Clone, Debug)]

@@ -1,5 +1,5 @@
 use super::*;
-use crate::search::records::Query;
+use pointcore_contract::search::records::{Query, Start, TreeWrite};
 
 const THREAD: Thread = Thread { thread: 2 };
 

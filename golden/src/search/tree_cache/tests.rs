@@ -1,7 +1,7 @@
 use super::*;
-use crate::search::records::Thread;
 use crate::testing::for_each_seed;
 use fastrand::Rng;
+use pointcore_contract::search::records::Thread;
 use std::collections::VecDeque;
 
 const TREE_DEPTH: u32 = 6;

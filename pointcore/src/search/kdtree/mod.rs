@@ -15,7 +15,7 @@ use crate::number::encode;
 use divide::{Item, Part};
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
-use pointcore_golden::search::records::Point;
+use pointcore_contract::search::records::Point;
 use std::fmt;
 
 /// What a node holds.

@@ -2,9 +2,9 @@
 
 use super::{Bucket, Node, Tree};
 use crate::number::encode;
+use pointcore_contract::search::records::{self, Lookup, TreeRecord, TreeWrite};
 use pointcore_contract::search::{Config, records as contract};
 use pointcore_contract::splat::Field;
-use pointcore_golden::search::records::{self, Lookup, TreeRecord, TreeWrite};
 
 impl Tree {
     fn node(&self, address: u32) -> Option<records::Node> {

@@ -5,19 +5,13 @@
 //! whose products and sums may be wider; depths, weights and coordinates are unsigned integers. A record with `end` set closes the frame
 //! and carries nothing else.
 
-use super::config::{
-    Config, DEPTH_BITS, DEPTH_SUM_BITS, TILE_PIXELS, TILE_SIZE, WEIGHT_BITS, WEIGHT_SUM_BITS, index_bits,
-};
+use super::config::{Config, DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
 use super::raster::{Coefficient, RasterFormat};
+use super::records::{LOCAL_BITS, PIXEL_BITS};
 use crate::{Format, FragmentDepth};
 
 /// A field: its name and its width in bits.
 pub type Field = (String, u32);
-
-/// Bits of a pixel's column or row within its tile.
-const LOCAL_BITS: u32 = index_bits(TILE_SIZE);
-/// Bits of a pixel's index within its tile, row above column.
-pub const PIXEL_BITS: u32 = index_bits(TILE_PIXELS);
 
 fn fields<const N: usize>(names: [&str; N], width: u32) -> Vec<Field> {
     names.into_iter().map(|name| (name.to_owned(), width)).collect()

@@ -1,0 +1,82 @@
+//! What units did in the last cycle: the counters behind the bound of a run and the stalls by cause.
+
+use crate::search::Config;
+use crate::{fields, record};
+
+/// What the priority queues did.
+#[record(config: Config)]
+pub struct QueueEvents {
+    /// The unit was done with a beat of points.
+    #[name("event_beat")]
+    pub beat: bool,
+    /// A neighbor was inserted.
+    #[name("event_insert")]
+    pub insert: bool,
+    /// A beat stayed for one more insertion.
+    #[name("event_insert_wait")]
+    pub insert_wait: bool,
+}
+
+/// Leaves that the point cache had, and had not.
+#[record(config: Config)]
+pub struct PointCacheEvents {
+    /// It had one that was wanted.
+    #[name("event_point_hit")]
+    pub hit: bool,
+    /// It had not.
+    #[name("event_point_miss")]
+    pub miss: bool,
+}
+
+/// Records that the tree cache had, and had not.
+#[record(config: Config)]
+pub struct TreeCacheEvents {
+    /// It had one that was wanted.
+    #[name("event_tree_hit")]
+    pub hit: bool,
+    /// It had not.
+    #[name("event_tree_miss")]
+    pub miss: bool,
+}
+
+/// Queries that the neighbor cache answered, and did not.
+#[record(config: Config)]
+pub struct NeighborCacheEvents {
+    /// A neighborhood covered one.
+    #[name("event_cache_hit")]
+    pub hit: bool,
+    /// None did.
+    #[name("event_cache_miss")]
+    pub miss: bool,
+}
+
+/// What a core did.
+#[record(config: Config)]
+pub struct Events {
+    /// A node was visited.
+    #[name("event_node")]
+    pub node: bool,
+    /// A path was popped.
+    #[name("event_pop")]
+    pub pop: bool,
+    /// Of the queues.
+    pub queue: QueueEvents,
+    /// A query waited for a free thread.
+    #[name("event_thread_wait")]
+    pub thread_wait: bool,
+    /// Of the point cache.
+    #[when(config.point_cache > 0)]
+    pub point_cache: PointCacheEvents,
+    /// Of the tree cache.
+    #[when(config.tree_cache > 0)]
+    pub tree_cache: TreeCacheEvents,
+    /// Of the neighbor cache.
+    #[when(config.neighbor_cache > 0)]
+    pub neighbor_cache: NeighborCacheEvents,
+}
+
+/// The names of a core's events.
+#[must_use]
+pub fn events(config: &Config) -> Vec<String> {
+    fields::<Events>(config).into_iter().map(|field| field.name).collect()
+}

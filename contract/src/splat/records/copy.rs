@@ -1,0 +1,103 @@
+//! Splats after setup and their copies for tiles.
+
+use super::{ATTRIBUTES, Footprint, LOCAL_BITS, attribute_name};
+use crate::record;
+use crate::splat::Config;
+
+/// An inclusive rectangle of the image's pixels.
+#[record(config: Config)]
+pub struct ImageRectangle {
+    /// First column.
+    #[bits(config.column_bits())]
+    pub left: u16,
+    /// Last column.
+    #[bits(config.column_bits())]
+    pub right: u16,
+    /// First row.
+    #[bits(config.row_bits())]
+    pub top: u16,
+    /// Last row.
+    #[bits(config.row_bits())]
+    pub bottom: u16,
+}
+
+/// An inclusive rectangle of a tile's pixels.
+#[record(config: Config)]
+pub struct TileRectangle {
+    /// First column.
+    #[bits(LOCAL_BITS)]
+    pub left: u16,
+    /// Last column.
+    #[bits(LOCAL_BITS)]
+    pub right: u16,
+    /// First row.
+    #[bits(LOCAL_BITS)]
+    pub top: u16,
+    /// Last row.
+    #[bits(LOCAL_BITS)]
+    pub bottom: u16,
+}
+
+/// A splat after setup, with its bounds in the image.
+#[record(config: Config)]
+pub struct SetupSplat {
+    /// Closes the frame.
+    pub end: bool,
+    /// Footprint.
+    pub footprint: Footprint,
+    /// Attributes.
+    #[count(config.attributes())]
+    #[name(attribute_name(config, i))]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+    /// Bounds in the image.
+    pub bounds: ImageRectangle,
+}
+
+/// A splat's copy for one tile, with its bounds in the tile.
+#[record(config: Config)]
+pub struct SplatCopy {
+    /// Closes the frame.
+    pub end: bool,
+    /// Footprint.
+    pub footprint: Footprint,
+    /// Attributes.
+    #[count(config.attributes())]
+    #[name(attribute_name(config, i))]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+    /// Bounds in the tile.
+    pub bounds: TileRectangle,
+    /// Tile index: row above column.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+}
+
+/// A copy with the slot its tile lives in.
+#[record(config: Config)]
+pub struct PlacedCopy {
+    /// The copy.
+    pub copy: SplatCopy,
+    /// Slot of the tile cache.
+    #[bits(config.slot_bits())]
+    pub slot: u8,
+}
+
+/// What the heap orders: a copy's tile and where its payload lies.
+#[record(config: Config)]
+pub struct HeapEntry {
+    /// Tile index.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+    /// Place of the payload.
+    #[bits(config.heap_levels)]
+    pub pointer: u16,
+}
+
+/// A tile's index alone.
+#[record(config: Config)]
+pub struct Tile {
+    /// Tile index.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+}

@@ -1,0 +1,69 @@
+//! The records that flow through the renderer.
+//!
+//! Geometry fields are values of [`Config::geometry`], those of footprints of [`Config::raster_format`], of which every format fits a
+//! `u32`; attributes are values of [`Config::attribute`], whose products and sums may be wider; depths, weights and coordinates are
+//! unsigned integers. A record with `end` set closes the frame and carries nothing else.
+
+mod copy;
+mod footprint;
+mod pixel;
+mod sample;
+mod uniforms;
+
+pub use super::lists::*;
+pub use copy::{HeapEntry, ImageRectangle, PlacedCopy, SetupSplat, SplatCopy, Tile, TileRectangle};
+pub use footprint::{Band, DepthPlane, Footprint};
+pub use pixel::{Fill, FinishedPixel, Fragment, Pixel, PlacedPixel, Slot, SlotPixel};
+pub use sample::{Sample, SamplePlace, WeightedSample};
+pub use uniforms::{EpsilonScale, ModelView, UNIFORM_ADDRESS_BITS, UniformWrite, Uniforms, Viewport};
+
+use super::config::{ATTRIBUTES_MAX, Config, TILE_PIXELS, TILE_SIZE, index_bits};
+use crate::record;
+
+/// Names of a point's coordinates.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The most attributes a splat has.
+pub const ATTRIBUTES: usize = ATTRIBUTES_MAX as usize;
+
+/// Attributes of a splat: first the continuous ones, then the cardinal ones, then unused places.
+pub type Attributes = [u32; ATTRIBUTES];
+
+/// What is made of a splat's attributes, in the same places: of continuous ones, contributions or sums.
+pub type Contributions = [u64; ATTRIBUTES];
+
+/// Bits of a pixel's column or row within its tile.
+pub const LOCAL_BITS: u32 = index_bits(TILE_SIZE);
+/// Bits of a pixel's index within its tile, row above column.
+pub const PIXEL_BITS: u32 = index_bits(TILE_PIXELS);
+
+/// The name of an attribute by its place.
+fn attribute_name(config: &Config, place: usize) -> String {
+    let continuous = config.continuous as usize;
+    if place < continuous { format!("attribute_{place}") } else { format!("cardinal_{}", place - continuous) }
+}
+
+/// Bits of what is made of an attribute: cardinal ones stay as they are.
+fn made_bits(config: &Config, place: usize, continuous_width: u32) -> u32 {
+    if place < config.continuous as usize { continuous_width } else { config.attribute.width() }
+}
+
+/// A splat, in world space as the host sends it and in camera space as the transform unit passes it on.
+#[record(config: Config)]
+pub struct Splat {
+    /// Closes the frame.
+    pub end: bool,
+    /// Center.
+    #[name(format!("center_{}", AXES[i]))]
+    #[bits(config.geometry.width())]
+    pub center: [u32; 3],
+    /// Tangents, whose ends lie at ρ = 1.
+    #[name(format!("tangent{}_{}", i + 1, AXES[j]))]
+    #[bits(config.geometry.width())]
+    pub tangents: [[u32; 3]; 2],
+    /// Attributes.
+    #[count(config.attributes())]
+    #[name(attribute_name(config, i))]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+}

@@ -1,0 +1,97 @@
+//! Pixels of the reconstruction buffer and what becomes of them.
+
+use super::{ATTRIBUTES, PIXEL_BITS, attribute_name, made_bits};
+use crate::record;
+use crate::splat::Config;
+use crate::splat::config::{DEPTH_SUM_BITS, WEIGHT_BITS, WEIGHT_SUM_BITS};
+
+/// A pixel of the reconstruction buffer.
+#[record(config: Config)]
+pub struct Pixel {
+    /// Sum of weights.
+    #[bits(WEIGHT_SUM_BITS)]
+    pub weight: u32,
+    /// Sum of weighted depths.
+    #[bits(DEPTH_SUM_BITS)]
+    pub depth: u64,
+    /// The largest single weight, with cardinal attributes only.
+    #[when(config.cardinal > 0)]
+    #[bits(WEIGHT_BITS)]
+    pub peak: u16,
+    /// Sums of weighted continuous attributes, and the cardinal ones of the largest weight.
+    #[count(config.attributes())]
+    #[name(attribute_name(config, i))]
+    #[bits(made_bits(config, i, config.attribute.sum_width()))]
+    pub attributes: [u64; ATTRIBUTES],
+}
+
+/// A pixel with its place in the reconstruction buffer.
+#[record(config: Config)]
+pub struct PlacedPixel {
+    /// Tile index.
+    #[bits(config.tile_bits())]
+    pub tile: u32,
+    /// Pixel of the tile.
+    #[bits(PIXEL_BITS)]
+    pub pixel: u8,
+    /// What the pixel holds.
+    pub value: Pixel,
+}
+
+/// A pixel on its way to normalization.
+#[record(config: Config)]
+pub struct FinishedPixel {
+    /// Closes the frame.
+    pub end: bool,
+    /// Pixel and place.
+    pub placed: PlacedPixel,
+}
+
+/// A normalized pixel (eq. 5.13).
+#[record(config: Config)]
+pub struct Fragment {
+    /// Closes the frame.
+    pub end: bool,
+    /// Column of the image.
+    #[bits(config.column_bits())]
+    pub column: u16,
+    /// Row of the image.
+    #[bits(config.row_bits())]
+    pub row: u16,
+    /// Depth in the geometry format.
+    #[bits(config.geometry.width())]
+    pub depth: u32,
+    /// Attributes.
+    #[count(config.attributes())]
+    #[name(attribute_name(config, i))]
+    #[bits(config.attribute.width())]
+    pub attributes: [u32; ATTRIBUTES],
+}
+
+/// A slot's number alone.
+#[record(config: Config)]
+pub struct Slot {
+    /// Slot of the tile cache.
+    #[bits(config.slot_bits())]
+    pub slot: u8,
+}
+
+/// A pixel of a slot.
+#[record(config: Config)]
+pub struct SlotPixel {
+    /// Slot of the tile cache.
+    #[bits(config.slot_bits())]
+    pub slot: u8,
+    /// Pixel of the tile.
+    #[bits(PIXEL_BITS)]
+    pub pixel: u8,
+}
+
+/// A write to a slot.
+#[record(config: Config)]
+pub struct Fill {
+    /// Where.
+    pub place: SlotPixel,
+    /// What.
+    pub value: Pixel,
+}

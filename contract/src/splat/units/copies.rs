@@ -1,0 +1,72 @@
+//! Units that work on copies of splats for tiles.
+
+use crate::splat::Config;
+use crate::splat::records::{
+    Fill, FinishedPixel, HeapEntry, Pixel, PlacedCopy, PlacedPixel, SetupSplat, Slot, SlotPixel, SplatCopy, Tile,
+};
+use crate::unit;
+
+/// Makes a copy of a splat for each tile that its bounds touch.
+#[unit(splat_splitter, config: Config)]
+pub struct Splitter {
+    /// Footprints with bounds in the image.
+    #[port("in")]
+    input: In<SetupSplat>,
+    /// Copies with bounds in their tiles.
+    out: Out<SplatCopy>,
+}
+
+/// Orders entries by tile, and within a tile by arrival (thesis 5.5.2).
+#[unit(splat_heap, config: Config)]
+pub struct Heap {
+    /// Entries in any order.
+    #[port("in")]
+    input: In<HeapEntry>,
+    /// Entries in order.
+    out: Out<HeapEntry>,
+    /// It holds no entry.
+    empty: Output<bool>,
+}
+
+/// Puts copies in the order of their tiles.
+#[unit(splat_reorder, config: Config)]
+pub struct Reorder {
+    /// Copies in any order.
+    #[port("in")]
+    input: In<SplatCopy>,
+    /// Copies in order of tiles.
+    out: Out<SplatCopy>,
+}
+
+/// Keeps tiles of the reconstruction buffer in slots, and fetches them ahead.
+#[unit(splat_tile_cache, config: Config)]
+pub struct TileCache {
+    /// Copies in order of tiles.
+    #[port("in")]
+    input: In<SplatCopy>,
+    /// Copies with their slots.
+    out: Out<PlacedCopy>,
+    /// Request for the pixels of a tile.
+    read: Out<Tile>,
+    /// Pixels of the tiles requested, in pixel order.
+    data: In<Pixel>,
+    /// Pixels of evicted tiles.
+    write: Out<PlacedPixel>,
+    /// Pixels of a finished frame.
+    pixel: Out<FinishedPixel>,
+    /// A bit for each slot that may be accumulated into.
+    #[bits(config.tile_slots)]
+    slot_ready: Output<u64>,
+    /// The accumulator is done with a copy.
+    retire: PulseIn<Slot>,
+    /// The accumulator is done with the frame.
+    frame_end: Input<bool>,
+    /// Write to a slot.
+    fill: PulseOut<Fill>,
+    /// Read of a slot.
+    #[flag("enable")]
+    drain: PulseOut<SlotPixel>,
+    /// The pixel of the last read.
+    #[port("drain")]
+    drained: Input<Pixel>,
+}

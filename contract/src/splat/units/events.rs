@@ -1,0 +1,47 @@
+//! What units did in the last cycle, for utilisation and stalls by cause.
+
+use crate::splat::Config;
+use crate::{fields, record};
+
+/// What the rasterizer did.
+#[record(config: Config)]
+pub struct RasterizerEvents {
+    /// It evaluated a sample.
+    #[name("event_sample")]
+    pub sample: bool,
+    /// It had no copy to work on.
+    #[name("event_starved")]
+    pub starved: bool,
+    /// Its pipeline was held by what follows it.
+    #[name("event_blocked")]
+    pub blocked: bool,
+}
+
+/// What the accumulator did.
+#[record(config: Config)]
+pub struct AccumulatorEvents {
+    /// It took a sample.
+    #[name("event_accumulate")]
+    pub accumulate: bool,
+    /// It waited for an earlier sample of the same pixel.
+    #[name("event_hazard")]
+    pub hazard: bool,
+    /// It waited for its tile to arrive in the cache.
+    #[name("event_slot_wait")]
+    pub slot_wait: bool,
+}
+
+/// What the core did.
+#[record(config: Config)]
+pub struct Events {
+    /// The rasterizer.
+    pub rasterizer: RasterizerEvents,
+    /// The accumulator.
+    pub accumulator: AccumulatorEvents,
+}
+
+/// The names of the core's events.
+#[must_use]
+pub fn events(config: &Config) -> Vec<String> {
+    fields::<Events>(config).into_iter().map(|field| field.name).collect()
+}

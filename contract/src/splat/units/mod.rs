@@ -1,0 +1,54 @@
+//! The renderer's units at their ports, in the order in which a splat meets them.
+
+mod copies;
+mod events;
+mod samples;
+mod splats;
+mod whole;
+
+pub use copies::{heap, reorder, splitter, tile_cache};
+pub use events::{AccumulatorEvents, Events, RasterizerEvents, events};
+pub use samples::{accumulator, depth_test, normalizer, rasterizer, weighting};
+pub use splats::{setup, transform};
+pub use whole::top;
+
+use super::config::Config;
+use crate::Unit;
+
+/// Every unit of the renderer, the core itself last.
+pub static UNITS: [&Unit<Config>; 12] = [
+    &transform::UNIT,
+    &setup::UNIT,
+    &splitter::UNIT,
+    &heap::UNIT,
+    &reorder::UNIT,
+    &tile_cache::UNIT,
+    &rasterizer::UNIT,
+    &weighting::UNIT,
+    &depth_test::UNIT,
+    &accumulator::UNIT,
+    &normalizer::UNIT,
+    &top::UNIT,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn ports_have_unique_names_and_fit_a_word() {
+        let config = Config { cardinal: 1, ..Config::default() };
+        for unit in UNITS {
+            let ports = unit.ports(&config);
+            let names: HashSet<_> = ports.iter().map(|port| &port.name).collect();
+            assert_eq!(names.len(), ports.len(), "{}", unit.module);
+            assert!(ports.iter().all(|port| (1..=64).contains(&port.width)), "{}", unit.module);
+        }
+    }
+
+    #[test]
+    fn modules_are_named_after_the_room() {
+        assert!(UNITS.iter().all(|unit| unit.module.starts_with("splat_")));
+    }
+}

@@ -1,0 +1,93 @@
+//! Units that work on samples and pixels.
+
+use super::events::{AccumulatorEvents, RasterizerEvents};
+use crate::splat::Config;
+use crate::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_SUM_BITS};
+use crate::splat::records::{
+    Fill, FinishedPixel, Fragment, Pixel, PlacedCopy, Sample, Slot, SlotPixel, WeightedSample,
+};
+use crate::unit;
+
+/// Evaluates a splat's kernel at the samples within its bounds (thesis table 5.2).
+#[unit(splat_rasterizer, config: Config)]
+pub struct Rasterizer {
+    /// Copies with their slots.
+    #[port("in")]
+    input: In<PlacedCopy>,
+    /// Samples.
+    out: Out<Sample>,
+    /// The reciprocal of the squared radius of the screen filter.
+    #[when(config.screen_filter.is_on())]
+    #[bits(config.filter_scale_format().width())]
+    filter_scale: Input<u32>,
+    /// What happened in the last cycle.
+    #[port("")]
+    events: Output<RasterizerEvents>,
+}
+
+/// Weights depth and attributes.
+#[unit(splat_weighting, config: Config)]
+pub struct Weighting {
+    /// Samples.
+    #[port("in")]
+    input: In<Sample>,
+    /// Samples with their contributions.
+    out: Out<WeightedSample>,
+}
+
+/// The ternary depth test (thesis 5.4.4): a pipeline without stalls, whose results follow two cycles later.
+#[unit(splat_depth_test, config: Config)]
+pub struct DepthTest {
+    /// The pixel's sum of weights.
+    #[bits(WEIGHT_SUM_BITS)]
+    weight: Input<u32>,
+    /// The pixel's sum of weighted depths.
+    #[bits(DEPTH_SUM_BITS)]
+    depth: Input<u64>,
+    /// Near end of the sample's depth band.
+    #[bits(DEPTH_BITS)]
+    depth_low: Input<u32>,
+    /// Far end of the sample's depth band.
+    #[bits(DEPTH_BITS)]
+    depth_high: Input<u32>,
+    /// The pixel hides the sample.
+    fail: Output<bool>,
+    /// The sample hides the pixel.
+    pass: Output<bool>,
+}
+
+/// Adds samples to pixels of the tile slots (eq. 5.10 to 5.12).
+#[unit(splat_accumulator, config: Config)]
+pub struct Accumulator {
+    /// Samples with their contributions.
+    #[port("in")]
+    input: In<WeightedSample>,
+    /// A bit for each slot that may be accumulated into.
+    #[bits(config.tile_slots)]
+    slot_ready: Input<u64>,
+    /// A copy is done with.
+    retire: PulseOut<Slot>,
+    /// The frame is done with.
+    frame_end: Output<bool>,
+    /// Write to a slot.
+    fill: PulseIn<Fill>,
+    /// Read of a slot.
+    #[flag("enable")]
+    drain: PulseIn<SlotPixel>,
+    /// The pixel of the last read.
+    #[port("drain")]
+    drained: Output<Pixel>,
+    /// What happened in the last cycle.
+    #[port("")]
+    events: Output<AccumulatorEvents>,
+}
+
+/// Divides sums by weights (eq. 5.13).
+#[unit(splat_normalizer, config: Config)]
+pub struct Normalizer {
+    /// Pixels of a finished frame.
+    #[port("in")]
+    input: In<FinishedPixel>,
+    /// Fragments.
+    out: Out<Fragment>,
+}

@@ -1,0 +1,26 @@
+//! The whole core.
+
+use super::events::Events;
+use crate::splat::Config;
+use crate::splat::records::{Fragment, Pixel, PlacedPixel, Splat, Tile, UniformWrite};
+use crate::unit;
+
+/// The renderer.
+#[unit(splat_top, config: Config)]
+pub struct Top {
+    /// Write to a uniform register, not while a frame is under way.
+    uniform: PulseIn<UniformWrite>,
+    /// Splats in world space.
+    splat: In<Splat>,
+    /// Request for the pixels of a tile.
+    read: Out<Tile>,
+    /// Pixels of the tiles requested, in pixel order.
+    data: In<Pixel>,
+    /// Pixels of evicted tiles.
+    write: Out<PlacedPixel>,
+    /// Fragments of the image.
+    fragment: Out<Fragment>,
+    /// What happened in the last cycle.
+    #[port("")]
+    events: Output<Events>,
+}
