@@ -4,8 +4,8 @@ mod commands;
 
 use clap::{Parser, Subcommand};
 use commands::{Failure, accuracy, area, bench, generate, inspect, knn, plan, run, stability, vectors};
-use pointcore::driver::Error as DriverError;
-use pointcore::search::Error as SearchError;
+use pointcore::search::SearchError;
+use pointcore::vectors::VectorsError;
 use pointcore_lab::accuracy::AccuracyError;
 use pointcore_lab::synthesis::SynthesisError;
 use std::process::ExitCode;
@@ -87,8 +87,8 @@ fn main() -> ExitCode {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
-            Self::Mismatch(_) | Self::Neighbors(_) | Self::Stale { .. } | Self::Vectors(DriverError::Frame(_)) => 1,
-            Self::Search(error) | Self::Vectors(DriverError::Search(error)) => match error {
+            Self::Mismatch(_) | Self::Neighbors(_) | Self::Stale { .. } | Self::Vectors(VectorsError::Frame(_)) => 1,
+            Self::Search(error) | Self::Vectors(VectorsError::Search(error)) => match error {
                 SearchError::Lockstep(_) | SearchError::Stuck { .. } => 1,
                 SearchError::Generate(_) | SearchError::Verilated(_) => 3,
                 _ => 2,
@@ -109,7 +109,7 @@ impl Failure {
             | Self::Write { .. }
             | Self::Picture(_)
             | Self::Plot(_) => 2,
-            Self::Vectors(DriverError::Generate(_)) => 3,
+            Self::Vectors(VectorsError::Generate(_)) => 3,
             Self::Vectors(_) => 2,
             Self::Generate(_) | Self::Package(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
         })

@@ -2,7 +2,7 @@
 
 pub mod accuracy;
 pub mod float_check;
+pub mod operands;
 pub mod plot;
 pub mod stability;
 pub mod synthesis;
-pub mod vectors;

@@ -6,7 +6,7 @@ use pointcore::area::count;
 use pointcore::cost::{Costs, Cycles, table_row};
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
-use pointcore::splat::{Core, EncodedFrame, Outcome, Runner, assemble};
+use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner, assemble};
 use pointcore_contract::splat::{Config, Feature, records};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use pointcore_tb::lockstep::Stall;
@@ -23,17 +23,17 @@ fn planned(name: &str, settings: &[String]) -> (Scene, Plan) {
     (scene, plan)
 }
 
-fn generate(plan: &Plan) -> Core {
-    Core::generate(&plan.config).unwrap_or_else(|error| panic!("{error}"))
+fn generate(plan: &Plan) -> SplatCore {
+    SplatCore::generate(&plan.config).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn render(scene: &Scene, plan: &Plan, core: &Core) -> Outcome {
+fn render(scene: &Scene, plan: &Plan, core: &SplatCore) -> SplatOutcome {
     let (config, frame) = (&plan.config, &EncodedFrame::new(scene, plan));
-    let runner = Runner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
+    let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
     runner.golden(core).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn instances(core: &Core) -> usize {
+fn instances(core: &SplatCore) -> usize {
     core.design.modules().iter().map(|module| module.instances).sum()
 }
 
@@ -64,8 +64,8 @@ fn hardware_shrinks_with_the_scene() {
 
 /// Asserts that the small hardware renders what that with everything in does, bit for bit: column, row, depth, and the attributes that it
 /// carries. Returns the number of fragments.
-fn agree(small: &Plan, of_little: &Outcome, everything: &Plan, of_all: &Outcome) -> usize {
-    let fragments = |plan: &Plan, outcome: &Outcome| -> Vec<Vec<u64>> {
+fn agree(small: &Plan, of_little: &SplatOutcome, everything: &Plan, of_all: &SplatOutcome) -> usize {
+    let fragments = |plan: &Plan, outcome: &SplatOutcome| -> Vec<Vec<u64>> {
         let words = records::fragment(&plan.config).len() - 1;
         outcome.fragments.chunks_exact(words).map(<[_]>::to_vec).collect()
     };
@@ -152,7 +152,8 @@ fn planned_hardware_agrees_with_its_model() {
     assert_eq!([plan.config.culling, plan.config.screen_filter, plan.config.eye_plane], [Feature::Off; 3]);
     let core = generate(&plan);
     let (config, frame) = (&plan.config, &EncodedFrame::new(&scene, &plan));
-    let runner = Runner { config, frame, stall: Stall::Random(0.2), seed: 1, progress: &|_, _| {}, stop_after: None };
+    let runner =
+        SplatRunner { config, frame, stall: Stall::Random(0.2), seed: 1, progress: &|_, _| {}, stop_after: None };
     let library = {
         let builder = Builder::new().unwrap_or_else(|error| panic!("{error}"));
         let source = Source::from(&core.design);

@@ -3,8 +3,8 @@
 use pointcore::number::encode;
 use pointcore::search::samples::{point_sets, queries_near};
 use pointcore::search::{
-    Engine, Error, MemorySettings, Order, Outcome, PointSet, Query, Reuse, Session, Source, Splitting, Tree,
-    kdtree::depth_for,
+    MemorySettings, Order, PointSet, PointSource, Query, Reuse, SearchEngine, SearchError, SearchOutcome, Session,
+    Splitting, Tree, kdtree::depth_for,
 };
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
@@ -24,7 +24,7 @@ fn queries(points: &[[f32; 3]], neighbors: u32, count: usize) -> Vec<Query> {
 }
 
 /// Compares every neighbor with a search through all points; returns how many there are.
-fn check(name: &str, config: &Config, points: &PointSet, queries: &[Query], outcome: &Outcome) -> usize {
+fn check(name: &str, config: &Config, points: &PointSet, queries: &[Query], outcome: &SearchOutcome) -> usize {
     let format = config.geometry;
     let encoded = points.encoded();
     let mut count = 0;
@@ -48,7 +48,13 @@ fn check(name: &str, config: &Config, points: &PointSet, queries: &[Query], outc
     count
 }
 
-fn open(config: &Config, points: &PointSet, splitting: Splitting, memory: MemorySettings, engine: Engine) -> Session {
+fn open(
+    config: &Config,
+    points: &PointSet,
+    splitting: Splitting,
+    memory: MemorySettings,
+    engine: SearchEngine,
+) -> Session {
     let tree = Tree::build(config, points, splitting).unwrap_or_else(|error| panic!("{error}"));
     Session::open(config.clone(), tree, memory, engine).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -76,7 +82,8 @@ fn neighbors_in_sets_of_all_kinds_equal_brute_force() {
             let points = PointSet::new(config.geometry, cloud).expect("the points are finite");
             let queries = queries(cloud, config.neighbors, 60);
             let memory = memories[(index + lanes as usize) % memories.len()];
-            let session = open(&config, &points, splitting, memory, Engine::Golden).randomized(Stall::Random(0.2), 3);
+            let session =
+                open(&config, &points, splitting, memory, SearchEngine::Golden).randomized(Stall::Random(0.2), 3);
             let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
             let found = check(name, &config, &points, &queries, &outcome);
             assert!(found > 100, "{found} neighbors in {name}");
@@ -101,7 +108,8 @@ fn queries_on_splitting_planes_equal_brute_force() {
     for splitting in [Splitting::Median, Splitting::Packed, Splitting::Midpoint] {
         let config = Config { bucket: 4, tree_depth: depth_for(cloud.len(), 4) + 2, ..Config::default() };
         let points = PointSet::new(config.geometry, &cloud).expect("the points are finite");
-        let outcome = open(&config, &points, splitting, MemorySettings::default(), Engine::Golden).search(&queries);
+        let outcome =
+            open(&config, &points, splitting, MemorySettings::default(), SearchEngine::Golden).search(&queries);
         let outcome = outcome.unwrap_or_else(|error| panic!("{error}"));
         assert!(check("lattice", &config, &points, &queries, &outcome) > queries.len());
     }
@@ -119,7 +127,8 @@ fn hardware_answers_as_its_model_in_every_cycle() {
             let session = open(&config, &points, Splitting::Packed, memory, engine).randomized(Stall::Random(0.1), 5);
             session.search(&queries).unwrap_or_else(|error| panic!("{name}: {error}"))
         };
-        let [golden, hardware, lockstep] = [Engine::Golden, Engine::Hardware, Engine::Lockstep].map(search);
+        let [golden, hardware, lockstep] =
+            [SearchEngine::Golden, SearchEngine::Hardware, SearchEngine::Lockstep].map(search);
         check(name, &config, &points, &queries, &golden);
         for other in [hardware, lockstep] {
             assert_eq!((&other.neighbors, &other.counters), (&golden.neighbors, &golden.counters), "{name}");
@@ -135,7 +144,7 @@ fn numbers_may_repeat_while_queries_are_under_way() {
     let cloud: Vec<_> = (0..16_u8).map(|x| [f32::from(x), 0.0, 0.0]).collect();
     let points = PointSet::new(config.geometry, &cloud).expect("the points are finite");
     let queries = queries(&cloud, config.neighbors, 100);
-    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), SearchEngine::Golden);
     let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
     assert!(check("few numbers", &config, &points, &queries, &outcome) > 100);
     assert!(session.search(&[]).unwrap_or_else(|error| panic!("{error}")).neighbors.is_empty());
@@ -145,14 +154,14 @@ fn numbers_may_repeat_while_queries_are_under_way() {
 fn what_has_no_answer_is_refused() {
     let config = Config { tree_depth: 1, ..Config::default() };
     let points = PointSet::new(config.geometry, &[[0.0; 3]]).expect("the point is finite");
-    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), SearchEngine::Golden);
     let sound = Query { point: [1.0; 3], k: 1, radius: None };
     let refused = session.search(&[sound, Query { k: 17, ..sound }]);
-    assert!(matches!(refused, Err(Error::Query { index: 1, .. })));
+    assert!(matches!(refused, Err(SearchError::Query { index: 1, .. })));
     let tree = Tree::build(&config, &points, Splitting::Median).expect("one point fits");
     let other = Config { lanes: 4, ..config };
-    let refused = Session::open(other, tree, MemorySettings::default(), Engine::Golden);
-    assert!(matches!(refused.err(), Some(Error::OtherTree)));
+    let refused = Session::open(other, tree, MemorySettings::default(), SearchEngine::Golden);
+    assert!(matches!(refused.err(), Some(SearchError::OtherTree)));
 }
 
 /// Runs of queries that take turns.
@@ -176,10 +185,10 @@ fn caches_leave_answers_exact() {
     ];
     let memory = MemorySettings { latency_cycles: 30, reorder_window: 4, burst_bytes: 32, ..MemorySettings::default() };
     for config in configs {
-        let points = PointSet::load(config.geometry, &Source::Surface(1000)).expect("the surface is finite");
+        let points = PointSet::load(config.geometry, &PointSource::Surface(1000)).expect("the surface is finite");
         for radius in [None, Some(0.2)] {
             let queries = coherent(&points, radius);
-            let session = open(&config, &points, Splitting::Median, memory, Engine::Golden)
+            let session = open(&config, &points, Splitting::Median, memory, SearchEngine::Golden)
                 .randomized(Stall::Random(0.1), 2)
                 .interleaved(RUNS);
             let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
@@ -205,7 +214,7 @@ fn hardware_with_every_cache_answers_as_its_model() {
         point_cache: 8,
         ..Config::default()
     };
-    let points = PointSet::load(config.geometry, &Source::Surface(500)).expect("the surface is finite");
+    let points = PointSet::load(config.geometry, &PointSource::Surface(500)).expect("the surface is finite");
     for radius in [None, Some(0.3)] {
         let queries = coherent(&points, radius);
         let search = |engine| {
@@ -213,7 +222,7 @@ fn hardware_with_every_cache_answers_as_its_model() {
                 open(&config, &points, Splitting::Packed, MemorySettings::default(), engine).interleaved(RUNS);
             session.search(&queries).unwrap_or_else(|error| panic!("{error}"))
         };
-        let [golden, lockstep] = [Engine::Golden, Engine::Lockstep].map(search);
+        let [golden, lockstep] = [SearchEngine::Golden, SearchEngine::Lockstep].map(search);
         assert!(check("surface", &config, &points, &queries, &lockstep) > 1000);
         assert_eq!((&lockstep.neighbors, &lockstep.counters), (&golden.neighbors, &golden.counters));
     }
@@ -223,10 +232,10 @@ fn hardware_with_every_cache_answers_as_its_model() {
 fn approximate_neighbors_keep_their_tolerance() {
     const EPSILON: f32 = 0.5;
     let config = Config { bucket: 8, tree_depth: 7, threads: 2, neighbor_cache: 8, ..Config::default() };
-    let points = PointSet::load(config.geometry, &Source::Surface(1000)).expect("the surface is finite");
+    let points = PointSet::load(config.geometry, &PointSource::Surface(1000)).expect("the surface is finite");
     let queries = coherent(&points, None);
     let hits = |epsilon| {
-        let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+        let session = open(&config, &points, Splitting::Median, MemorySettings::default(), SearchEngine::Golden);
         let session = session.reusing(Reuse { epsilon, ..Reuse::default() }).expect("the tolerance is valid");
         let session = session.interleaved(RUNS);
         let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
@@ -243,8 +252,8 @@ fn approximate_neighbors_keep_their_tolerance() {
 fn queries_of_a_neighbor_cache_are_alike() {
     let config = Config { tree_depth: 1, neighbor_cache: 2, ..Config::default() };
     let points = PointSet::new(config.geometry, &[[0.0; 3]]).expect("the point is finite");
-    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), Engine::Golden);
+    let session = open(&config, &points, Splitting::Median, MemorySettings::default(), SearchEngine::Golden);
     let query = Query { point: [1.0; 3], k: 1, radius: None };
     let refused = session.search(&[query, Query { radius: Some(1.0), ..query }]);
-    assert!(matches!(refused, Err(Error::Query { index: 1, .. })));
+    assert!(matches!(refused, Err(SearchError::Query { index: 1, .. })));
 }

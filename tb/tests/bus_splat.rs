@@ -1,6 +1,6 @@
 //! The renderer on AXI makes the frames that its model makes, whatever stalls, run after run.
 
-use pointcore::splat::{Core, EncodedFrame, Runner};
+use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::{Config as Widths, registers};
 use pointcore_contract::splat::{Config, records};
 use pointcore_hdl::bus::splat;
@@ -25,8 +25,8 @@ fn frames(config: &Config) -> EncodedFrame {
 
 /// The fragments of all frames, as the model makes them.
 fn expected(config: &Config, frame: &EncodedFrame) -> Vec<u64> {
-    let core = Core::generate(config).unwrap_or_else(|error| panic!("{error}"));
-    let runner = Runner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
+    let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
+    let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
     runner.golden(&core).unwrap_or_else(|error| panic!("{error}")).fragments
 }
 

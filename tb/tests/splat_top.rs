@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pointcore::splat::{Core, EncodedFrame, Outcome, Runner};
+use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
 use pointcore_contract::splat::{Config, records};
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, inject, seed, seeds};
 use pointcore_tb::verilated::{Library, Source};
@@ -24,11 +24,11 @@ fn frames(config: &Config, count: usize) -> EncodedFrame {
 fn run(
     config: &Config,
     frame: &EncodedFrame,
-    (core, library): (&Core, &Arc<Library>),
+    (core, library): (&SplatCore, &Arc<Library>),
     stall: Stall,
     seed: u64,
-) -> Result<Outcome, LockstepError> {
-    let runner = Runner { config, frame, stall, seed, progress: &|_, _| {}, stop_after: None };
+) -> Result<SplatOutcome, LockstepError> {
+    let runner = SplatRunner { config, frame, stall, seed, progress: &|_, _| {}, stop_after: None };
     runner.lockstep(core, library)
 }
 
@@ -36,7 +36,7 @@ fn run(
 fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
     let ([coarse, _], [fixed, ..], [.., integers]) = (knobs(), fixed_configs(), integer_configs());
     for config in configs().into_iter().chain([coarse, fixed, integers]) {
-        let core = Core::generate(&config).unwrap_or_else(|error| panic!("{error}"));
+        let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
         let library = support::build(&Source::from(&core.design));
         let mut frame = frames(&config, RECORDS);
         let mut expected: Option<Vec<u64>> = None;
@@ -62,7 +62,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
 #[test]
 fn a_fault_in_one_unit_is_reported_with_cycle_and_port() {
     let [config, ..] = configs();
-    let core = Core::generate(&config).unwrap_or_else(|error| panic!("{error}"));
+    let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
     let mut source = Source::from(&core.design);
     source.verilog = inject(&source.verilog, "depth_sum_4 <= stored", "+", "-").unwrap();
     let broken = support::build(&source);

@@ -51,8 +51,8 @@ pub fn write_package(package: &Package, folder: &Path) -> Result<Vec<PathBuf>, F
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let name = scene_name(&arguments.source);
     let package = match configuration(arguments)? {
-        Configuration::Splat(config) => Package::splat(&name, &splat::Core::generate(&config)?, &config)?,
-        Configuration::Search(config) => Package::search(&name, &search::Core::generate(&config)?, &config)?,
+        Configuration::Splat(config) => Package::splat(&name, &splat::SplatCore::generate(&config)?, &config)?,
+        Configuration::Search(config) => Package::search(&name, &search::SearchCore::generate(&config)?, &config)?,
     };
     let files = write_package(&package, &arguments.output)?;
     let names: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();

@@ -4,7 +4,9 @@ use super::progress::{with_progress, with_spinner};
 use super::search::Search;
 use super::{Failure, Output, generate, write};
 use pointcore::package::Package;
-use pointcore::search::{Engine, Measured, MemorySettings, Outcome, Query, Report, Session, Source, Tree, check};
+use pointcore::search::{
+    MemorySettings, PointSource, Query, SearchEngine, SearchOutcome, SearchReport, SearchRun, Session, Tree, check,
+};
 use pointcore_tb::lockstep::Stall;
 use serde_json::json;
 use std::fmt::Write as _;
@@ -27,7 +29,7 @@ pub enum Model {
 pub struct Arguments {
     /// The points: a PLY or OBJ file, or `surface:COUNT` for a procedural surface.
     #[arg(long, value_name = "FILE|surface:COUNT")]
-    points: Source,
+    points: PointSource,
     #[command(flatten)]
     search: Search,
     /// Ask N parts of the queries in turn, so that near ones are not under way together.
@@ -96,18 +98,18 @@ impl Arguments {
         }
     }
 
-    const fn engine(&self) -> (Engine, &'static str, Option<u64>) {
+    const fn engine(&self) -> (SearchEngine, &'static str, Option<u64>) {
         match (self.model, self.no_lockstep) {
-            (Model::Golden, _) => (Engine::Golden, "golden", None),
-            (Model::Rtl, true) => (Engine::Hardware, "rtl", None),
+            (Model::Golden, _) => (SearchEngine::Golden, "golden", None),
+            (Model::Rtl, true) => (SearchEngine::Hardware, "rtl", None),
             // A difference would end the run.
-            (Model::Rtl, false) => (Engine::Lockstep, "rtl in lockstep with golden", Some(0)),
+            (Model::Rtl, false) => (SearchEngine::Lockstep, "rtl in lockstep with golden", Some(0)),
         }
     }
 }
 
 /// Writes the queries, and the neighbors of each.
-fn write_neighbors(queries: &[Query], outcome: &Outcome, output: Output, folder: &Path) -> Result<(), Failure> {
+fn write_neighbors(queries: &[Query], outcome: &SearchOutcome, output: Output, folder: &Path) -> Result<(), Failure> {
     let mut places = "query,x,y,z\n".to_owned();
     for (query, Query { point: [x, y, z], .. }) in queries.iter().enumerate() {
         _ = writeln!(places, "{query},{x:e},{y:e},{z:e}");
@@ -161,7 +163,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     } else {
         None
     };
-    let report = Report::new(&Measured {
+    let report = SearchReport::new(&SearchRun {
         points: &arguments.points.to_string(),
         engine: engine_name,
         order: &order,

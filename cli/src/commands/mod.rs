@@ -16,13 +16,13 @@ pub mod vectors;
 
 use pointcore::configuration::{self, Configuration, ConfigurationError};
 use pointcore::cost::CostError;
-use pointcore::driver::Error as DriverError;
 use pointcore::generated::GenerateError;
 use pointcore::package::PackageError;
 use pointcore::picture::PictureError;
 use pointcore::plan::{Plan, PlanError};
 use pointcore::scene::{Scene, SceneError};
-use pointcore::search::{Difference, Error as SearchError};
+use pointcore::search::{SearchError, WrongAnswer};
+use pointcore::vectors::VectorsError;
 use pointcore_lab::accuracy::AccuracyError;
 use pointcore_lab::float_check::FloatCheckError;
 use pointcore_lab::plot::PlotError;
@@ -107,10 +107,10 @@ pub enum Failure {
     Search(#[from] SearchError),
     /// Vectors for a driver.
     #[error(transparent)]
-    Vectors(#[from] DriverError),
+    Vectors(#[from] VectorsError),
     /// Neighbors that are not the nearest.
     #[error("{0}")]
-    Neighbors(Difference),
+    Neighbors(WrongAnswer),
     /// Operators that could not be compared.
     #[error(transparent)]
     Operators(#[from] FloatCheckError),

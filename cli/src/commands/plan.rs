@@ -4,10 +4,10 @@ use super::accuracy::estimator;
 use super::{Failure, Output, load, scene_name};
 use pointcore::area::count;
 use pointcore::area::estimate::Estimator;
-use pointcore::cost::{Costs, Cycles, Figures, TABLE_HEAD, table_row};
+use pointcore::cost::{Costs, Cycles, HardwareFigures, TABLE_HEAD, table_row};
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
-use pointcore::splat::Core;
+use pointcore::splat::SplatCore;
 use pointcore_tb::cache::Cache;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -46,7 +46,7 @@ fn number(figure: Option<f64>) -> String {
 }
 
 /// The columns of some figures.
-fn cells(figures: &Figures) -> [String; 5] {
+fn cells(figures: &HardwareFigures) -> [String; 5] {
     let count = |figure: i64| number(Some(figure as f64));
     [
         count(figures.register_bits),
@@ -92,8 +92,8 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
 }
 
 fn explain(arguments: &Arguments, path: &Path, scene: &Scene, plan: &Plan) -> Result<(String, Value), Failure> {
-    let planned = Core::generate(&plan.config)?;
-    let full = Core::generate(&plan.with_everything().config)?;
+    let planned = SplatCore::generate(&plan.config)?;
+    let full = SplatCore::generate(&plan.with_everything().config)?;
     let costs = if arguments.measure {
         Costs::of(scene, plan, Cycles::Measured, Some(&arguments.estimator()?))?
     } else {

@@ -5,7 +5,7 @@ use super::{Failure, Output, generate, load_on, scene_name, write};
 use pointcore::generated::verilate;
 use pointcore::package::Package;
 use pointcore::shading;
-use pointcore::splat::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble};
+use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatReport, SplatRun, SplatRunner, assemble};
 use pointcore_golden::reference::{self, Mapping};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::Trace;
@@ -72,12 +72,12 @@ impl Arguments {
     /// Runs on what was chosen; says which, and how many outputs differed where they were compared.
     fn simulate(
         &self,
-        core: &Core,
-        runner: &Runner,
+        core: &SplatCore,
+        runner: &SplatRunner,
         folder: &Path,
-    ) -> Result<(Outcome, &'static str, Option<u64>), Failure> {
+    ) -> Result<(SplatOutcome, &'static str, Option<u64>), Failure> {
         if self.model == Model::Golden {
-            let outcome = with_progress("golden", |progress| Runner { progress, ..*runner }.golden(core))?;
+            let outcome = with_progress("golden", |progress| SplatRunner { progress, ..*runner }.golden(core))?;
             return Ok((outcome, "golden", None));
         }
         let trace = if self.trace { Trace::On } else { Trace::Off };
@@ -86,11 +86,11 @@ impl Arguments {
         if self.trace || self.no_lockstep {
             let waveform = self.trace.then(|| folder.join("frame.fst"));
             let run = |progress: &(dyn Fn(u64, f64) + Sync)| {
-                Runner { progress, ..*runner }.hardware(&library, waveform.as_deref())
+                SplatRunner { progress, ..*runner }.hardware(&library, waveform.as_deref())
             };
             return Ok((with_progress("hardware", run)?, "rtl", None));
         }
-        let run = |progress: &(dyn Fn(u64, f64) + Sync)| Runner { progress, ..*runner }.lockstep(core, &library);
+        let run = |progress: &(dyn Fn(u64, f64) + Sync)| SplatRunner { progress, ..*runner }.lockstep(core, &library);
         // A difference would have ended the run.
         Ok((with_progress("lockstep", run)?, "rtl in lockstep with golden", Some(0)))
     }
@@ -113,11 +113,11 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         return Ok(());
     }
 
-    let core = Core::generate(&plan.config)?;
+    let core = SplatCore::generate(&plan.config)?;
     generate::write_package(&Package::splat(&name, &core, &plan.config)?, &folder.join("verilog"))?;
     let frame = EncodedFrame::new(&scene, &plan);
     let stall = if arguments.stalls > 0.0 { Stall::Random(arguments.stalls) } else { Stall::Never };
-    let runner = Runner {
+    let runner = SplatRunner {
         config: &plan.config,
         frame: &frame,
         stall,
@@ -131,7 +131,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let picture = shading::picture(&rendered, &scene);
     picture.save_png(&folder.join("frame.png"))?;
     picture.difference(&reference_picture, MAGNIFICATION).save_png(&folder.join("difference.png"))?;
-    let report = Report::new(&Measured {
+    let report = SplatReport::new(&SplatRun {
         scene: &name,
         engine,
         config: &plan.config,

@@ -3,7 +3,7 @@
 use super::Failure;
 use super::choices;
 use pointcore::configuration;
-use pointcore::search::{Error as SearchError, Order, PointSet, Query, Reuse, Source, Splitting, config_for};
+use pointcore::search::{Order, PointSet, PointSource, Query, Reuse, SearchError, Splitting, config_for};
 use pointcore_contract::search::Config;
 use std::path::PathBuf;
 
@@ -103,7 +103,7 @@ impl Search {
     }
 
     /// The hardware, and the points in its format.
-    pub fn hardware(&self, points: &Source) -> Result<(Config, PointSet), Failure> {
+    pub fn hardware(&self, points: &PointSource) -> Result<(Config, PointSet), Failure> {
         if let Some(path) = &self.config {
             let config = configuration::parse_search(path, &configuration::read_text(path)?)?;
             if config.neighbor_cache == 0 && self.wants_reuse() {
@@ -128,7 +128,7 @@ impl Search {
         let Limit(limit) = self.limit;
         let (mut places, source) = match &self.queries {
             Some(path) => {
-                let vertices = PointSet::load(points.format(), &Source::File(path.clone()))?;
+                let vertices = PointSet::load(points.format(), &PointSource::File(path.clone()))?;
                 (vertices.points().to_vec(), path.display().to_string())
             }
             None => (self.order.places(points, limit, self.seed), format!("{} order", self.order)),

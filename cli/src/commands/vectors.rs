@@ -3,9 +3,9 @@
 use super::search::Search;
 use super::{Failure, Output, load, write_bytes};
 use pointcore::configuration::Configuration;
-use pointcore::driver::{self, Vectors};
-use pointcore::search::{Source, Tree};
+use pointcore::search::{PointSource, Tree};
 use pointcore::splat::EncodedFrame;
+use pointcore::vectors::{self, Vectors};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ pub struct Arguments {
     settings: Vec<String>,
     /// Points to search in, a PLY or OBJ file or `surface:COUNT`: vectors for the search core.
     #[arg(long, value_name = "FILE|surface:COUNT")]
-    points: Option<Source>,
+    points: Option<PointSource>,
     #[command(flatten)]
     search: Search,
     /// Where the memory begins that the core is given, a multiple of 0x1000.
@@ -43,11 +43,11 @@ pub struct Arguments {
 impl Arguments {
     fn frame(&self, scene: &Path) -> Result<(Vectors, String), Failure> {
         let (scene, plan) = load(scene, &self.settings)?;
-        let vectors = driver::frame(&plan.config, &EncodedFrame::new(&scene, &plan), self.base)?;
+        let vectors = vectors::frame(&plan.config, &EncodedFrame::new(&scene, &plan), self.base)?;
         Ok((vectors, Configuration::Splat(plan.config).text()))
     }
 
-    fn neighbors(&self, source: &Source) -> Result<(Vectors, String), Failure> {
+    fn neighbors(&self, source: &PointSource) -> Result<(Vectors, String), Failure> {
         let search = &self.search;
         search.check()?;
         let reuse = search.reuse();
@@ -59,7 +59,7 @@ impl Arguments {
         let (config, points) = search.hardware(source)?;
         let (queries, _) = search.queries(&config, &points)?;
         let tree = Tree::build(&config, &points, search.tree)?;
-        let vectors = driver::search(&config, tree, &queries, reuse, self.base)?;
+        let vectors = vectors::search(&config, tree, &queries, reuse, self.base)?;
         Ok((vectors, Configuration::Search(config).text()))
     }
 }

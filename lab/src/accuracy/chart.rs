@@ -35,7 +35,7 @@ pub struct Mark {
 }
 
 /// A chart: `y` over the logarithm of `x`.
-pub struct Chart<'a> {
+pub struct FrontChart<'a> {
     /// Above it.
     pub title: &'a str,
     /// Below it.
@@ -126,7 +126,7 @@ impl Taken {
     }
 }
 
-impl Chart<'_> {
+impl FrontChart<'_> {
     /// Draws the chart.
     #[must_use]
     pub fn svg(&self) -> String {
@@ -232,7 +232,7 @@ mod tests {
     fn every_point_is_named_and_hinted_at_once() {
         let marks: Vec<_> =
             (0..30_u8).map(|i| mark(i.into(), 1.0 + f64::from(i % 3), 40.0 + f64::from(i % 2))).collect();
-        let svg = Chart { title: "T", x: "ms", y: "dB", marks }.svg();
+        let svg = FrontChart { title: "T", x: "ms", y: "dB", marks }.svg();
         assert_eq!((svg.matches("<circle").count(), svg.matches("<title>").count()), (30, 30));
         for index in 0..30 {
             assert_eq!(svg.matches(&format!(">point&lt;{index}&gt;</text>")).count(), 1, "{index}");
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn one_point_alone_can_be_drawn() {
-        let svg = Chart { title: "T", x: "ms", y: "dB", marks: vec![mark(0, 3.0, 0.0)] }.svg();
+        let svg = FrontChart { title: "T", x: "ms", y: "dB", marks: vec![mark(0, 3.0, 0.0)] }.svg();
         assert!(!svg.contains("NaN") && svg.contains("class=\"point best\""), "{svg}");
     }
 

@@ -1,6 +1,6 @@
 //! What points cost, which of them none betters, and the cheapest that is accurate enough.
 
-use super::sweep::Measured;
+use super::sweep::MeasuredPoint;
 use pointcore::area::estimate::{Estimate, Estimator};
 use serde::Serialize;
 
@@ -48,7 +48,7 @@ impl std::str::FromStr for Decibels {
 /// A point and its costs.
 pub struct Rated {
     /// The point.
-    pub measured: Measured,
+    pub measured: MeasuredPoint,
     /// Area and clock; none where no hardware renders it.
     pub estimate: Option<Estimate>,
     /// Time of a frame in milliseconds.
@@ -95,8 +95,8 @@ impl Rated {
 
 /// Finds what every point costs, and the front.
 #[must_use]
-pub fn rate(measured: Vec<Measured>, estimator: &Estimator) -> Vec<Rated> {
-    let rated = |measured: Measured| {
+pub fn rate(measured: Vec<MeasuredPoint>, estimator: &Estimator) -> Vec<Rated> {
+    let rated = |measured: MeasuredPoint| {
         let hardware = measured.figures.hardware.as_ref();
         let estimate = hardware.map(|hardware| estimator.estimate(&hardware.config, &hardware.proxy));
         let time_ms = hardware.zip(estimate).map(|(hardware, estimate)| hardware.cycles as f64 / (estimate.mhz * 1e3));
@@ -128,8 +128,8 @@ pub fn most_accurate(rated: &[Rated], against: Against) -> Option<(&Rated, f64)>
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::accuracy::figures::{Engine, Figures, Hardware};
-    use crate::accuracy::point::Point;
+    use crate::accuracy::figures::{Hardware, PointEngine, PointFigures};
+    use crate::accuracy::point::SweepPoint;
     use pointcore::area::estimate::Fit;
     use pointcore::area::proxy::Proxy;
     use pointcore_contract::splat::Config;
@@ -138,8 +138,8 @@ pub(super) mod tests {
     pub fn rated(points: &[(&str, f64, u64, u64)]) -> Vec<Rated> {
         let measured = |&(name, psnr_db, cycles, adder_bits): &(&str, f64, u64, u64)| {
             let proxy = Proxy { adder_bits, ..Proxy::default() };
-            let figures = Figures {
-                engine: Engine::Golden,
+            let figures = PointFigures {
+                engine: PointEngine::Golden,
                 psnr_db,
                 flip: 0.9,
                 worst: 0.1,
@@ -148,7 +148,11 @@ pub(super) mod tests {
                 samples: 4,
                 hardware: (cycles > 0).then(|| Hardware { cycles, proxy, config: Config::default() }),
             };
-            Measured { point: Point { name: name.to_owned(), ..Point::base() }, figures, folder: "nowhere".into() }
+            MeasuredPoint {
+                point: SweepPoint { name: name.to_owned(), ..SweepPoint::base() },
+                figures,
+                folder: "nowhere".into(),
+            }
         };
         rate(points.iter().map(measured).collect(), &estimator())
     }

@@ -13,7 +13,7 @@ pub const PSNR_MAX_DB: f64 = 200.0;
 /// What rendered a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Engine {
+pub enum PointEngine {
     /// The bit-exact, cycle-accurate golden model.
     Golden,
     /// The Verilog and the golden model in lockstep: every output was compared in every cycle.
@@ -22,7 +22,7 @@ pub enum Engine {
     F64,
 }
 
-impl Engine {
+impl PointEngine {
     /// As tables say it.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -37,9 +37,9 @@ impl Engine {
 /// The figures of a point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Figures {
+pub struct PointFigures {
     /// What rendered it.
-    pub engine: Engine,
+    pub engine: PointEngine,
     /// Peak signal-to-noise ratio against the truth, up to [`PSNR_MAX_DB`].
     pub psnr_db: f64,
     /// How visible the differences from the truth are, by FLIP: the mean over all pixels, from 0 (not at all) to 1.
@@ -52,7 +52,7 @@ pub struct Figures {
     pub surface_differences: u64,
     /// Samples of the frame.
     pub samples: u64,
-    /// Time and hardware; none of [`Engine::F64`].
+    /// Time and hardware; none of [`PointEngine::F64`].
     pub hardware: Option<Hardware>,
 }
 
@@ -93,14 +93,14 @@ impl Compared<'_> {
     }
 }
 
-impl Figures {
+impl PointFigures {
     /// Compares a picture with the truth, and its frame with the reference at the same samples.
     ///
     /// # Panics
     /// The pictures differ in size.
     #[must_use]
     pub fn new(
-        engine: Engine,
+        engine: PointEngine,
         picture: &Picture,
         truth: &Picture,
         compared: &Compared,
@@ -152,10 +152,10 @@ mod tests {
         let seen = frame(vec![None, fragment(0.5, 0), None, fragment(0.5, 1), fragment(0.6, 0), fragment(0.501, 0)]);
         let compared = Compared { psnr_db: f64::INFINITY, frame: &seen, reference: &truth, depth_tolerance: 0.01 };
         assert_eq!(compared.surface_differences(), 4);
-        let figures = Figures::new(Engine::F64, &picture(0.5), &picture(0.5), &compared, None);
+        let figures = PointFigures::new(PointEngine::F64, &picture(0.5), &picture(0.5), &compared, None);
         assert_eq!((figures.psnr_db, figures.rounding_psnr_db, figures.worst), (PSNR_MAX_DB, PSNR_MAX_DB, 0.0));
         assert_eq!(figures.flip, 0.0);
-        let off = Figures::new(Engine::F64, &picture(0.5), &picture(0.25), &compared, None);
+        let off = PointFigures::new(PointEngine::F64, &picture(0.5), &picture(0.25), &compared, None);
         assert!((off.worst - 0.25).abs() < 1e-9 && off.flip > 0.05 && off.psnr_db < 20.0, "{off:?}");
     }
 }

@@ -1,15 +1,15 @@
 //! One point: rendered, compared, timed.
 
 use super::AccuracyError;
-use super::figures::{Compared, Engine, Figures, Hardware};
-use super::point::Method;
+use super::figures::{Compared, Hardware, PointEngine, PointFigures};
+use super::point::RenderMethod;
 use pointcore::area::proxy::Proxy;
 use pointcore::generated::verilate;
 use pointcore::picture::Picture;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::shading::picture;
-use pointcore::splat::{Core, DEPTH_ROUNDING, EncodedFrame, Runner, assemble};
+use pointcore::splat::{DEPTH_ROUNDING, EncodedFrame, SplatCore, SplatRunner, assemble};
 use pointcore_golden::reference::{Frame, Mapping, render};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::Trace;
@@ -20,7 +20,7 @@ const SEED: u64 = 1;
 /// A point that was rendered.
 pub(super) struct Rendered {
     /// What it came to.
-    pub figures: Figures,
+    pub figures: PointFigures,
     /// What it looks like.
     pub picture: Picture,
 }
@@ -31,15 +31,15 @@ pub(super) fn reference(scene: &Scene, mapping: Mapping) -> Frame {
 }
 
 /// The frame on hardware, and what that took.
-fn hardware(scene: &Scene, plan: &Plan, engine: Engine) -> Result<(Frame, Hardware), AccuracyError> {
+fn hardware(scene: &Scene, plan: &Plan, engine: PointEngine) -> Result<(Frame, Hardware), AccuracyError> {
     let config = &plan.config;
-    let core = Core::generate(config)?;
+    let core = SplatCore::generate(config)?;
     let frame = EncodedFrame::new(scene, plan);
     let runner =
-        Runner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after: None };
+        SplatRunner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after: None };
     let outcome = match engine {
-        Engine::Lockstep => runner.lockstep(&core, &verilate(&core.design, Trace::Off)?)?,
-        Engine::Golden | Engine::F64 => runner.golden(&core)?,
+        PointEngine::Lockstep => runner.lockstep(&core, &verilate(&core.design, Trace::Off)?)?,
+        PointEngine::Golden | PointEngine::F64 => runner.golden(&core)?,
     };
     let rendered = assemble(plan, &scene.splats, &outcome.fragments);
     let taken = Hardware { cycles: outcome.counters.cycles, proxy: Proxy::of(&core.design), config: config.clone() };
@@ -50,18 +50,18 @@ fn hardware(scene: &Scene, plan: &Plan, engine: Engine) -> Result<(Frame, Hardwa
 pub(super) fn measure(
     scene: &Scene,
     plan: &Plan,
-    method: Method,
-    engine: Engine,
+    method: RenderMethod,
+    engine: PointEngine,
     truth: &Picture,
 ) -> Result<Rendered, AccuracyError> {
     let reference_frame = reference(scene, Mapping::Backward);
     let (frame, taken) = match method {
-        Method::Hardware => {
+        RenderMethod::Hardware => {
             let (frame, taken) = hardware(scene, plan, engine)?;
             (frame, Some(taken))
         }
-        Method::Backward => (reference_frame.clone(), None),
-        Method::Forward => (reference(scene, Mapping::Forward), None),
+        RenderMethod::Backward => (reference_frame.clone(), None),
+        RenderMethod::Forward => (reference(scene, Mapping::Forward), None),
     };
     let picture_of_it = picture(&frame, scene);
     let compared = Compared {
@@ -70,6 +70,6 @@ pub(super) fn measure(
         reference: &reference_frame,
         depth_tolerance: scene.rendering.epsilon_bias.max(DEPTH_ROUNDING),
     };
-    let figures = Figures::new(engine, &picture_of_it, truth, &compared, taken);
+    let figures = PointFigures::new(engine, &picture_of_it, truth, &compared, taken);
     Ok(Rendered { figures, picture: picture_of_it })
 }

@@ -11,7 +11,7 @@ pub mod point;
 pub mod sweep;
 pub mod table;
 
-use crate::synthesis::Record;
+use crate::synthesis::AreaRecord;
 use pointcore::area::estimate::Estimator;
 use pointcore::generated::GenerateError;
 use pointcore::picture::PictureError;
@@ -46,7 +46,7 @@ fn read_result<T: DeserializeOwned>(folder: &Path) -> Result<T, AccuracyError> {
 ///
 /// # Errors
 /// It cannot be kept or read.
-pub fn kept_estimator(record: &Record, text: &str, cache: &Cache) -> Result<Estimator, AccuracyError> {
+pub fn kept_estimator(record: &AreaRecord, text: &str, cache: &Cache) -> Result<Estimator, AccuracyError> {
     let content = key(["estimator", sweep::SOURCES, text]);
     read_result(&cache.entry(&content, |folder| write_result(folder, &record.estimator()))?)
 }
@@ -71,10 +71,10 @@ pub enum AccuracyError {
     Lockstep(#[from] LockstepError),
     /// A neighbor search.
     #[error(transparent)]
-    Search(#[from] pointcore::search::Error),
+    Search(#[from] pointcore::search::SearchError),
     /// Neighbors that are not the nearest, as far as they may differ.
     #[error("{0}")]
-    Neighbors(pointcore::search::Difference),
+    Neighbors(pointcore::search::WrongAnswer),
     /// A picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),

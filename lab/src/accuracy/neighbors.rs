@@ -2,7 +2,7 @@
 //!
 //! Queries are points sampled up, as the thesis measures the cache (6.7.1): without coherence there is nothing to trade.
 
-use super::figures::Engine;
+use super::figures::PointEngine;
 use super::sweep::SOURCES;
 use super::{AccuracyError, read_result, write_result};
 use pointcore::area::estimate::Estimator;
@@ -29,7 +29,7 @@ const BUCKETS: [u32; 3] = [8, 16, 32];
 
 /// A point of the sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Setting {
+pub struct NeighborSetting {
     /// How much farther than the true ones neighbors may be, as a share.
     pub epsilon: f32,
     /// Neighborhoods in the neighbor cache; 0 leaves it out.
@@ -38,7 +38,7 @@ pub struct Setting {
     pub bucket: u32,
 }
 
-impl Setting {
+impl NeighborSetting {
     /// All points: a tolerance only where there is a cache to use it.
     #[must_use]
     pub fn all() -> Vec<Self> {
@@ -65,9 +65,9 @@ impl Setting {
 #[serde(deny_unknown_fields)]
 pub struct Found {
     /// The point.
-    pub setting: Setting,
+    pub setting: NeighborSetting,
     /// What answered.
-    pub engine: Engine,
+    pub engine: PointEngine,
     /// Queries asked.
     pub queries: usize,
     /// Share of the queries whose distances equal the true ones bit for bit.
@@ -91,7 +91,7 @@ pub struct Task<'a> {
     /// Queries asked.
     pub limit: usize,
     /// What answers.
-    pub engine: Engine,
+    pub engine: PointEngine,
 }
 
 impl Task<'_> {
@@ -99,16 +99,16 @@ impl Task<'_> {
     ///
     /// # Errors
     /// The search cannot be run, or its neighbors are not the nearest within the tolerance.
-    pub fn measure(&self, cache: &Cache, setting: Setting) -> Result<Found, AccuracyError> {
+    pub fn measure(&self, cache: &Cache, setting: NeighborSetting) -> Result<Found, AccuracyError> {
         let Self { points, k, limit, engine } = self;
         let key = key(["neighbors", SOURCES, &digest(points), &digest(&(k, limit, setting)), engine.name()]);
         let folder = cache.entry(&key, |folder| write_result(folder, &self.search(setting)?))?;
         read_result(&folder)
     }
 
-    fn search(&self, setting: Setting) -> Result<Found, AccuracyError> {
+    fn search(&self, setting: NeighborSetting) -> Result<Found, AccuracyError> {
         let Self { points, k, limit, engine } = *self;
-        let Setting { epsilon, entries, bucket } = setting;
+        let NeighborSetting { epsilon, entries, bucket } = setting;
         let splitting = Splitting::Packed;
         // A tree is as deep as its points need in buckets of the default's size. The neighbor cache needs one neighbor more to tell how far a
         // neighborhood reaches.
@@ -121,7 +121,8 @@ impl Task<'_> {
 
         let tree = Tree::build(&config, points, splitting)?;
         let memory = MemorySettings { latency_cycles: LATENCY_CYCLES, ..MemorySettings::default() };
-        let runs_on = if engine == Engine::Lockstep { search::Engine::Lockstep } else { search::Engine::Golden };
+        let runs_on =
+            if engine == PointEngine::Lockstep { search::SearchEngine::Lockstep } else { search::SearchEngine::Golden };
         let session = Session::open(config, tree, memory, runs_on)?
             .reusing(Reuse { epsilon, ..Reuse::default() })?
             .interleaved(entries.max(1) as usize);
@@ -192,14 +193,14 @@ mod tests {
     use super::*;
 
     fn found(worst_ratio: f64, cycles_per_query: f64) -> Found {
-        let setting = Setting { epsilon: 0.1, entries: 8, bucket: 16 };
-        let (engine, proxy) = (Engine::Golden, Proxy::default());
+        let setting = NeighborSetting { epsilon: 0.1, entries: 8, bucket: 16 };
+        let (engine, proxy) = (PointEngine::Golden, Proxy::default());
         Found { setting, engine, queries: 1, exact: 1.0, worst_ratio, saved: 0.0, cycles_per_query, proxy }
     }
 
     #[test]
     fn a_tolerance_needs_a_cache() {
-        let all = Setting::all();
+        let all = NeighborSetting::all();
         assert_eq!(all.len(), BUCKETS.len() * (1 + 2 * EPSILONS.len()));
         assert!(all.iter().all(|setting| setting.entries > 0 || setting.epsilon == 0.0));
     }
@@ -218,12 +219,12 @@ mod tests {
 
     #[test]
     fn tolerance_saves_cycles_and_is_kept() {
-        let points = PointSet::load(Config::default().geometry, &search::Source::Surface(300)).expect("a surface");
-        let task = Task { points: &points, k: 6, limit: 600, engine: Engine::Golden };
+        let points = PointSet::load(Config::default().geometry, &search::PointSource::Surface(300)).expect("a surface");
+        let task = Task { points: &points, k: 6, limit: 600, engine: PointEngine::Golden };
         let folder = tempfile::tempdir().expect("the system has a temporary folder");
         let cache = Cache::new(folder.path().to_owned());
         let measure = |epsilon, entries| {
-            let setting = Setting { epsilon, entries, bucket: 8 };
+            let setting = NeighborSetting { epsilon, entries, bucket: 8 };
             task.measure(&cache, setting).unwrap_or_else(|error| panic!("{error}"))
         };
         let [exact, tolerant] = [measure(0.0, 0), measure(0.5, 8)];

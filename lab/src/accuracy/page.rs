@@ -1,7 +1,7 @@
 //! The sweep as one HTML file that needs nothing besides: charts, pictures beside the truth, the table.
 
 use super::AccuracyError;
-use super::chart::{Chart, Mark, escape};
+use super::chart::{FrontChart, Mark, escape};
 use super::choice::Rated;
 use super::sweep::{DIFFERENCE, FRAME};
 use super::table::{COLUMNS, cells, decibels};
@@ -15,7 +15,7 @@ use std::path::Path;
 const PICTURES_LIMIT: usize = 16 << 20;
 
 /// What a page is made of.
-pub struct Page<'a> {
+pub struct SweepPage<'a> {
     /// The scene's name.
     pub scene: &'a str,
     /// The points.
@@ -43,7 +43,7 @@ fn hint(rated: &Rated) -> String {
     format!("{}\n{settings}\n{}", rated.measured.point.name, figures.join("\n"))
 }
 
-impl Page<'_> {
+impl SweepPage<'_> {
     /// Pictures by the point's place, those of the front first, as many as there is room for.
     fn pictures(&self) -> Result<Vec<Value>, AccuracyError> {
         let mut order: Vec<usize> = (0..self.rated.len()).collect();
@@ -73,7 +73,7 @@ impl Page<'_> {
         if marks.is_empty() {
             return String::new();
         }
-        Chart { title, x, y: "PSNR against the truth, dB", marks }.svg()
+        FrontChart { title, x, y: "PSNR against the truth, dB", marks }.svg()
     }
 
     fn table(&self) -> String {
@@ -140,8 +140,13 @@ mod tests {
         }
         let mut points = rated(&[("base", 41.0, 1000, 500), ("f64 </script>", 44.0, 0, 0)]);
         points.iter_mut().for_each(|point| point.measured.folder = folder.path().to_owned());
-        let page =
-            Page { scene: "a<b", rated: &points, legend: "L", advice: &["take base".into()], truth: folder.path() };
+        let page = SweepPage {
+            scene: "a<b",
+            rated: &points,
+            legend: "L",
+            advice: &["take base".into()],
+            truth: folder.path(),
+        };
         let html = page.html().expect("the pictures are there");
         assert_eq!(html.matches("data:image/png;base64,").count(), 5);
         assert_eq!((html.matches("<svg").count(), html.matches("<tr data-index").count()), (2, 2));

@@ -1,6 +1,6 @@
 //! The points of a sweep: settings of a scene, by name, and the knobs that make them.
 
-use super::figures::Engine;
+use super::figures::PointEngine;
 use serde::Serialize;
 
 /// A setting as `--set` takes it: key and value.
@@ -25,7 +25,7 @@ pub struct Knob {
 /// How a point is rendered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Method {
+pub enum RenderMethod {
     /// On the hardware, or its model.
     Hardware,
     /// By the f64 reference with the hardware's algorithm: what is left are the samples.
@@ -36,13 +36,13 @@ pub enum Method {
 
 /// A point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Point {
+pub struct SweepPoint {
     /// Short and unique.
     pub name: String,
     /// What is rendered otherwise than the scene says.
     pub settings: Vec<Setting>,
     /// By what.
-    pub method: Method,
+    pub method: RenderMethod,
 }
 
 /// A knob that is none.
@@ -118,11 +118,11 @@ impl Knob {
     }
 }
 
-impl Point {
+impl SweepPoint {
     /// The scene as it is.
     #[must_use]
     pub fn base() -> Self {
-        Self { name: "base".to_owned(), settings: Vec::new(), method: Method::Hardware }
+        Self { name: "base".to_owned(), settings: Vec::new(), method: RenderMethod::Hardware }
     }
 
     fn with(&self, knob: &str, value: &str, settings: &[Setting]) -> Self {
@@ -140,10 +140,10 @@ impl Point {
 
     /// Which engine renders it where hardware is to be rendered by `hardware`.
     #[must_use]
-    pub const fn engine(&self, hardware: Engine) -> Engine {
+    pub const fn engine(&self, hardware: PointEngine) -> PointEngine {
         match self.method {
-            Method::Hardware => hardware,
-            Method::Backward | Method::Forward => Engine::F64,
+            RenderMethod::Hardware => hardware,
+            RenderMethod::Backward | RenderMethod::Forward => PointEngine::F64,
         }
     }
 }
@@ -151,18 +151,21 @@ impl Point {
 /// All points of some knobs: the scene as it is and as the f64 reference renders it, every value alone, and all combinations of values that
 /// are to be combined.
 #[must_use]
-pub fn points(knobs: &[Knob]) -> Vec<Point> {
-    let base = Point::base();
-    let reference = |name: &str, method| Point { name: name.to_owned(), method, ..Point::base() };
-    let mut points =
-        vec![base.clone(), reference("f64", Method::Backward), reference("f64, forward mapping", Method::Forward)];
+pub fn points(knobs: &[Knob]) -> Vec<SweepPoint> {
+    let base = SweepPoint::base();
+    let reference = |name: &str, method| SweepPoint { name: name.to_owned(), method, ..SweepPoint::base() };
+    let mut points = vec![
+        base.clone(),
+        reference("f64", RenderMethod::Backward),
+        reference("f64, forward mapping", RenderMethod::Forward),
+    ];
     for Knob { name, values } in knobs {
         points.extend(values.iter().map(|(value, settings, _)| base.with(name, value, settings)));
     }
     let mut combined = vec![base];
     for Knob { name, values } in knobs {
         let all = values.iter().filter(|(.., use_of)| *use_of == Use::Combined);
-        let with = |point: &Point| -> Vec<Point> {
+        let with = |point: &SweepPoint| -> Vec<SweepPoint> {
             all.clone().map(|(value, settings, _)| point.with(name, value, settings)).collect()
         };
         // Not to turn a knob is one of its values.

@@ -4,9 +4,9 @@
 //! hardware. Any number of processes may fill one cache: a sweep that was interrupted goes on where it was, and one that was spread over
 //! machines is put together by running it again.
 
-use super::figures::{Engine, Figures};
+use super::figures::{PointEngine, PointFigures};
 use super::measure::{measure, reference};
-use super::point::{Method, Point};
+use super::point::{RenderMethod, SweepPoint};
 use super::{AccuracyError, read_result, write_result};
 use pointcore::picture::Picture;
 use pointcore::plan::Plan;
@@ -45,17 +45,17 @@ struct Scenes {
 /// A point that is ready to be measured.
 pub struct Planned {
     /// The point.
-    pub point: Point,
+    pub point: SweepPoint,
     scene: Arc<Loaded>,
     plan: Plan,
 }
 
 /// A point that was measured.
-pub struct Measured {
+pub struct MeasuredPoint {
     /// The point.
-    pub point: Point,
+    pub point: SweepPoint,
     /// What it came to.
-    pub figures: Figures,
+    pub figures: PointFigures,
     /// Where its pictures are: [`FRAME`] and [`DIFFERENCE`].
     pub folder: PathBuf,
 }
@@ -64,7 +64,7 @@ pub struct Measured {
 pub struct Sweep {
     scenes: Scenes,
     cache: Cache,
-    hardware: Engine,
+    hardware: PointEngine,
     truth: Arc<Loaded>,
     truth_picture: Mutex<Option<Arc<Picture>>>,
 }
@@ -90,7 +90,7 @@ impl Scenes {
     }
 
     /// The scene of a point, and its hardware.
-    fn plan(&self, point: &Point) -> Result<(Arc<Loaded>, Plan), AccuracyError> {
+    fn plan(&self, point: &SweepPoint) -> Result<(Arc<Loaded>, Plan), AccuracyError> {
         let is_hardware = |setting: &String| setting.starts_with("overrides.");
         let (hardware, picture): (Vec<_>, Vec<_>) = point.arguments().into_iter().partition(is_hardware);
         let loaded = self.load(&picture)?;
@@ -107,7 +107,12 @@ impl Sweep {
     ///
     /// # Errors
     /// The scene cannot be loaded.
-    pub fn open(path: &Path, settings: &[String], folder: PathBuf, hardware: Engine) -> Result<Self, AccuracyError> {
+    pub fn open(
+        path: &Path,
+        settings: &[String],
+        folder: PathBuf,
+        hardware: PointEngine,
+    ) -> Result<Self, AccuracyError> {
         let scenes = Scenes { path: path.to_owned(), settings: settings.to_vec(), loaded: Mutex::default() };
         let truth = scenes.load(&TRUTH.map(str::to_owned))?;
         Ok(Self { scenes, cache: Cache::new(folder), hardware, truth, truth_picture: Mutex::default() })
@@ -116,7 +121,7 @@ impl Sweep {
     /// Makes points ready; of those that come to the same the first stays. Those that the scene or the hardware does not admit come second, with
     /// the reason.
     #[must_use]
-    pub fn plan(&self, points: Vec<Point>) -> (Vec<Planned>, Vec<(Point, AccuracyError)>) {
+    pub fn plan(&self, points: Vec<SweepPoint>) -> (Vec<Planned>, Vec<(SweepPoint, AccuracyError)>) {
         let (mut planned, mut refused, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
         for point in points {
             match self.scenes.plan(&point) {
@@ -132,27 +137,27 @@ impl Sweep {
         (planned, refused)
     }
 
-    fn key(&self, planned: &Planned, hardware: Engine) -> String {
+    fn key(&self, planned: &Planned, hardware: PointEngine) -> String {
         let Planned { point, scene, plan } = planned;
         let engine = point.engine(hardware);
         let config = match point.method {
-            Method::Hardware => toml::to_string(&plan.config).expect("a configuration is a TOML table"),
-            Method::Backward | Method::Forward => String::new(),
+            RenderMethod::Hardware => toml::to_string(&plan.config).expect("a configuration is a TOML table"),
+            RenderMethod::Backward | RenderMethod::Forward => String::new(),
         };
         let method = format!("{:?}", point.method);
         key([SOURCES, &scene.digest, &self.truth.digest, &config, &method, engine.name()])
     }
 
-    fn read(planned: &Planned, folder: PathBuf) -> Result<Measured, AccuracyError> {
-        Ok(Measured { point: planned.point.clone(), figures: read_result(&folder)?, folder })
+    fn read(planned: &Planned, folder: PathBuf) -> Result<MeasuredPoint, AccuracyError> {
+        Ok(MeasuredPoint { point: planned.point.clone(), figures: read_result(&folder)?, folder })
     }
 
     /// What is kept of a point; what was measured in lockstep counts for the model, too.
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn kept(&self, planned: &Planned) -> Result<Option<Measured>, AccuracyError> {
-        let engines = [Engine::Lockstep, self.hardware];
+    pub fn kept(&self, planned: &Planned) -> Result<Option<MeasuredPoint>, AccuracyError> {
+        let engines = [PointEngine::Lockstep, self.hardware];
         let folder = engines.into_iter().find_map(|engine| self.cache.existing(&self.key(planned, engine)));
         folder.map(|folder| Self::read(planned, folder)).transpose()
     }
@@ -161,7 +166,7 @@ impl Sweep {
     ///
     /// # Errors
     /// It cannot be rendered or kept.
-    pub fn measure(&self, planned: &Planned) -> Result<Measured, AccuracyError> {
+    pub fn measure(&self, planned: &Planned) -> Result<MeasuredPoint, AccuracyError> {
         let folder = self.cache.entry(&self.key(planned, self.hardware), |folder| {
             let Planned { point, scene, plan } = planned;
             let truth = self.truth();
@@ -194,7 +199,7 @@ impl Sweep {
     ///
     /// # Errors
     /// The scene cannot be read.
-    pub fn scene_file(&self, point: &Point) -> Result<String, AccuracyError> {
+    pub fn scene_file(&self, point: &SweepPoint) -> Result<String, AccuracyError> {
         let settings = [&self.scenes.settings[..], &point.arguments()].concat();
         Ok(Scene::text(&self.scenes.path, &settings)?)
     }

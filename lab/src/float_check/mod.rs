@@ -2,7 +2,7 @@
 
 mod operations;
 
-use crate::vectors::FloatCases;
+use crate::operands::FloatCases;
 use operations::{Operation, operations};
 use pointcore_contract::Format;
 use pointcore_tb::verilated::{Builder, Model, Optimization, Options, Source, VerilatedError};

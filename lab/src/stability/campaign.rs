@@ -1,8 +1,8 @@
 //! Many cases, on all cores, and what they add up to.
 
 use super::case::Case;
-use super::check::{Findings, Property, Violation, check};
-use super::compare::{Outcome, compare};
+use super::check::{BrokenProperty, Findings, Property, check};
+use super::compare::{MethodOutcome, compare};
 use super::families::{Family, LEVELS, case};
 use super::hardware::Units;
 use super::methods::Method;
@@ -68,7 +68,7 @@ impl Cell {
         self.used = self.used.max(findings.used);
     }
 
-    fn compare(&mut self, outcomes: &[Outcome]) {
+    fn compare(&mut self, outcomes: &[MethodOutcome]) {
         self.compared += 1;
         for (sums, outcome) in self.methods.iter_mut().zip(outcomes) {
             sums.failures += u64::from(outcome.failed);
@@ -126,7 +126,7 @@ pub struct Example {
     /// Number format.
     pub format: Format,
     /// What does not hold, and where.
-    pub violation: Violation,
+    pub violation: BrokenProperty,
     /// Where it came from.
     pub family: Family,
     /// See there.

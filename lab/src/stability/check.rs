@@ -3,7 +3,7 @@
 use super::case::{Case, IMAGE_EDGE_PX};
 use super::hardware::{Analysis, Fate, Units, crossing_clearance};
 use super::rounding::Bounded;
-use super::search::{Area, Search, area, whole_image};
+use super::search::{InsideSearch, PixelArea, area, whole_image};
 use super::truth::{Side, Truth};
 use fastrand::Rng;
 use pointcore_contract::Format;
@@ -102,7 +102,7 @@ impl Property {
 
 /// A property that does not hold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Violation {
+pub struct BrokenProperty {
     /// Which.
     pub property: Property,
     /// Where, if it is about a sample.
@@ -117,7 +117,7 @@ pub struct Violation {
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     /// What does not hold, at most one of each property.
-    pub violations: Vec<Violation>,
+    pub violations: Vec<BrokenProperty>,
     /// Samples looked at.
     pub samples: u32,
     /// Samples about which rounding leaves nothing to say.
@@ -128,7 +128,7 @@ pub struct Findings {
 
 impl Findings {
     fn violate(&mut self, property: Property, pixel: Option<[u32; 2]>, excess: f64, found: String) {
-        let violation = Violation { property, pixel, found, excess };
+        let violation = BrokenProperty { property, pixel, found, excess };
         match self.violations.iter_mut().find(|known| known.property == property) {
             Some(known) if known.excess >= excess => {}
             Some(known) => *known = violation,
@@ -138,7 +138,7 @@ impl Findings {
 
     /// The violation of a property.
     #[must_use]
-    pub fn of(&self, property: Property) -> Option<&Violation> {
+    pub fn of(&self, property: Property) -> Option<&BrokenProperty> {
         self.violations.iter().find(|violation| violation.property == property)
     }
 }
@@ -226,7 +226,7 @@ fn dropped(
     findings: &mut Findings,
 ) {
     let lens = &case.lens;
-    let search = Search { truth, analysis, bounds: None };
+    let search = InsideSearch { truth, analysis, bounds: None };
     let visible = search.samples(random).filter(|(pixel, _)| {
         let distance = truth.distance(*pixel);
         distance > lens.near && lens.depth_a + lens.depth_b / distance <= 1.0
@@ -271,7 +271,7 @@ fn contained(
     random: &mut Rng,
     findings: &mut Findings,
 ) {
-    let Area { first, last } = area(drawn);
+    let PixelArea { first, last } = area(drawn);
     let is_open = |axis: usize| {
         (first[axis] > 0 && truth.reaches(axis, first[axis] - 1, Side::Below))
             || (last[axis] + 1 < IMAGE_EDGE_PX && truth.reaches(axis, last[axis] + 1, Side::Above))
@@ -279,7 +279,7 @@ fn contained(
     if area(drawn) == whole_image() || (truth.is_whole() && !is_open(0) && !is_open(1)) {
         return;
     }
-    let search = Search { truth, analysis, bounds: Some(area(drawn)) };
+    let search = InsideSearch { truth, analysis, bounds: Some(area(drawn)) };
     let Some((pixel, squared)) = search.samples(random).min_by(|a, b| a.1.total_cmp(&b.1)) else { return };
     let error = analysis.bounds.iter().flatten().map(|bound| bound.error).fold(0.0, f64::max);
     let found = format!("ρ² = {squared:.6} outside the bounds {first:?} to {last:?}, known to {error:e} px");

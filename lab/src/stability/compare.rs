@@ -5,7 +5,7 @@ use super::check::RIM;
 
 use super::hardware::{Analysis, Fate, Units};
 use super::methods::{Method, Prepared};
-use super::search::{Area, area, whole_image};
+use super::search::{PixelArea, area, whole_image};
 use super::truth::Truth;
 use fastrand::Rng;
 
@@ -17,7 +17,7 @@ const RESOLVED: f64 = 1.0 / (1_u64 << 34) as f64;
 
 /// How one method did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Outcome {
+pub struct MethodOutcome {
     /// A sample well inside the splat is not drawn, or one well outside is.
     pub failed: bool,
     /// Of the samples inside, the sum of squared errors of `ρ²`, none counted as more than one.
@@ -40,18 +40,18 @@ impl Device<'_> {
         match self {
             Self::Nothing => 0,
             Self::Ours(_, drawn) => {
-                let Area { first, last } = area(drawn);
+                let PixelArea { first, last } = area(drawn);
                 [0, 1].map(|axis| u64::from(last[axis] + 1 - first[axis])).into_iter().product()
             }
             Self::Other(prepared) => prepared.visited(),
         }
     }
 
-    fn area(&self) -> Option<Area> {
+    fn area(&self) -> Option<PixelArea> {
         match self {
             Self::Nothing => None,
             Self::Ours(_, drawn) => Some(area(drawn)),
-            Self::Other(prepared) => prepared.bounds.iter().all(|range| !range.is_empty()).then(|| Area {
+            Self::Other(prepared) => prepared.bounds.iter().all(|range| !range.is_empty()).then(|| PixelArea {
                 first: prepared.bounds.each_ref().map(|range| range.start),
                 last: prepared.bounds.each_ref().map(|range| range.end - 1),
             }),
@@ -72,7 +72,7 @@ impl Device<'_> {
 
 /// Compares the methods; `None` where there is nothing to draw by every method's rules, or where a screen filter hides the differences.
 #[must_use]
-pub fn compare(units: &Units, case: &Case, seed: u64) -> Option<[Outcome; Method::ALL.len()]> {
+pub fn compare(units: &Units, case: &Case, seed: u64) -> Option<[MethodOutcome; Method::ALL.len()]> {
     let truth = Truth::new(case).filter(|truth| !truth.faces_away() && !case.filter.is_on())?;
     let analysis = Analysis::new(case, units.division);
     let is_far = analysis.center_depth.is_above(1.0) != Some(false);
@@ -88,7 +88,7 @@ pub fn compare(units: &Units, case: &Case, seed: u64) -> Option<[Outcome; Method
     let [[low_x, high_x], [low_y, high_y]] = analysis.bounds.map(|ends| ends.map(|bound| bound.value));
     let ends = [low_x, high_x, low_y, high_y];
     let about = if truth.is_whole() && ends.iter().all(|end| end.is_finite()) {
-        Area::about([low_x, low_y], [high_x, high_y])?
+        PixelArea::about([low_x, low_y], [high_x, high_y])?
     } else {
         whole_image()
     };
@@ -98,7 +98,7 @@ pub fn compare(units: &Units, case: &Case, seed: u64) -> Option<[Outcome; Method
     }
     let exact: Vec<_> = pixels.iter().map(|&pixel| truth.hit(pixel, RESOLVED).squared_distance).collect();
     Some(devices.map(|device| {
-        let mut outcome = Outcome { visited: device.visited(), ..Outcome::default() };
+        let mut outcome = MethodOutcome { visited: device.visited(), ..MethodOutcome::default() };
         for (&pixel, &exact) in pixels.iter().zip(&exact) {
             let found = device.squared_distance(case, pixel);
             let is_drawn = found < 1.0;

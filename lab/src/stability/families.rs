@@ -96,7 +96,7 @@ impl Family {
 }
 
 /// A disc or ellipse while its family bends it.
-struct Shape {
+struct SplatShape {
     center: DVec3,
     tangents: [DVec3; 2],
 }
@@ -118,7 +118,7 @@ fn direction(random: &mut Rng) -> DVec3 {
     }
 }
 
-impl Shape {
+impl SplatShape {
     /// In view, a few pixels wide, tangents orthogonal and of an aspect up to four, the front to the eye.
     fn ordinary(lens: &Lens, random: &mut Rng) -> Self {
         let z = lens.near * (1.5 + 20.0 * random.f64().powi(2));
@@ -163,14 +163,14 @@ pub fn case(family: Family, level: u8, format: Format, seed: u64) -> Case {
     if family == Family::Depth {
         lens = Lens::new(format, 1.0, 2_f32.powf(1.0 + 30.0 * severity as f32));
     }
-    let shape = Shape::ordinary(&lens, random);
+    let shape = SplatShape::ordinary(&lens, random);
     // Down to a few units in the last place of f32.
     let least = 2_f64.powf(-28.0 * severity);
     let shape = match family {
         Family::Ordinary | Family::Odd | Family::Noise => shape,
         Family::Parallel => {
             let [a, b] = shape.tangents;
-            Shape { tangents: [a, a * signed(random) + b * least], ..shape }.facing()
+            SplatShape { tangents: [a, a * signed(random) + b * least], ..shape }.facing()
         }
         Family::Vanishing => {
             let small = if level + 1 == LEVELS { 0.0 } else { 10_f64.powf(-38.0 * severity) };
@@ -192,7 +192,7 @@ pub fn case(family: Family, level: u8, format: Format, seed: u64) -> Case {
             let side = side * cos + sight.cross(side) * sin;
             let along = sight + sight.cross(side) * (least * signed(random));
             let [a, b] = shape.tangents.map(DVec3::length);
-            Shape { tangents: [along * a, side * b], ..shape }.facing()
+            SplatShape { tangents: [along * a, side * b], ..shape }.facing()
         }
         Family::Behind => {
             let z = lens.near * least * signed(random);
@@ -200,7 +200,7 @@ pub fn case(family: Family, level: u8, format: Format, seed: u64) -> Case {
             let center = DVec3::new(shape.center.x * scale, shape.center.y * scale, z);
             // Large enough for a part to be seen.
             let size = lens.near * (1.0 + 3.0 * random.f64()) / shape.tangents[0].length();
-            Shape { center, ..shape }.scaled([size; 2]).facing()
+            SplatShape { center, ..shape }.scaled([size; 2]).facing()
         }
         Family::Crossing => shape.reaching(0.5 * least * signed(random)),
         Family::NearPlane => {
@@ -215,23 +215,23 @@ pub fn case(family: Family, level: u8, format: Format, seed: u64) -> Case {
             let center = if random.bool() { DVec3::new(x * out, y, z) } else { DVec3::new(x, y * out, z) };
             let reach = 0.5 + random.f64();
             let size = (center - shape.center).length() * reach / shape.tangents[0].length();
-            Shape { center, ..shape }.scaled([size.max(1.0); 2]).facing()
+            SplatShape { center, ..shape }.scaled([size.max(1.0); 2]).facing()
         }
         Family::Depth => {
             let z = lens.near * 2_f64.powf(30.0 * severity * random.f64()) * 1.5;
             let factor = z / shape.center.z;
-            Shape { center: shape.center * factor, tangents: shape.tangents.map(|tangent| tangent * factor) }
+            SplatShape { center: shape.center * factor, tangents: shape.tangents.map(|tangent| tangent * factor) }
         }
         Family::Magnitude => {
             let unit = 10_f64.powf(30.0 * severity * either(random));
             lens = Lens::new(format, unit as f32, REACH);
-            Shape { center: shape.center * unit, tangents: shape.tangents.map(|tangent| tangent * unit) }
+            SplatShape { center: shape.center * unit, tangents: shape.tangents.map(|tangent| tangent * unit) }
         }
     };
     encoded(family, level, format, lens, &shape, random)
 }
 
-fn encoded(family: Family, level: u8, format: Format, lens: Lens, shape: &Shape, random: &mut Rng) -> Case {
+fn encoded(family: Family, level: u8, format: Format, lens: Lens, shape: &SplatShape, random: &mut Rng) -> Case {
     let vector = |v: DVec3| v.to_array().map(|value| encode(format, value as f32));
     let mut attributes = [0; 14];
     for attribute in &mut attributes[..6] {

@@ -14,14 +14,14 @@ const ANYWHERE: usize = 24;
 
 /// A rectangle of pixels, inclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Area {
+pub struct PixelArea {
     /// Its first column and row.
     pub first: [u32; 2],
     /// Its last ones.
     pub last: [u32; 2],
 }
 
-impl Area {
+impl PixelArea {
     /// One of its pixels, often at a corner.
     pub fn pixel(&self, random: &mut Rng) -> [u32; 2] {
         [0, 1].map(|axis| match random.u8(0..8) {
@@ -51,28 +51,28 @@ impl Area {
 
 /// The image.
 #[must_use]
-pub const fn whole_image() -> Area {
-    Area { first: [0; 2], last: [IMAGE_EDGE_PX - 1; 2] }
+pub const fn whole_image() -> PixelArea {
+    PixelArea { first: [0; 2], last: [IMAGE_EDGE_PX - 1; 2] }
 }
 
 /// The bounds of a splat.
 #[must_use]
-pub fn area(drawn: &SetupSplat) -> Area {
+pub fn area(drawn: &SetupSplat) -> PixelArea {
     let bounds = &drawn.bounds;
-    Area { first: [bounds.left, bounds.top].map(u32::from), last: [bounds.right, bounds.bottom].map(u32::from) }
+    PixelArea { first: [bounds.left, bounds.top].map(u32::from), last: [bounds.right, bounds.bottom].map(u32::from) }
 }
 
 /// A search for samples that lie exactly inside a splat.
-pub struct Search<'a> {
+pub struct InsideSearch<'a> {
     /// The splat.
     pub truth: &'a Truth,
     /// Where it lies, roughly.
     pub analysis: &'a Analysis,
     /// What need not be searched.
-    pub bounds: Option<Area>,
+    pub bounds: Option<PixelArea>,
 }
 
-impl Search<'_> {
+impl InsideSearch<'_> {
     /// Samples inside the splat, with their `ρ²`. Those of a splat before the eye are found along lines beyond the bounds; others, and those
     /// of a filter's disc, where chance has it.
     pub fn samples(&self, random: &mut Rng) -> impl Iterator<Item = ([u32; 2], f64)> {
@@ -92,10 +92,10 @@ impl Search<'_> {
     }
 
     /// Where samples are likely.
-    fn around(&self) -> Area {
+    fn around(&self) -> PixelArea {
         let [[low_x, high_x], [low_y, high_y]] = self.analysis.bounds.map(|ends| ends.map(|bound| bound.value));
         let known = [low_x, high_x, low_y, high_y].iter().all(|end| end.is_finite()) && self.truth.is_whole();
-        let about = known.then(|| Area::about([low_x, low_y], [high_x, high_y])).flatten();
+        let about = known.then(|| PixelArea::about([low_x, low_y], [high_x, high_y])).flatten();
         about.unwrap_or(whole_image())
     }
 

@@ -1,7 +1,7 @@
 //! Making a counterexample small: fewer digits, in ever more of its numbers, as long as the property does not hold.
 
 use super::case::Case;
-use super::check::{Property, Violation, check};
+use super::check::{BrokenProperty, Property, check};
 use super::hardware::Units;
 use pointcore_contract::splat::Feature;
 
@@ -10,7 +10,7 @@ const PLACES: usize = 9;
 
 /// The case with fewer digits in which `property` still does not hold, and how; `None` if it holds from the beginning.
 #[must_use]
-pub fn shrink(units: &Units, case: &Case, seed: u64, property: Property) -> Option<(Case, Violation)> {
+pub fn shrink(units: &Units, case: &Case, seed: u64, property: Property) -> Option<(Case, BrokenProperty)> {
     let violation = |case: &Case| check(units, case, seed).of(property).cloned();
     let (mut case, mut found) = (*case, violation(case)?);
     let off = Case { filter: Feature::Off, ..case };

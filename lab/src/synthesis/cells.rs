@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 /// What a unit takes of a technology.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Area {
+pub struct DeviceArea {
     /// Lookup tables for logic, of four inputs (six in 7-series).
     pub lut: u64,
     /// Carry cells: on ECP5 of two bits, each in the place of two lookup tables; on iCE40 of one bit; in 7-series of four.
@@ -42,9 +42,9 @@ struct Counts {
 ///
 /// # Errors
 /// A report of another form, or a cell of a kind that is not known.
-pub(super) fn parse(target: Target, report: &str) -> Result<Area, String> {
+pub(super) fn parse(target: Target, report: &str) -> Result<DeviceArea, String> {
     let Report { design } = serde_json::from_str(report).map_err(|error| format!("stat: {error}"))?;
-    let mut area = Area { memory_bits: design.num_memory_bits, ..Area::default() };
+    let mut area = DeviceArea { memory_bits: design.num_memory_bits, ..DeviceArea::default() };
     for (cell, count) in design.num_cells_by_type {
         add(&mut area, target, &cell, count).ok_or_else(|| format!("{target:?}: unknown cell `{cell}`"))?;
     }
@@ -52,7 +52,7 @@ pub(super) fn parse(target: Target, report: &str) -> Result<Area, String> {
 }
 
 /// Adds cells of one kind; none if the kind is unknown.
-fn add(area: &mut Area, target: Target, cell: &str, count: u64) -> Option<()> {
+fn add(area: &mut DeviceArea, target: Target, cell: &str, count: u64) -> Option<()> {
     let place = match (target, cell) {
         (Target::Ecp5, "LUT4") | (Target::Ice40, "SB_LUT4") => &mut area.lut,
         (Target::Ecp5, "CCU2C") | (Target::Ice40, "SB_CARRY") | (Target::Xilinx7, "CARRY4") => &mut area.carry,
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn a_report_is_read() {
-        let expected = Area { lut: 599, carry: 59, flip_flop: 344, ..Area::default() };
+        let expected = DeviceArea { lut: 599, carry: 59, flip_flop: 344, ..DeviceArea::default() };
         assert_eq!(parse(Target::Ecp5, ECP5), Ok(expected));
     }
 
@@ -107,11 +107,11 @@ mod tests {
         let area = |target, cell: &str| parse(target, &report(cell)).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(area(Target::Xilinx7, "RAMB36E1").block_ram, 6, "a RAMB36 is two RAMB18");
         assert_eq!(area(Target::Xilinx7, "LUT6").lut, 3);
-        assert_eq!(area(Target::Xilinx7, "MUXF8"), Area::default());
+        assert_eq!(area(Target::Xilinx7, "MUXF8"), DeviceArea::default());
         assert_eq!(area(Target::Ice40, "SB_DFFESR").flip_flop, 3);
         assert_eq!(area(Target::Gates, "$_DFFE_PP_").flip_flop, 3);
         assert_eq!(area(Target::Gates, "$_NAND_").gate, 3);
-        assert_eq!(area(Target::Gates, "$mem_v2"), Area::default());
+        assert_eq!(area(Target::Gates, "$mem_v2"), DeviceArea::default());
     }
 
     #[test]

@@ -12,13 +12,13 @@ mod timing;
 mod tools;
 mod units;
 
-pub use cells::Area;
-pub use record::{Entry, Record, Revision, Stale};
-pub use steps::{Progress, State, Step};
+pub use cells::DeviceArea;
+pub use record::{AreaEntry, AreaRecord, Revision, Stale};
+pub use steps::{State, Step, StepListener};
 pub use table::{Line, Style, table};
 pub use target::Target;
 pub use timing::Timing;
-pub use units::{GROUPS, Group, Scope, Unit, all, known, standard};
+pub use units::{GROUPS, Group, MeasuredUnit, Scope, all, known, standard};
 
 use pointcore::generated::GenerateError;
 use pointcore::package::shell::{self, Shelled};
@@ -97,7 +97,7 @@ pub struct Measurement {
     /// The unit's name.
     pub unit: String,
     /// What it takes.
-    pub area: Area,
+    pub area: DeviceArea,
     /// The run with the median frequency, where the target is placed and routed.
     pub timing: Option<Timing>,
     /// The frequency with every seed, in MHz.
@@ -127,7 +127,12 @@ impl Synthesizer {
     ///
     /// # Errors
     /// A tool's failure, or a unit that the device cannot hold.
-    pub fn measure(&self, unit: &Unit, seeds: u32, progress: Progress<'_>) -> Result<Measurement, SynthesisError> {
+    pub fn measure(
+        &self,
+        unit: &MeasuredUnit,
+        seeds: u32,
+        progress: StepListener<'_>,
+    ) -> Result<Measurement, SynthesisError> {
         let name = &unit.name;
         let synthesis = watched(name, None, progress, || self.synthesize(name, &design(unit)?))?;
         let report = |problem| SynthesisError::Report { unit: name.clone(), problem };
@@ -173,7 +178,7 @@ impl Synthesizer {
     /// The clock of a unit with one seed. A core is placed and routed in two steps, each of which takes as long as many units.
     fn route(
         &self,
-        unit: &Unit,
+        unit: &MeasuredUnit,
         device: &Device,
         router: &Tool,
         synthesis: &(PathBuf, String),
@@ -218,7 +223,7 @@ fn with_settings(scope: Scope, design: &str) -> String {
 }
 
 /// A unit in its shell.
-fn design(unit: &Unit) -> Result<Shelled, SynthesisError> {
+fn design(unit: &MeasuredUnit) -> Result<Shelled, SynthesisError> {
     let design = unit.module().and_then(shell::wrap);
     design.map_err(|source| SynthesisError::Generate { unit: unit.name.clone(), source })
 }
@@ -227,7 +232,7 @@ fn design(unit: &Unit) -> Result<Shelled, SynthesisError> {
 ///
 /// # Errors
 /// A fault of the generator.
-pub fn source_hash(target: Target, unit: &Unit) -> Result<String, SynthesisError> {
+pub fn source_hash(target: Target, unit: &MeasuredUnit) -> Result<String, SynthesisError> {
     let design = design(unit)?;
     let script = target.script(&design);
     let arguments: Vec<&str> = target.device().into_iter().flat_map(|device| device.arguments(unit.scope)).collect();
@@ -250,7 +255,7 @@ const ROUTING: &str = "route.log";
 const TIMING: &str = "timing.json";
 
 /// A clear word before the router gives up after minutes.
-fn check_capacity(unit: &str, device: &Device, area: &Area) -> Result<(), SynthesisError> {
+fn check_capacity(unit: &str, device: &Device, area: &DeviceArea) -> Result<(), SynthesisError> {
     for capacity in device.capacities {
         let (needed, available) = ((capacity.taken)(area), capacity.available);
         if needed > available {
@@ -289,13 +294,13 @@ mod tests {
     #[test]
     fn what_a_device_cannot_hold_is_said_before_it_is_placed() {
         let device = Target::Ecp5.device().expect("an ECP5 is placed and routed");
-        let fits = Area { lut: 80_000, carry: 1_800, dsp: 156, ..Area::default() };
+        let fits = DeviceArea { lut: 80_000, carry: 1_800, dsp: 156, ..DeviceArea::default() };
         assert!(check_capacity("core", device, &fits).is_ok());
-        let error = check_capacity("core", device, &Area { carry: 1_900, ..fits }).unwrap_err().to_string();
+        let error = check_capacity("core", device, &DeviceArea { carry: 1_900, ..fits }).unwrap_err().to_string();
         for part in ["`core` takes 83800 LUT4", "LFE5U-85F has 83640"] {
             assert!(error.contains(part), "`{part}` is missing in: {error}");
         }
-        let multipliers = check_capacity("core", device, &Area { dsp: 157, ..fits }).unwrap_err();
+        let multipliers = check_capacity("core", device, &DeviceArea { dsp: 157, ..fits }).unwrap_err();
         assert!(matches!(multipliers, SynthesisError::TooLarge { needed: 157, available: 156, .. }), "{multipliers}");
     }
 }

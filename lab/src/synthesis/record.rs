@@ -4,7 +4,7 @@
 //! An entry claims to be of the hardware as it is now, and is held to it by the hash of what it was measured of, unless it names the
 //! revision of the project that it was measured of. Hardware may so change faster than it is measured, and no table says what is not true.
 
-use super::{Area, Line, Measurement, Style, Target, Timing, Unit, all, source_hash, table};
+use super::{DeviceArea, Line, MeasuredUnit, Measurement, Style, Target, Timing, all, source_hash, table};
 use pointcore::configuration::{ConfigurationError, parse, read_text, wrong};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -18,7 +18,7 @@ const TABLE_END: &str = "<!-- end of area -->";
 /// A measurement, and what it was made of.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Entry {
+pub struct AreaEntry {
     /// The unit's name.
     pub unit: String,
     /// The technology.
@@ -36,7 +36,7 @@ pub struct Entry {
     /// What the tools say of their versions.
     pub tools: Vec<String>,
     /// What the unit takes.
-    pub area: Area,
+    pub area: DeviceArea,
     /// The run with the median frequency.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub timing: Option<Timing>,
@@ -88,11 +88,11 @@ pub struct Stale {
 /// Measurements, at most one of a unit and target.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
-pub struct Record {
-    entries: Vec<Entry>,
+pub struct AreaRecord {
+    entries: Vec<AreaEntry>,
 }
 
-impl Entry {
+impl AreaEntry {
     /// Keeps a measurement; frequencies to a hundredth.
     #[must_use]
     pub fn new(
@@ -124,27 +124,27 @@ impl Entry {
     }
 
     /// The unit as it is now, if it can be told.
-    fn unit_now(&self, known: Vec<Unit>) -> Option<Unit> {
+    fn unit_now(&self, known: Vec<MeasuredUnit>) -> Option<MeasuredUnit> {
         match &self.configuration {
-            Some(path) => Some(Unit::core(self.unit.clone(), parse(path, &read_text(path).ok()?).ok()?)),
+            Some(path) => Some(MeasuredUnit::core(self.unit.clone(), parse(path, &read_text(path).ok()?).ok()?)),
             None => known.into_iter().find(|unit| unit.name == self.unit),
         }
     }
 
     /// The hash of the unit as it is now; none if there is none of that name.
-    fn regenerated(&self, known: &[Unit]) -> Result<Option<String>, String> {
-        let hash = |unit: &Unit| source_hash(self.target, unit).map(Some).map_err(|error| error.to_string());
+    fn regenerated(&self, known: &[MeasuredUnit]) -> Result<Option<String>, String> {
+        let hash = |unit: &MeasuredUnit| source_hash(self.target, unit).map(Some).map_err(|error| error.to_string());
         match &self.configuration {
             Some(path) => {
                 let read = read_text(path).and_then(|text| parse(path, &text));
-                hash(&Unit::core(self.unit.clone(), read.map_err(|error| error.to_string())?))
+                hash(&MeasuredUnit::core(self.unit.clone(), read.map_err(|error| error.to_string())?))
             }
             None => known.iter().find(|unit| unit.name == self.unit).map_or(Ok(None), hash),
         }
     }
 }
 
-impl Record {
+impl AreaRecord {
     /// Reads a record; an empty one if there is no such file.
     ///
     /// # Errors
@@ -164,15 +164,15 @@ impl Record {
 
     /// The entries.
     #[must_use]
-    pub fn entries(&self) -> &[Entry] {
+    pub fn entries(&self) -> &[AreaEntry] {
         &self.entries
     }
 
     /// The entries of a target that are of the hardware as it is now, with the units they are of.
     #[must_use]
-    pub fn fresh(&self, target: Target) -> Vec<(&Entry, Unit)> {
+    pub fn fresh(&self, target: Target) -> Vec<(&AreaEntry, MeasuredUnit)> {
         let of_target = self.entries.par_iter().filter(|entry| entry.target == target);
-        let fresh = |entry: &'_ Entry| {
+        let fresh = |entry: &'_ AreaEntry| {
             let unit = entry.unit_now(all())?;
             (source_hash(target, &unit).ok()? == entry.source).then_some(unit)
         };
@@ -180,11 +180,11 @@ impl Record {
     }
 
     /// Takes an entry in, in the place of an older one.
-    pub fn insert(&mut self, entry: Entry) {
+    pub fn insert(&mut self, entry: AreaEntry) {
         self.entries.retain(|old| (&old.unit, old.target) != (&entry.unit, entry.target));
         self.entries.push(entry);
         let names: Vec<_> = all().into_iter().map(|unit| unit.name).collect();
-        let place = |entry: &Entry| names.iter().position(|name| *name == entry.unit).unwrap_or(names.len());
+        let place = |entry: &AreaEntry| names.iter().position(|name| *name == entry.unit).unwrap_or(names.len());
         self.entries.sort_by_cached_key(|entry| (entry.target, place(entry), entry.unit.clone()));
     }
 
@@ -193,11 +193,11 @@ impl Record {
     #[must_use]
     pub fn stale(&self, path: &Path) -> Vec<Stale> {
         let known = all();
-        let stale = |entry: &Entry| {
+        let stale = |entry: &AreaEntry| {
             if entry.revision.is_some() {
                 return None;
             }
-            let Entry { unit, target, .. } = entry;
+            let AreaEntry { unit, target, .. } = entry;
             let name = format!("`{unit}` on {}", target.name());
             let remedy = entry.command(path);
             match entry.regenerated(&known) {
@@ -248,7 +248,7 @@ impl Record {
             let target = target
                 .ok_or_else(|| format!("{place}: unknown target `{name}`: expected ecp5, ice40, xilinx7 or gates"))?;
             let entries = self.entries.iter().filter(|entry| entry.target == target);
-            let line = |entry: &Entry| Line { measurement: entry.measurement(), revision: entry.revision.clone() };
+            let line = |entry: &AreaEntry| Line { measurement: entry.measurement(), revision: entry.revision.clone() };
             let lines_of_target: Vec<_> = entries.map(line).collect();
             written += &format!("\n{}\n{TABLE_END}\n", table(target, &lines_of_target, Style::Markdown));
             lines
@@ -268,22 +268,22 @@ impl Record {
 mod tests {
     use super::*;
 
-    fn entry(unit: &str, target: Target) -> Entry {
-        let area = Area { lut: 42, ..Area::default() };
+    fn entry(unit: &str, target: Target) -> AreaEntry {
+        let area = DeviceArea { lut: 42, ..DeviceArea::default() };
         let timing = Timing { fmax_mhz: 123.456, from: "a".into(), to: "b".into() };
         let measurement =
             Measurement { unit: unit.into(), area, timing: Some(timing), fmax_mhz: vec![120.0, 123.456, 130.0] };
         let unit = all().into_iter().find(|known| known.name == unit);
         let source = unit.map(|unit| source_hash(target, &unit).unwrap_or_else(|error| panic!("{error}")));
-        Entry::new(target, None, source.unwrap_or_default(), vec!["yosys".into()], measurement)
+        AreaEntry::new(target, None, source.unwrap_or_default(), vec!["yosys".into()], measurement)
     }
 
     fn revision(text: &str) -> Revision {
         text.parse().unwrap_or_else(|error| panic!("{error}"))
     }
 
-    fn record(units: &[&str]) -> Record {
-        let mut record = Record::default();
+    fn record(units: &[&str]) -> AreaRecord {
+        let mut record = AreaRecord::default();
         units.iter().for_each(|unit| record.insert(entry(unit, Target::Ecp5)));
         record
     }
@@ -292,7 +292,7 @@ mod tests {
     fn a_record_is_the_same_in_whatever_order_it_was_measured() {
         let all = record(&["f32_add", "bf16_lt", "heap1023"]);
         assert_eq!(record(&["heap1023", "f32_add", "bf16_lt", "f32_add"]), all);
-        let again: Record = serde_json::from_str(&all.text()).expect("it was written as JSON");
+        let again: AreaRecord = serde_json::from_str(&all.text()).expect("it was written as JSON");
         assert_eq!((again.text(), &again), (all.text(), &all));
         assert_eq!(all.entries()[0].fmax_mhz[1], 123.46);
     }
@@ -307,8 +307,8 @@ mod tests {
         assert_eq!(stale.len(), 2, "{stale:?}");
         assert_eq!(stale[0].remedy, format!("pointcore area {changed} --target ecp5 --seeds 3 --record area.json"));
         assert!(stale[1].problem.contains("`bf16_gone`"), "{stale:?}");
-        let missing = Entry { configuration: Some("gone.toml".into()), ..entry("gone", Target::Gates) };
-        let stale = Record { entries: vec![missing] }.stale(path);
+        let missing = AreaEntry { configuration: Some("gone.toml".into()), ..entry("gone", Target::Gates) };
+        let stale = AreaRecord { entries: vec![missing] }.stale(path);
         assert!(stale[0].problem.contains("gone.toml: cannot be read"), "{stale:?}");
     }
 
@@ -322,7 +322,7 @@ mod tests {
         assert_eq!(record.mark_stale(&revision("abc1234")), 2);
         assert_eq!(record.stale(path), [], "marked");
         assert_eq!(record.mark_stale(&revision("def5678")), 2, "what names a revision keeps it");
-        let again: Record = serde_json::from_str(&record.text()).expect("it was written as JSON");
+        let again: AreaRecord = serde_json::from_str(&record.text()).expect("it was written as JSON");
         assert_eq!(again, record);
 
         let text =

@@ -1,6 +1,6 @@
 //! What a record teaches an estimator of areas.
 
-use super::{Area, Entry, Record, Target, Unit};
+use super::{AreaEntry, AreaRecord, DeviceArea, MeasuredUnit, Target};
 use pointcore::area::estimate::{Estimator, Sample};
 use pointcore::area::proxy::Proxy;
 use pointcore::configuration::{Configuration, ecp5, parse, read_text};
@@ -10,12 +10,12 @@ use rtl::elaborate;
 /// Places that a carry cell of ECP5 takes from look-up tables.
 const LUT4_PER_CARRY: u64 = 2;
 
-fn lut4(area: &Area) -> f64 {
+fn lut4(area: &DeviceArea) -> f64 {
     (area.lut + LUT4_PER_CARRY * area.carry) as f64
 }
 
 /// The configuration of an entry that is a whole renderer.
-fn renderer(entry: &Entry) -> Option<Config> {
+fn renderer(entry: &AreaEntry) -> Option<Config> {
     match &entry.configuration {
         Some(path) => match parse(path, &read_text(path).ok()?) {
             Ok(Configuration::Splat(config)) => Some(config),
@@ -25,13 +25,13 @@ fn renderer(entry: &Entry) -> Option<Config> {
     }
 }
 
-fn sample(entry: &Entry, unit: &Unit) -> Option<Sample> {
+fn sample(entry: &AreaEntry, unit: &MeasuredUnit) -> Option<Sample> {
     let proxy = Proxy::of(&elaborate(&*unit.module().ok()?).ok()?);
     let mhz = entry.timing.as_ref().map(|timing| timing.fmax_mhz);
     Some(Sample { proxy, lut4: lut4(&entry.area), mhz, renderer: renderer(entry) })
 }
 
-impl Record {
+impl AreaRecord {
     /// An estimator that has learned from the entries that are of the hardware as it is now.
     #[must_use]
     pub fn estimator(&self) -> Estimator {

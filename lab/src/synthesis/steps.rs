@@ -29,13 +29,13 @@ pub enum State {
 }
 
 /// Hears of steps.
-pub type Progress<'a> = &'a (dyn Fn(&Step<'_>) + Sync);
+pub type StepListener<'a> = &'a (dyn Fn(&Step<'_>) + Sync);
 
 /// Runs a step, and has the progress told of it.
 pub(super) fn watched<T, E>(
     unit: &str,
     seed: Option<u32>,
-    progress: Progress<'_>,
+    progress: StepListener<'_>,
     run: impl FnOnce() -> Result<T, E>,
 ) -> Result<T, E> {
     let begin = Instant::now();

@@ -1,6 +1,6 @@
 //! Measurements side by side.
 
-use super::{Area, Measurement, Revision, Target};
+use super::{DeviceArea, Measurement, Revision, Target};
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ impl From<Measurement> for Line {
 }
 
 /// A figure of every row.
-type Column = (&'static str, fn(&Area) -> u64);
+type Column = (&'static str, fn(&DeviceArea) -> u64);
 
 /// The figures that a target has.
 const fn columns(target: Target) -> &'static [Column] {
@@ -135,7 +135,7 @@ mod tests {
     use crate::synthesis::Timing;
 
     fn measurement() -> Measurement {
-        let area = Area { lut: 599, carry: 59, flip_flop: 344, ..Area::default() };
+        let area = DeviceArea { lut: 599, carry: 59, flip_flop: 344, ..DeviceArea::default() };
         let timing = Timing { fmax_mhz: 141.6, from: "sum_s3".into(), to: "zeros_s4".into() };
         Measurement { unit: "f32_add".into(), area, timing: Some(timing), fmax_mhz: vec![150.2, 139.9, 141.6] }
     }

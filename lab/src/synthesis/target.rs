@@ -1,6 +1,6 @@
 //! What a unit is synthesized for: devices and their tools' arguments.
 
-use super::cells::Area;
+use super::cells::DeviceArea;
 use super::units::Scope;
 use pointcore::package::place_and_route::{self, Crowding};
 use pointcore::package::shell::Shelled;
@@ -32,7 +32,7 @@ pub(super) struct Capacity {
     /// As a reader calls it.
     pub name: &'static str,
     /// How many a design of that area takes.
-    pub taken: fn(&Area) -> u64,
+    pub taken: fn(&DeviceArea) -> u64,
     /// How many there are.
     pub available: u64,
 }

@@ -38,7 +38,7 @@ pub enum Scope {
 }
 
 /// Something to synthesize.
-pub struct Unit {
+pub struct MeasuredUnit {
     /// What it is called on the command line and in tables.
     pub name: String,
     /// How much of a core it is.
@@ -46,7 +46,7 @@ pub struct Unit {
     build: Build,
 }
 
-impl Unit {
+impl MeasuredUnit {
     /// Describes the hardware.
     ///
     /// # Errors
@@ -71,7 +71,7 @@ impl Unit {
 }
 
 /// A name that stands for several units, and these.
-pub type Group = (&'static str, fn() -> Vec<Unit>);
+pub type Group = (&'static str, fn() -> Vec<MeasuredUnit>);
 
 /// The groups a name may stand for.
 pub const GROUPS: &[Group] = &[
@@ -102,7 +102,7 @@ const STANDARD_OPERATORS: [&str; 13] = [
 
 /// What is measured where nothing is named: the operators that the cores rest on, every unit of the cores, heaps, whole cores.
 #[must_use]
-pub fn standard() -> Vec<Unit> {
+pub fn standard() -> Vec<MeasuredUnit> {
     let mut operators = operators();
     operators.retain(|unit| STANDARD_OPERATORS.contains(&unit.name.as_str()));
     operators.sort_by_key(|unit| STANDARD_OPERATORS.iter().position(|name| *name == unit.name));
@@ -118,7 +118,7 @@ pub fn standard() -> Vec<Unit> {
 
 /// Every unit known by name.
 #[must_use]
-pub fn all() -> Vec<Unit> {
+pub fn all() -> Vec<MeasuredUnit> {
     GROUPS.iter().flat_map(|(_, units)| units()).collect()
 }
 
@@ -167,22 +167,23 @@ const OPERATORS: [OperatorKind; 14] = [
 ];
 
 /// Every operator of every format with its default number of pipeline stages, e.g. `f32_ftz_mul`.
-fn operators() -> Vec<Unit> {
+fn operators() -> Vec<MeasuredUnit> {
     let unit = |format: Format, (operator, stages, module): OperatorKind| {
-        Unit::new(format!("{}_{operator}", name(format)), move || Ok(module(format, stages(format)).module))
+        MeasuredUnit::new(format!("{}_{operator}", name(format)), move || Ok(module(format, stages(format)).module))
     };
     formats().flat_map(|format| OPERATORS.map(|kind| unit(format, kind))).collect()
 }
 
 /// Every unit of the renderer, at `ecp5`.
-fn splat_units() -> Vec<Unit> {
+fn splat_units() -> Vec<MeasuredUnit> {
     use splat::{accumulator, depth_test, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform};
     use splat::{heap, weighting};
     type Config = splat_spec::Config;
-    let module =
-        |name: &str, module: fn(&Config) -> Module| Unit::new(format!("splat_{name}"), move || Ok(module(&ecp5())));
+    let module = |name: &str, module: fn(&Config) -> Module| {
+        MeasuredUnit::new(format!("splat_{name}"), move || Ok(module(&ecp5())))
+    };
     let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
-        Unit::new(format!("splat_{name}"), move || Ok(datapath(&ecp5(), &Options::default())?.module))
+        MeasuredUnit::new(format!("splat_{name}"), move || Ok(datapath(&ecp5(), &Options::default())?.module))
     };
     vec![
         datapath("transform", transform::datapath),
@@ -200,14 +201,14 @@ fn splat_units() -> Vec<Unit> {
 }
 
 /// Every unit of the search core, at `ecp5_knn`; the two caches that it leaves out, too.
-fn search_units() -> Vec<Unit> {
+fn search_units() -> Vec<MeasuredUnit> {
     use search::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
     type Config = search_spec::Config;
     let module = |name: &str, module: fn(&Config) -> Module| {
-        Unit::new(format!("search_{name}"), move || Ok(module(&ecp5_knn())))
+        MeasuredUnit::new(format!("search_{name}"), move || Ok(module(&ecp5_knn())))
     };
     let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
-        Unit::new(format!("search_{name}"), move || Ok(datapath(&ecp5_knn(), &Options::default())?.module))
+        MeasuredUnit::new(format!("search_{name}"), move || Ok(datapath(&ecp5_knn(), &Options::default())?.module))
     };
     vec![
         module("threads", threads::module),
@@ -218,8 +219,10 @@ fn search_units() -> Vec<Unit> {
         module("point_cache", point_cache::module),
         module("sieve", sieve::module),
         module("queue", queue::module),
-        Unit::new("search_tree_cache", || Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..ecp5_knn() }))),
-        Unit::new("search_neighbor_cache", || {
+        MeasuredUnit::new("search_tree_cache", || {
+            Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..ecp5_knn() }))
+        }),
+        MeasuredUnit::new("search_neighbor_cache", || {
             let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..ecp5_knn() };
             Ok(neighbor_cache::unit(&config, &Options::default())?.module)
         }),
@@ -227,12 +230,13 @@ fn search_units() -> Vec<Unit> {
 }
 
 /// Every unit between a core and AXI, the packets and points of the search core, the pixels of the renderer.
-fn bus_units() -> Vec<Unit> {
+fn bus_units() -> Vec<MeasuredUnit> {
     use pointcore_contract::bus::{packets, ports, registers as maps};
     use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, search, window, writer};
     type Config = search_spec::Config;
-    let unit =
-        |name: &str, module: fn(&Config) -> Module| Unit::new(format!("bus_{name}"), move || Ok(module(&ecp5_knn())));
+    let unit = |name: &str, module: fn(&Config) -> Module| {
+        MeasuredUnit::new(format!("bus_{name}"), move || Ok(module(&ecp5_knn())))
+    };
     vec![
         unit("packet_in", |config| {
             let [query, _] = packets::query_and_result(config);
@@ -252,15 +256,18 @@ fn bus_units() -> Vec<Unit> {
 }
 
 /// The cores as a whole.
-fn cores() -> Vec<Unit> {
-    vec![Unit::core("splat", Configuration::Splat(ecp5())), Unit::core("search", Configuration::Search(ecp5_knn()))]
+fn cores() -> Vec<MeasuredUnit> {
+    vec![
+        MeasuredUnit::core("splat", Configuration::Splat(ecp5())),
+        MeasuredUnit::core("search", Configuration::Search(ecp5_knn())),
+    ]
 }
 
 /// Heaps of the sizes that others report.
-fn heaps() -> Vec<Unit> {
+fn heaps() -> Vec<MeasuredUnit> {
     let unit = |(name, heap_levels, heap_interval, [width, height]): (_, u32, _, [u32; 2])| {
         let config = splat_spec::Config { heap_levels, heap_interval, width, height, ..Default::default() };
-        Unit::new(name, move || Ok(splat::heap::numbered(&config, heap_levels + 1)))
+        MeasuredUnit::new(name, move || Ok(splat::heap::numbered(&config, heap_levels + 1)))
     };
     HEAPS.map(unit).into()
 }

@@ -14,24 +14,24 @@ use rtl::{Design, elaborate, elaborate_beside};
 
 /// Which of the cores a bus belongs to, as names have it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Core {
-    A,
-    B,
+enum Kind {
+    Splat,
+    Search,
 }
 
-impl Core {
+impl Kind {
     /// `splat`, `search`.
     const fn name(self) -> &'static str {
         match self {
-            Self::A => "splat",
-            Self::B => "search",
+            Self::Splat => "splat",
+            Self::Search => "search",
         }
     }
 }
 
 /// What software meets: registers, packets and memory records of a core.
 pub struct Interface {
-    core: Core,
+    core: Kind,
     config: Config,
     registers: Vec<Register>,
     packets: Vec<Packet>,
@@ -42,14 +42,14 @@ impl Interface {
     #[must_use]
     pub fn splat(config: &splat::Config) -> Self {
         let (registers, packets) = (registers::splat(config), packets::splat(config));
-        Self { core: Core::A, config: config.bus, registers, packets }
+        Self { core: Kind::Splat, config: config.bus, registers, packets }
     }
 
     /// The search core's.
     #[must_use]
     pub fn search(config: &search::Config) -> Self {
         let (registers, packets) = (registers::search(config), packets::search(config));
-        Self { core: Core::B, config: config.bus, registers, packets }
+        Self { core: Kind::Search, config: config.bus, registers, packets }
     }
 
     /// `registers.md`.

@@ -7,9 +7,9 @@ pub use table::{TABLE_HEAD, choices_row, table_row};
 use crate::area::estimate::Estimator;
 use crate::area::proxy::Proxy;
 use crate::generated::GenerateError;
-use crate::plan::{Effect, Extent, Plan};
+use crate::plan::{Effect, EffectExtent, Plan};
 use crate::scene::Scene;
-use crate::splat::{Core, EncodedFrame, Runner};
+use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::splat::Config;
 use pointcore_tb::lockstep::{LockstepError, Stall};
 use rayon::prelude::*;
@@ -40,7 +40,7 @@ pub enum CostError {
 
 /// What hardware takes, or by how much two differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Figures {
+pub struct HardwareFigures {
     /// Bits of registers.
     pub register_bits: i64,
     /// Bits of memories and tables.
@@ -64,23 +64,23 @@ pub struct Priced {
     pub effect: Effect,
     /// What the planned hardware takes more than the same with the least of the effect. Cycles are those of another picture where that is
     /// less than the scene calls for.
-    pub cost: Figures,
+    pub cost: HardwareFigures,
     /// What it takes less than the same with the most of the effect.
-    pub saved: Figures,
+    pub saved: HardwareFigures,
 }
 
 /// What a plan costs.
 #[derive(Clone, Debug, Serialize)]
 pub struct Costs {
     /// The planned hardware.
-    pub planned: Figures,
+    pub planned: HardwareFigures,
     /// Hardware with everything in.
-    pub everything: Figures,
+    pub everything: HardwareFigures,
     /// Effect by effect.
     pub effects: Vec<Priced>,
 }
 
-impl Figures {
+impl HardwareFigures {
     fn minus(&self, other: &Self) -> Self {
         Self {
             register_bits: self.register_bits - other.register_bits,
@@ -107,7 +107,7 @@ impl Costs {
     pub fn of(scene: &Scene, plan: &Plan, cycles: Cycles, estimator: Option<&Estimator>) -> Result<Self, CostError> {
         let mut plans = vec![plan.clone(), plan.with_everything()];
         for effect in Effect::ALL {
-            plans.extend([Extent::Least, Extent::Most].map(|extent| plan.at(effect, extent)));
+            plans.extend([EffectExtent::Least, EffectExtent::Most].map(|extent| plan.at(effect, extent)));
         }
         let mut distinct: Vec<&Plan> = Vec::new();
         for plan in &plans {
@@ -116,7 +116,8 @@ impl Costs {
             }
         }
         let measure = |plan: &&Plan| Ok((plan.config.clone(), figures(scene, plan, cycles, estimator)?));
-        let measured = distinct.par_iter().map(measure).collect::<Result<Vec<(Config, Figures)>, CostError>>()?;
+        let measured =
+            distinct.par_iter().map(measure).collect::<Result<Vec<(Config, HardwareFigures)>, CostError>>()?;
         let figures_of = |plan: &Plan| {
             let found = measured.iter().find(|(config, _)| *config == plan.config);
             found.expect("every configuration was measured").1
@@ -124,8 +125,8 @@ impl Costs {
         let (planned, everything) = (figures_of(&plans[0]), figures_of(&plans[1]));
         let priced = |effect| Priced {
             effect,
-            cost: planned.minus(&figures_of(&plan.at(effect, Extent::Least))),
-            saved: figures_of(&plan.at(effect, Extent::Most)).minus(&planned),
+            cost: planned.minus(&figures_of(&plan.at(effect, EffectExtent::Least))),
+            saved: figures_of(&plan.at(effect, EffectExtent::Most)).minus(&planned),
         };
         Ok(Self { planned, everything, effects: Effect::ALL.map(priced).to_vec() })
     }
@@ -165,19 +166,24 @@ impl Costs {
     }
 }
 
-fn figures(scene: &Scene, plan: &Plan, cycles: Cycles, estimator: Option<&Estimator>) -> Result<Figures, CostError> {
-    let core = Core::generate(&plan.config)?;
+fn figures(
+    scene: &Scene,
+    plan: &Plan,
+    cycles: Cycles,
+    estimator: Option<&Estimator>,
+) -> Result<HardwareFigures, CostError> {
+    let core = SplatCore::generate(&plan.config)?;
     let proxy = Proxy::of(&core.design);
     let cycles = match cycles {
         Cycles::Untold => None,
         Cycles::Measured => {
             let frame = EncodedFrame::new(scene, plan);
             let (config, stall, progress) = (&plan.config, Stall::Never, &|_, _| {});
-            let runner = Runner { config, frame: &frame, stall, seed: SEED, progress, stop_after: None };
+            let runner = SplatRunner { config, frame: &frame, stall, seed: SEED, progress, stop_after: None };
             Some(runner.golden(&core)?.counters.cycles as i64)
         }
     };
-    Ok(Figures {
+    Ok(HardwareFigures {
         register_bits: proxy.register_bits as i64,
         memory_bits: proxy.memory_bits as i64,
         multipliers: proxy.multipliers as i64,

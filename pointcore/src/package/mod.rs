@@ -37,7 +37,7 @@ pub enum PackageError {
     Frame(#[from] LockstepError),
     /// The search that is recorded for a test.
     #[error(transparent)]
-    Search(#[from] search::Error),
+    Search(#[from] search::SearchError),
 }
 
 /// What a file is for.
@@ -86,7 +86,7 @@ impl Package {
     ///
     /// # Errors
     /// A fault of the generator, or of the model that makes the test.
-    pub fn splat(name: &str, core: &splat::Core, config: &SplatConfig) -> Result<Self, PackageError> {
+    pub fn splat(name: &str, core: &splat::SplatCore, config: &SplatConfig) -> Result<Self, PackageError> {
         let text = Configuration::Splat(config.clone()).text();
         let mut package = Self::new(name, "surface splatting", &core.design, &core.manifests, text);
         package.add_bus(&Bus::splat(config)?, &Interface::splat(config));
@@ -99,7 +99,7 @@ impl Package {
     ///
     /// # Errors
     /// A fault of the generator, or of the model that makes the test.
-    pub fn search(name: &str, core: &search::Core, config: &SearchConfig) -> Result<Self, PackageError> {
+    pub fn search(name: &str, core: &search::SearchCore, config: &SearchConfig) -> Result<Self, PackageError> {
         let text = Configuration::Search(config.clone()).text();
         let mut package = Self::new(name, "neighbor search", &core.design, &core.manifests, text);
         package.add_bus(&Bus::search(config)?, &Interface::search(config));

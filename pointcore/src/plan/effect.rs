@@ -27,7 +27,7 @@ pub enum Effect {
 
 /// How much of an effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
+pub enum EffectExtent {
     /// None, or the smallest that hardware can be.
     Least,
     /// As much as any scene may ask for.
@@ -81,12 +81,12 @@ impl Effect {
 impl Plan {
     /// The same hardware with another extent of one effect.
     #[must_use]
-    pub fn at(&self, effect: Effect, extent: Extent) -> Self {
+    pub fn at(&self, effect: Effect, extent: EffectExtent) -> Self {
         use pointcore_contract::splat::Feature::{Off, On};
         let mut plan = Self { choices: Vec::new(), ..self.clone() };
         let config = &mut plan.config;
         let default = Config::default();
-        let is_most = extent == Extent::Most;
+        let is_most = extent == EffectExtent::Most;
         let feature = if is_most { On } else { Off };
         let size = |planned: u32, most: u32| if is_most { planned.max(most) } else { LEAST };
         match effect {
@@ -113,6 +113,6 @@ impl Plan {
     /// The same frame on hardware with everything in: what leaving parts out is measured against.
     #[must_use]
     pub fn with_everything(&self) -> Self {
-        Effect::ALL.into_iter().fold(self.clone(), |plan, effect| plan.at(effect, Extent::Most))
+        Effect::ALL.into_iter().fold(self.clone(), |plan, effect| plan.at(effect, EffectExtent::Most))
     }
 }

@@ -10,7 +10,7 @@ mod error;
 mod given;
 mod overrides;
 
-pub use effect::{Effect, Extent};
+pub use effect::{Effect, EffectExtent};
 pub use error::PlanError;
 
 use crate::scene::Scene;

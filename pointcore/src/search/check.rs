@@ -2,7 +2,7 @@
 
 use super::points::PointSet;
 use super::query::{Neighbor, Query};
-use super::reuse::Kind;
+use super::reuse::QueryKind;
 use crate::number::{decode, encode};
 use pointcore_contract::Format;
 use pointcore_contract::search::records::Point;
@@ -16,7 +16,7 @@ const DISTANCE_LIMIT: usize = 20_000_000_000;
 
 /// A query that was answered wrongly.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Difference {
+pub struct WrongAnswer {
     /// Index of the query.
     pub query: usize,
     /// Squared distances found.
@@ -25,7 +25,7 @@ pub struct Difference {
     pub expected: Vec<f32>,
 }
 
-impl fmt::Display for Difference {
+impl fmt::Display for WrongAnswer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { query, found, expected } = self;
         write!(f, "query {query}: squared distances {found:?}, but a search through all points finds {expected:?}")
@@ -54,7 +54,7 @@ pub fn check(
     queries: &[Query],
     neighbors: &[Vec<Neighbor>],
     epsilon: f32,
-) -> Result<Checked, Difference> {
+) -> Result<Checked, WrongAnswer> {
     let encoded = points.encoded();
     let comparison = Comparison {
         format: points.format(),
@@ -65,7 +65,7 @@ pub fn check(
     let step = (queries.len() * encoded.len()).div_ceil(DISTANCE_LIMIT).max(1);
     let compared: Vec<usize> = (0..queries.len()).step_by(step).collect();
     let ratios = compared.par_iter().map(|index| comparison.compare(*index, &queries[*index], &neighbors[*index]));
-    let ratios: Vec<Option<f32>> = ratios.collect::<Result<_, Difference>>()?;
+    let ratios: Vec<Option<f32>> = ratios.collect::<Result<_, WrongAnswer>>()?;
     let inexact = || ratios.iter().flatten();
     Ok(Checked {
         queries: ratios.len(),
@@ -83,7 +83,7 @@ struct Comparison<'a> {
 
 impl Comparison<'_> {
     /// `None` for an exact answer, else how much too far its farthest neighbor is.
-    fn compare(&self, query: usize, asked: &Query, found: &[Neighbor]) -> Result<Option<f32>, Difference> {
+    fn compare(&self, query: usize, asked: &Query, found: &[Neighbor]) -> Result<Option<f32>, WrongAnswer> {
         let format = self.format;
         let at = asked.point.map(|number| encode(format, number));
         let radius2 = asked.radius.map_or(format.infinity() as u32, |radius| encode(format, radius * radius));
@@ -100,13 +100,13 @@ impl Comparison<'_> {
         let farthest = |distances: &[f32]| distances.last().map_or(0.0, |distance2| distance2.sqrt());
         let ratio = farthest(&distances) / farthest(&expected);
         let allowed = match asked.kind() {
-            Kind::Nearest => distances.len() == expected.len() && ratio <= 1.0 + self.epsilon,
-            Kind::Ball => distances.len() < expected.len(),
+            QueryKind::Nearest => distances.len() == expected.len() && ratio <= 1.0 + self.epsilon,
+            QueryKind::Ball => distances.len() < expected.len(),
         };
         if sound && self.epsilon > 0.0 && allowed {
             Ok(Some(ratio))
         } else {
-            Err(Difference { query, found: distances, expected })
+            Err(WrongAnswer { query, found: distances, expected })
         }
     }
 }
@@ -121,7 +121,7 @@ fn all_differ(neighbors: &[Neighbor]) -> bool {
 mod tests {
     use super::*;
     use crate::scene::model::tests::shared;
-    use crate::search::{Engine, MemorySettings, Order, Session, Source, Splitting, Tree, config_for};
+    use crate::search::{MemorySettings, Order, PointSource, SearchEngine, Session, Splitting, Tree, config_for};
 
     #[test]
     fn only_right_answers_pass() {
@@ -166,10 +166,10 @@ mod tests {
             [(Splitting::Packed, Order::Random), (Splitting::Midpoint, Order::Grid { columns: 3, rows: 3 })]
         {
             let config = config_for(model.points.len(), 10, splitting);
-            let points = PointSet::load(config.geometry, &Source::File(path.clone())).expect("the scan is good");
+            let points = PointSet::load(config.geometry, &PointSource::File(path.clone())).expect("the scan is good");
             let tree = Tree::build(&config, &points, splitting).expect("the points fit");
-            let session =
-                Session::open(config, tree, MemorySettings::default(), Engine::Golden).expect("the core is valid");
+            let session = Session::open(config, tree, MemorySettings::default(), SearchEngine::Golden)
+                .expect("the core is valid");
             let query = |point: &[f32; 3]| Query { point: *point, k: 10, radius: None };
             let queries: Vec<_> = order.places(&points, Some(200), 1).iter().map(query).collect();
             let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));

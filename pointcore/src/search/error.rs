@@ -9,7 +9,7 @@ use pointcore_tb::verilated::VerilatedError;
 
 /// A search that cannot be made.
 #[derive(Debug, thiserror::Error)]
-pub enum Error {
+pub enum SearchError {
     /// A model file.
     #[error(transparent)]
     Model(#[from] SceneError),

@@ -2,9 +2,9 @@
 
 use super::Tree;
 use super::answers::Answers;
-use super::memory::{Extent, Memory, MemorySettings};
+use super::memory::{MemorySettings, PointMemory, RequestSize};
 use super::query::{Asked, Neighbor};
-use super::reuse::{Kind, Reuse};
+use super::reuse::{QueryKind, Reuse};
 use crate::generated::Progress;
 use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, TreeRecord, TreeWrite};
 use pointcore_contract::search::units::Events;
@@ -27,7 +27,7 @@ const QUIET_CYCLES: u64 = 1_000_000;
 
 /// What a run counted.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Counters {
+pub struct SearchCounters {
     /// Cycles from the first query offered to the last result.
     pub cycles: u64,
     /// Cycles in which the core reported each of [`ports::events`].
@@ -48,7 +48,7 @@ pub struct Counters {
     pub results: u64,
 }
 
-impl Counters {
+impl SearchCounters {
     /// The count of an event; 0 for one that this core does not have.
     #[must_use]
     pub fn event(&self, name: &str) -> u64 {
@@ -77,7 +77,7 @@ pub struct Work<'a> {
     /// What the neighbor cache may answer, if there is one.
     pub reuse: Reuse,
     /// Of which kind all queries are, as the neighbor cache needs it.
-    pub kind: Kind,
+    pub kind: QueryKind,
     /// How the memory answers.
     pub memory: MemorySettings,
 }
@@ -91,14 +91,14 @@ enum Request {
 
 /// The host as a stimulus: it sees the outputs of the cycle before.
 #[derive(Clone)]
-pub struct Host<'a> {
+pub struct SearchHost<'a> {
     work: Work<'a>,
     stalls: Stalls,
     progress: Progress<'a>,
     writes: Arc<[TreeWrite]>,
     setup: Option<CacheSetup>,
     first_query_cycle: u64,
-    memory: Memory<Request>,
+    memory: PointMemory<Request>,
     inputs: In,
     sent: usize,
     last_transfer: u64,
@@ -107,17 +107,17 @@ pub struct Host<'a> {
     /// Whether and how it ended.
     pub end: Option<End>,
     /// Counts so far.
-    pub counters: Counters,
+    pub counters: SearchCounters,
 }
 
-impl<'a> Host<'a> {
+impl<'a> SearchHost<'a> {
     /// A host that asks each query once; `stalls` says when it holds back, `seed` orders the memory's answers.
     #[must_use]
     pub fn new(work: Work<'a>, stalls: Stalls, seed: u64, progress: Progress<'a>) -> Self {
         let Work { config, tree, memory, .. } = work;
-        let memory = Memory::new(memory, PORTS, tree.beat_bytes(), seed);
+        let memory = PointMemory::new(memory, PORTS, tree.beat_bytes(), seed);
         let beats = config.bucket.div_ceil(config.lanes);
-        let longest = memory.answer_cycles(Extent { beats, beat_bytes: tree.beat_bytes() });
+        let longest = memory.answer_cycles(RequestSize { beats, beat_bytes: tree.beat_bytes() });
         let events = ports::events(config).into_iter().map(|event| (event, 0)).collect();
         let writes: Arc<[TreeWrite]> = if config.tree_cache > 0 { Arc::default() } else { tree.writes().collect() };
         let setup = (config.neighbor_cache > 0).then(|| work.reuse.setup(config.geometry, work.kind));
@@ -136,7 +136,7 @@ impl<'a> Host<'a> {
             quiet_cycles: QUIET_CYCLES + longest,
             answers: Answers::new(work),
             end: None,
-            counters: Counters { events, ..Counters::default() },
+            counters: SearchCounters { events, ..SearchCounters::default() },
         }
     }
 
@@ -160,7 +160,7 @@ impl<'a> Host<'a> {
 
     /// What the host counted, and the neighbors by query.
     #[must_use]
-    pub fn into_results(self) -> (Counters, Vec<Vec<Neighbor>>) {
+    pub fn into_results(self) -> (SearchCounters, Vec<Vec<Neighbor>>) {
         (self.counters, self.answers.into_neighbors())
     }
 
@@ -216,12 +216,12 @@ impl<'a> Host<'a> {
         }
         let fetch = outputs.fetch.filter(|_| self.inputs.fetch_ready);
         if let Some(fetch) = fetch {
-            let extent = Extent { beats: fetch.beats.into(), beat_bytes: self.work.tree.beat_bytes() };
+            let extent = RequestSize { beats: fetch.beats.into(), beat_bytes: self.work.tree.beat_bytes() };
             self.memory.request(POINTS, Request::Points(fetch), extent, cycle);
         }
         let lookup = outputs.lookup.filter(|_| self.inputs.lookup_ready);
         if let Some(lookup) = lookup {
-            let extent = Extent { beats: 1, beat_bytes: Tree::record_bytes(self.work.config) };
+            let extent = RequestSize { beats: 1, beat_bytes: Tree::record_bytes(self.work.config) };
             self.memory.request(TREE, Request::Record(lookup), extent, cycle);
         }
         let result = outputs.result.filter(|_| self.inputs.result_ready);
@@ -285,10 +285,10 @@ impl Visitor<Words> for EventCounter<'_> {
 }
 
 /// The host at the core's ports, a word each.
-impl Stimulus for Host<'_> {
+impl Stimulus for SearchHost<'_> {
     fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
         let config = self.work.config;
-        let flow = Host::drive(self, cycle, &read(config, outputs));
+        let flow = SearchHost::drive(self, cycle, &read(config, outputs));
         // The reset comes first.
         write(config, self.inputs, &mut inputs[1..]);
         flow

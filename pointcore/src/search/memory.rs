@@ -4,7 +4,7 @@
 //! rounded up to whole bursts, at the given bandwidth; its beats leave in order and together, one a cycle and port at most. What the
 //! core does not take waits in the controller while the bus goes on.
 
-use super::Error;
+use super::SearchError;
 use std::collections::VecDeque;
 use std::ops::RangeInclusive;
 
@@ -37,8 +37,8 @@ impl MemorySettings {
     ///
     /// # Errors
     /// The first one that no memory has.
-    pub fn validate(&self) -> Result<(), Error> {
-        let wrong = |setting, value, expected| Err(Error::Memory { setting, value, expected });
+    pub fn validate(&self) -> Result<(), SearchError> {
+        let wrong = |setting, value, expected| Err(SearchError::Memory { setting, value, expected });
         if !LATENCY_CYCLES.contains(&self.latency_cycles) {
             return wrong("latency", self.latency_cycles as f64, "1 to 500 cycles");
         }
@@ -60,7 +60,7 @@ impl MemorySettings {
 
 /// What a request asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Extent {
+pub struct RequestSize {
     /// Beats of the answer, at least one.
     pub beats: u32,
     /// Bytes of a beat.
@@ -71,7 +71,7 @@ pub struct Extent {
 struct Request<K> {
     port: usize,
     key: K,
-    extent: Extent,
+    extent: RequestSize,
     ready: u64,
 }
 
@@ -79,7 +79,7 @@ struct Request<K> {
 #[derive(Clone, Debug)]
 struct Answer<K> {
     key: K,
-    extent: Extent,
+    extent: RequestSize,
     /// When the bus began with it, in cycles.
     begin: f64,
     sent: u32,
@@ -87,7 +87,7 @@ struct Answer<K> {
 
 /// A memory with some ports; requests and answers bear a key.
 #[derive(Clone, Debug)]
-pub struct Memory<K> {
+pub struct PointMemory<K> {
     settings: MemorySettings,
     bytes_per_cycle: f64,
     random: fastrand::Rng,
@@ -101,7 +101,7 @@ pub struct Memory<K> {
     pub bytes: u64,
 }
 
-impl<K: Copy> Memory<K> {
+impl<K: Copy> PointMemory<K> {
     /// An idle memory with so many ports; without a bandwidth among the settings, the bus moves `beat_bytes` a cycle. `seed` decides
     /// the order of answers.
     #[must_use]
@@ -124,20 +124,20 @@ impl<K: Copy> Memory<K> {
         self.bytes_per_cycle
     }
 
-    fn transfer_bytes(&self, extent: Extent) -> u64 {
+    fn transfer_bytes(&self, extent: RequestSize) -> u64 {
         let bytes = u64::from(extent.beats) * u64::from(extent.beat_bytes);
         bytes.next_multiple_of(self.settings.burst_bytes.into())
     }
 
     /// Cycles from a request to the end of its answer on an idle bus.
     #[must_use]
-    pub fn answer_cycles(&self, extent: Extent) -> u64 {
+    pub fn answer_cycles(&self, extent: RequestSize) -> u64 {
         let transfer = self.transfer_bytes(extent) as f64 / self.bytes_per_cycle;
         self.settings.latency_cycles + transfer.ceil() as u64
     }
 
     /// Accepts a request in cycle `now`.
-    pub fn request(&mut self, port: usize, key: K, extent: Extent, now: u64) {
+    pub fn request(&mut self, port: usize, key: K, extent: RequestSize, now: u64) {
         self.requests_taken += 1;
         self.requests.push_back(Request { port, key, extent, ready: now + self.settings.latency_cycles });
     }
@@ -191,10 +191,10 @@ mod tests {
     const BEAT: u32 = 12;
 
     /// Requests of `beats` beats each in cycle 0, everything taken at once: cycles, keys and numbers of the beats.
-    fn run(settings: MemorySettings, beats: &[u32]) -> (Vec<(u64, usize, u32)>, Memory<usize>) {
-        let mut memory = Memory::new(settings, 1, BEAT, 1);
+    fn run(settings: MemorySettings, beats: &[u32]) -> (Vec<(u64, usize, u32)>, PointMemory<usize>) {
+        let mut memory = PointMemory::new(settings, 1, BEAT, 1);
         for (key, beats) in beats.iter().enumerate() {
-            memory.request(0, key, Extent { beats: *beats, beat_bytes: BEAT }, 0);
+            memory.request(0, key, RequestSize { beats: *beats, beat_bytes: BEAT }, 0);
         }
         let mut seen = Vec::new();
         for cycle in 0..1000 {
@@ -258,8 +258,9 @@ mod tests {
 
     #[test]
     fn ports_share_the_bus_but_do_not_wait_for_each_other() {
-        let mut memory = Memory::new(MemorySettings { latency_cycles: 1, ..MemorySettings::default() }, 2, BEAT, 1);
-        let extent = Extent { beats: 1, beat_bytes: BEAT };
+        let mut memory =
+            PointMemory::new(MemorySettings { latency_cycles: 1, ..MemorySettings::default() }, 2, BEAT, 1);
+        let extent = RequestSize { beats: 1, beat_bytes: BEAT };
         memory.request(0, 'a', extent, 0);
         memory.request(1, 'b', extent, 0);
         (1..=2).for_each(|cycle| memory.advance(cycle));

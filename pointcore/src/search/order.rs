@@ -139,7 +139,7 @@ fn grid(points: &[[f32; 3]], [columns, rows]: [u32; 2], limit: Option<usize>) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::Source;
+    use crate::search::PointSource;
     use pointcore_contract::Format;
 
     fn plane() -> PointSet {
@@ -184,7 +184,7 @@ mod tests {
 
     #[test]
     fn a_morton_curve_keeps_neighbors_together() {
-        let points = PointSet::load(Format::F32, &Source::Surface(4000)).expect("the surface is finite");
+        let points = PointSet::load(Format::F32, &PointSource::Surface(4000)).expect("the surface is finite");
         let length = |order: Order| {
             let places = order.places(&points, None, 1);
             let step = |pair: &[[f32; 3]]| glam::Vec3::from(pair[0]).distance(pair[1].into());

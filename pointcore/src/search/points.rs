@@ -1,6 +1,6 @@
 //! Point sets in the core's format: from files, procedural, or given.
 
-use super::Error;
+use super::SearchError;
 use crate::number::{decode, encode};
 use crate::scene::{Model, trefoil};
 use glam::DVec3;
@@ -22,14 +22,14 @@ impl PointSet {
     ///
     /// # Errors
     /// There is no point, or one whose coordinates are not finite in that format.
-    pub fn new(format: Format, points: &[[f32; 3]]) -> Result<Self, Error> {
+    pub fn new(format: Format, points: &[[f32; 3]]) -> Result<Self, SearchError> {
         if points.is_empty() {
-            return Err(Error::NoPoint);
+            return Err(SearchError::NoPoint);
         }
         let round = |point: &[f32; 3]| point.map(|number| decode(format, encode(format, number)));
         let rounded: Vec<[f32; 3]> = points.par_iter().map(round).collect();
         match rounded.iter().position(|point| !point.iter().all(|number| number.is_finite())) {
-            Some(index) => Err(Error::Coordinate { index, point: points[index], format }),
+            Some(index) => Err(SearchError::Coordinate { index, point: points[index], format }),
             None => Ok(Self { format, points: rounded }),
         }
     }
@@ -38,10 +38,10 @@ impl PointSet {
     ///
     /// # Errors
     /// The file cannot be used.
-    pub fn load(format: Format, source: &Source) -> Result<Self, Error> {
+    pub fn load(format: Format, source: &PointSource) -> Result<Self, SearchError> {
         let points = match source {
-            Source::File(path) => Model::load(path)?.points,
-            Source::Surface(count) => trefoil(*count),
+            PointSource::File(path) => Model::load(path)?.points,
+            PointSource::Surface(count) => trefoil(*count),
         };
         let single: Vec<[f32; 3]> = points.iter().map(|point: &DVec3| point.as_vec3().to_array()).collect();
         Self::new(format, &single)
@@ -68,20 +68,20 @@ impl PointSet {
 
 /// Where points come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum PointSource {
     /// A PLY or OBJ file.
     File(PathBuf),
     /// So many points of a procedural surface, a trefoil knot.
     Surface(usize),
 }
 
-impl Source {
+impl PointSource {
     /// The most points of a procedural surface.
     pub const SURFACE_LIMIT: usize = 4_000_000;
     const SURFACE: &str = "surface:";
 }
 
-impl FromStr for Source {
+impl FromStr for PointSource {
     type Err = String;
 
     /// `surface:COUNT` or a path.
@@ -94,7 +94,7 @@ impl FromStr for Source {
     }
 }
 
-impl std::fmt::Display for Source {
+impl std::fmt::Display for PointSource {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::File(path) => write!(f, "{}", path.display()),
@@ -131,10 +131,10 @@ mod tests {
 
     #[test]
     fn sources_are_paths_or_surfaces() {
-        assert_eq!("surface:7".parse(), Ok(Source::Surface(7)));
-        assert_eq!("a/b.ply".parse(), Ok(Source::File("a/b.ply".into())));
-        assert!("surface:0".parse::<Source>().is_err() && "surface:x".parse::<Source>().is_err());
-        let surface = PointSet::load(Format::F32, &Source::Surface(500)).expect("the surface is finite");
+        assert_eq!("surface:7".parse(), Ok(PointSource::Surface(7)));
+        assert_eq!("a/b.ply".parse(), Ok(PointSource::File("a/b.ply".into())));
+        assert!("surface:0".parse::<PointSource>().is_err() && "surface:x".parse::<PointSource>().is_err());
+        let surface = PointSet::load(Format::F32, &PointSource::Surface(500)).expect("the surface is finite");
         assert_eq!(surface.points().len(), 500);
     }
 }

@@ -1,7 +1,7 @@
 //! Queries and what they bring, in the user's terms.
 
-use super::Error;
-use super::reuse::{Kind, Reuse};
+use super::SearchError;
+use super::reuse::{QueryKind, Reuse};
 use crate::number::encode;
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records;
@@ -45,22 +45,22 @@ impl Query {
     ///
     /// # Errors
     /// It cannot; the error bears `index`.
-    pub fn check(&self, config: &Config, index: usize) -> Result<(), Error> {
+    pub fn check(&self, config: &Config, index: usize) -> Result<(), SearchError> {
         self.encode(config, Reuse::default(), index).map(drop)
     }
 
     /// What the query asks for.
     #[must_use]
-    pub const fn kind(&self) -> Kind {
-        if self.radius.is_some() { Kind::Ball } else { Kind::Nearest }
+    pub const fn kind(&self) -> QueryKind {
+        if self.radius.is_some() { QueryKind::Ball } else { QueryKind::Nearest }
     }
 
     /// The query as the core takes it.
     ///
     /// # Errors
     /// The core cannot answer it; the error bears `index`.
-    pub fn encode(&self, config: &Config, reuse: Reuse, index: usize) -> Result<Asked, Error> {
-        let wrong = |problem| Err(Error::Query { index, problem });
+    pub fn encode(&self, config: &Config, reuse: Reuse, index: usize) -> Result<Asked, SearchError> {
+        let wrong = |problem| Err(SearchError::Query { index, problem });
         let format = config.geometry;
         let &Self { point, k, radius } = self;
         if k == 0 {
@@ -100,13 +100,13 @@ impl Query {
 
 /// Checks what a neighbor cache asks of all queries together: neighborhoods tell neither how many neighbors they were searched for
 /// nor whether within a radius.
-pub(super) fn check_alike(config: &Config, queries: &[Query]) -> Result<(), Error> {
+pub(super) fn check_alike(config: &Config, queries: &[Query]) -> Result<(), SearchError> {
     let Some(first) = queries.first().filter(|_| config.neighbor_cache > 0) else { return Ok(()) };
     let other = queries.iter().position(|query| query.k != first.k || query.kind() != first.kind());
     other.map_or(Ok(()), |index| {
         let problem = "differs from the first in k, or in whether it has a radius: search for such queries apart, or set \
                        `neighbor_cache` to 0";
-        Err(Error::Query { index, problem: problem.to_owned() })
+        Err(SearchError::Query { index, problem: problem.to_owned() })
     })
 }
 

@@ -1,11 +1,11 @@
 //! A short search, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
-use super::generate::Core;
+use super::generate::SearchCore;
 use super::host::Work;
-use super::reuse::Kind;
-use super::run::Runner;
+use super::reuse::QueryKind;
+use super::run::SearchRunner;
 use super::samples::queries_near;
-use super::{Error, MemorySettings, PointSet, Reuse, Splitting, Tree};
+use super::{MemorySettings, PointSet, Reuse, SearchError, Splitting, Tree};
 use crate::recording::Recording;
 use fastrand::Rng;
 use pointcore_contract::search::Config;
@@ -30,7 +30,7 @@ const SEED: u64 = 1;
 ///
 /// # Errors
 /// The configuration is not valid, or the core is stuck.
-pub fn record(config: &Config, core: &Core) -> Result<Recording, Error> {
+pub fn record(config: &Config, core: &SearchCore) -> Result<Recording, SearchError> {
     let mut random = Rng::with_seed(SEED);
     // A beat may hold a single point.
     let held =
@@ -39,17 +39,17 @@ pub fn record(config: &Config, core: &Core) -> Result<Recording, Error> {
     let points = PointSet::new(config.geometry, &places)?;
     let tree = Tree::build(config, &points, Splitting::Packed)?;
     let mut queries = queries_near(points.points(), config.neighbors.min(LARGEST_K), QUERIES, &mut random);
-    let mut kind = Kind::Nearest;
+    let mut kind = QueryKind::Nearest;
     if config.neighbor_cache > 0 {
         // It takes queries of one kind, and balls at any k.
-        kind = Kind::Ball;
+        kind = QueryKind::Ball;
         let k = config.neighbors.min(LARGEST_K);
         queries.iter_mut().for_each(|query| (query.k, query.radius) = (k, Some(RADIUS)));
     }
     let reuse = Reuse::default();
     let encoded = queries.iter().enumerate().map(|(index, query)| query.encode(config, reuse, index));
-    let encoded = encoded.collect::<Result<Vec<_>, Error>>()?;
+    let encoded = encoded.collect::<Result<Vec<_>, SearchError>>()?;
     let memory = MemorySettings { latency_cycles: LATENCY_CYCLES, ..MemorySettings::default() };
     let work = Work { config, tree: &tree, queries: &encoded, reuse, kind, memory };
-    Runner { work, stall: STALLS, seed: SEED, progress: &|_, _| {}, reproduce: "" }.record(core)
+    SearchRunner { work, stall: STALLS, seed: SEED, progress: &|_, _| {}, reproduce: "" }.record(core)
 }

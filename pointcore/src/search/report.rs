@@ -1,10 +1,10 @@
 //! What a search cost: figures with their definitions, as JSON and as a page to read.
 
 use super::check::Checked;
-use super::kdtree::Statistics;
+use super::kdtree::TreeStatistics;
 use super::memory::MemorySettings;
 use super::reuse::Reuse;
-use super::run::Outcome;
+use super::run::SearchOutcome;
 use pointcore_contract::search::{Config, ports};
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -39,7 +39,7 @@ const CACHES: [(&str, [&str; 2]); 3] = [
 ];
 
 /// The run behind a report.
-pub struct Measured<'a> {
+pub struct SearchRun<'a> {
     /// Where the points come from.
     pub points: &'a str,
     /// What ran.
@@ -49,7 +49,7 @@ pub struct Measured<'a> {
     /// The hardware's configuration.
     pub config: &'a Config,
     /// The tree.
-    pub tree: Statistics,
+    pub tree: TreeStatistics,
     /// How the tree was divided.
     pub splitting: &'a str,
     /// The memory.
@@ -61,7 +61,7 @@ pub struct Measured<'a> {
     /// Radius within which they count.
     pub radius: Option<f32>,
     /// What the run brought.
-    pub outcome: &'a Outcome,
+    pub outcome: &'a SearchOutcome,
     /// Outputs that differed, where they were compared.
     pub mismatches: Option<u64>,
     /// What a comparison with a search through all points brought.
@@ -74,7 +74,7 @@ pub struct Measured<'a> {
 
 /// The figures of a search.
 #[derive(Clone, Debug, Serialize)]
-pub struct Report {
+pub struct SearchReport {
     /// Where the points come from.
     pub points: String,
     /// What ran: `rtl` (in lockstep or not) or `golden`.
@@ -84,7 +84,7 @@ pub struct Report {
     /// How the tree was divided.
     pub splitting: String,
     /// The tree.
-    pub tree: Statistics,
+    pub tree: TreeStatistics,
     /// The hardware's configuration.
     pub config: Config,
     /// Neighbors wanted.
@@ -135,10 +135,10 @@ pub struct Report {
     pub simulated_cycles_per_second: f64,
 }
 
-impl Report {
+impl SearchReport {
     /// Derives the figures.
     #[must_use]
-    pub fn new(run: &Measured) -> Self {
+    pub fn new(run: &SearchRun) -> Self {
         let counters = &run.outcome.counters;
         let (queries, cycles) = (run.outcome.neighbors.len(), counters.cycles);
         let each = |count: f64| count / queries.max(1) as f64;

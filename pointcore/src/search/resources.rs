@@ -122,14 +122,14 @@ pub fn arithmetic(manifests: &BTreeMap<String, Manifest>) -> Vec<ArithmeticRow> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::Core;
+    use crate::search::SearchCore;
     use pointcore_contract::search::Config;
 
     #[test]
     fn every_part_is_found_and_nothing_is_lost() {
         let base = Config { neighbor_cache: 8, ..Config::default() };
         for config in [base.clone(), Config { tree_cache: 256, ..base }] {
-            let core = Core::generate(&config).expect("the configuration is valid");
+            let core = SearchCore::generate(&config).expect("the configuration is valid");
             let rows = storage(&core.design);
             assert!(rows.iter().all(|row| row.kilobytes > 0.0), "{rows:?}");
             let of = |part: &str| rows.iter().find(|row| row.part == part).map(|row| row.kilobytes);
@@ -143,7 +143,8 @@ mod tests {
 
     #[test]
     fn one_lane_takes_the_thesis_arithmetic_units() {
-        let core = Core::generate(&Config { neighbor_cache: 8, ..Config::default() }).expect("the default is valid");
+        let core =
+            SearchCore::generate(&Config { neighbor_cache: 8, ..Config::default() }).expect("the default is valid");
         let rows = arithmetic(&core.manifests);
         assert_eq!(
             rows.iter().map(|row| row.search).collect::<Vec<_>>(),

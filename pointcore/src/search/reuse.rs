@@ -1,6 +1,6 @@
 //! When the coherent neighbor cache may answer a query with the neighborhood of another (thesis 6.4.2).
 
-use super::Error;
+use super::SearchError;
 use crate::number::encode;
 use pointcore_contract::Format;
 use pointcore_contract::search::records::CacheSetup;
@@ -14,7 +14,7 @@ const ALPHA: std::ops::RangeInclusive<f32> = 1.0..=10.0;
 
 /// What queries of one search have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum QueryKind {
     /// They ask for the k nearest neighbors.
     Nearest,
     /// They ask for neighbors within a radius.
@@ -41,8 +41,8 @@ impl Reuse {
     ///
     /// # Errors
     /// The first one without meaning.
-    pub fn validate(&self) -> Result<(), Error> {
-        let wrong = |setting, value: f32, expected| Err(Error::Reuse { setting, value, expected });
+    pub fn validate(&self) -> Result<(), SearchError> {
+        let wrong = |setting, value: f32, expected| Err(SearchError::Reuse { setting, value, expected });
         if !EPSILON.contains(&self.epsilon) {
             return wrong("epsilon", self.epsilon, "0 to 10");
         }
@@ -54,14 +54,14 @@ impl Reuse {
 
     /// What the core is told: eq. 6.5 for k nearest neighbors, eq. 6.6 for balls.
     #[must_use]
-    pub fn setup(self, format: Format, kind: Kind) -> CacheSetup {
+    pub fn setup(self, format: Format, kind: QueryKind) -> CacheSetup {
         let guard = 1.0 - GUARD_ULPS / (1_u32 << format.mantissa) as f32;
         let (far_scale, margin_scale) = match kind {
-            Kind::Ball => (guard, 1.0 + self.epsilon),
-            Kind::Nearest => ((1.0 + self.epsilon) * guard, 1.0 / (2.0 + self.epsilon)),
+            QueryKind::Ball => (guard, 1.0 + self.epsilon),
+            QueryKind::Nearest => ((1.0 + self.epsilon) * guard, 1.0 / (2.0 + self.epsilon)),
         };
         CacheSetup {
-            ball: kind == Kind::Ball,
+            ball: kind == QueryKind::Ball,
             far_scale: encode(format, far_scale),
             margin_scale: encode(format, margin_scale),
         }
@@ -87,10 +87,10 @@ mod tests {
                 let CacheSetup { ball, far_scale, margin_scale } = reuse.setup(format, kind);
                 (ball, decode(format, far_scale), decode(format, margin_scale))
             };
-            let (ball, far_scale, margin_scale) = scales(Kind::Nearest);
+            let (ball, far_scale, margin_scale) = scales(QueryKind::Nearest);
             assert!(!ball && far_scale < 1.5 && far_scale > 1.498);
             assert!((margin_scale - 0.4).abs() < 1e-4);
-            let (ball, far_scale, margin_scale) = scales(Kind::Ball);
+            let (ball, far_scale, margin_scale) = scales(QueryKind::Ball);
             assert!(ball && far_scale < 1.0 && far_scale > 0.999 && margin_scale == 1.5);
             assert_eq!(decode(format, reuse.extended_radius2(format, 1.5)), 9.0);
         }

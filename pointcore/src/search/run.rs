@@ -1,8 +1,8 @@
 //! Queries on the hardware, on its golden model, or on both in lockstep.
 
-use super::Error;
-use super::generate::Core;
-use super::host::{Counters, End, Host, Work};
+use super::SearchError;
+use super::generate::SearchCore;
+use super::host::{End, SearchCounters, SearchHost, Work};
 use super::query::Neighbor;
 use crate::generated::Progress;
 use crate::recording::Recording;
@@ -19,11 +19,11 @@ use std::time::{Duration, Instant};
 
 /// What a run brought.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct SearchOutcome {
     /// Neighbors by query, nearest first.
     pub neighbors: Vec<Vec<Neighbor>>,
     /// What the host counted.
-    pub counters: Counters,
+    pub counters: SearchCounters,
     /// Cycles simulated, those that load the tree among them.
     pub simulated_cycles: u64,
     /// Time the simulation took.
@@ -32,7 +32,7 @@ pub struct Outcome {
 
 /// Queries ready to be run, on one engine or another, with one pattern of stalls or another.
 #[derive(Clone)]
-pub struct Runner<'a> {
+pub struct SearchRunner<'a> {
     /// Tree, queries, memory.
     pub work: Work<'a>,
     /// When the host holds back.
@@ -45,17 +45,17 @@ pub struct Runner<'a> {
     pub reproduce: &'a str,
 }
 
-impl<'a> Runner<'a> {
-    fn host(&self) -> Host<'a> {
+impl<'a> SearchRunner<'a> {
+    fn host(&self) -> SearchHost<'a> {
         let stalls = Stalls::new(self.stall, fastrand::Rng::with_seed(self.seed));
-        Host::new(self.work, stalls, self.seed, self.progress)
+        SearchHost::new(self.work, stalls, self.seed, self.progress)
     }
 
     /// The golden model alone.
     ///
     /// # Errors
     /// The core is stuck.
-    pub fn golden(&self, core: &Core) -> Result<Outcome, Error> {
+    pub fn golden(&self, core: &SearchCore) -> Result<SearchOutcome, SearchError> {
         let started = Instant::now();
         let mut top = Top::new(self.work.config, core.latencies());
         let mut host = self.host();
@@ -72,7 +72,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// The core is stuck.
-    pub fn record(&self, core: &Core) -> Result<Recording, Error> {
+    pub fn record(&self, core: &SearchCore) -> Result<Recording, SearchError> {
         let list = ports::top(self.work.config);
         let (inputs, outputs) = count(&list);
         let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
@@ -93,7 +93,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// An assertion of the hardware fails, or the core is stuck.
-    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<Outcome, Error> {
+    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<SearchOutcome, SearchError> {
         let started = Instant::now();
         let mut model = library.instantiate(self.seed);
         if let Some(path) = waveform {
@@ -117,7 +117,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// The first difference, or the core is stuck.
-    pub fn lockstep(&self, core: &Core, library: &Arc<Library>) -> Result<Outcome, Error> {
+    pub fn lockstep(&self, core: &SearchCore, library: &Arc<Library>) -> Result<SearchOutcome, SearchError> {
         let started = Instant::now();
         let mut golden = Ported::new(self.work.config, Top::new(self.work.config, core.latencies()));
         let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
@@ -128,10 +128,10 @@ impl<'a> Runner<'a> {
     }
 }
 
-fn finish(host: Host, cycle: u64, started: Instant) -> Result<Outcome, Error> {
+fn finish(host: SearchHost, cycle: u64, started: Instant) -> Result<SearchOutcome, SearchError> {
     if host.end == Some(End::Stuck) {
-        return Err(Error::Stuck { cycle, answered: host.answered(), queries: host.queries() });
+        return Err(SearchError::Stuck { cycle, answered: host.answered(), queries: host.queries() });
     }
     let (counters, neighbors) = host.into_results();
-    Ok(Outcome { neighbors, counters, simulated_cycles: cycle, elapsed: started.elapsed() })
+    Ok(SearchOutcome { neighbors, counters, simulated_cycles: cycle, elapsed: started.elapsed() })
 }

@@ -1,13 +1,13 @@
 //! Neighbor search as a library: a tree, a core, queries in, neighbors out.
 
-use super::generate::Core;
+use super::generate::SearchCore;
 use super::host::Work;
 use super::memory::MemorySettings;
 use super::order::interleaved;
 use super::query::{Query, check_alike};
-use super::reuse::{Kind, Reuse};
-use super::run::{Outcome, Runner};
-use super::{Error, Tree};
+use super::reuse::{QueryKind, Reuse};
+use super::run::{SearchOutcome, SearchRunner};
+use super::{SearchError, Tree};
 use crate::generated::Progress;
 use crate::generated::verilate;
 use pointcore_contract::search::Config;
@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 /// What answers queries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Engine {
+pub enum SearchEngine {
     /// The bit-exact, cycle-accurate golden model.
     Golden,
     /// The generated Verilog under Verilator.
@@ -30,14 +30,14 @@ pub enum Engine {
 /// A core with a tree.
 ///
 /// ```
-/// use pointcore::search::{Engine, MemorySettings, PointSet, Query, Session, Splitting, Tree};
+/// use pointcore::search::{SearchEngine, MemorySettings, PointSet, Query, Session, Splitting, Tree};
 /// use pointcore_contract::search::Config;
 ///
 /// let config = Config { tree_depth: 4, bucket: 8, ..Config::default() };
 /// let corners = (0..8_u8).map(|corner| [corner & 1, corner >> 1 & 1, corner >> 2].map(f32::from));
 /// let points = PointSet::new(config.geometry, &corners.collect::<Vec<_>>())?;
 /// let tree = Tree::build(&config, &points, Splitting::Median)?;
-/// let session = Session::open(config, tree, MemorySettings::default(), Engine::Golden)?;
+/// let session = Session::open(config, tree, MemorySettings::default(), SearchEngine::Golden)?;
 ///
 /// let query = Query { point: [0.9, 0.3, 0.0], k: 2, radius: None };
 /// let outcome = session.search(&[query])?;
@@ -50,10 +50,10 @@ pub struct Session {
     config: Config,
     tree: Tree,
     memory: MemorySettings,
-    core: Core,
+    core: SearchCore,
     /// The verilated core, unless the golden model answers alone.
     library: Option<Arc<Library>>,
-    engine: Engine,
+    engine: SearchEngine,
     reuse: Reuse,
     /// Runs of queries that take turns.
     runs: usize,
@@ -68,12 +68,12 @@ impl Session {
     ///
     /// # Errors
     /// Configuration or memory settings are not valid, or tools are missing or fail.
-    pub fn open(config: Config, tree: Tree, memory: MemorySettings, engine: Engine) -> Result<Self, Error> {
+    pub fn open(config: Config, tree: Tree, memory: MemorySettings, engine: SearchEngine) -> Result<Self, SearchError> {
         config.validate()?;
         memory.validate()?;
         tree.check(&config)?;
-        let core = Core::generate(&config)?;
-        let library = if engine == Engine::Golden { None } else { Some(verilate(&core.design, Trace::Off)?) };
+        let core = SearchCore::generate(&config)?;
+        let library = if engine == SearchEngine::Golden { None } else { Some(verilate(&core.design, Trace::Off)?) };
         let (reuse, runs, stall, seed, reproduce) = (Reuse::default(), 1, Stall::Never, 1, String::new());
         Ok(Self { config, tree, memory, core, library, engine, reuse, runs, stall, seed, reproduce })
     }
@@ -89,7 +89,7 @@ impl Session {
     ///
     /// # Errors
     /// A factor has no meaning.
-    pub fn reusing(mut self, reuse: Reuse) -> Result<Self, Error> {
+    pub fn reusing(mut self, reuse: Reuse) -> Result<Self, SearchError> {
         reuse.validate()?;
         self.reuse = reuse;
         Ok(self)
@@ -112,7 +112,7 @@ impl Session {
 
     /// The core.
     #[must_use]
-    pub const fn core(&self) -> &Core {
+    pub const fn core(&self) -> &SearchCore {
         &self.core
     }
 
@@ -126,7 +126,7 @@ impl Session {
     ///
     /// # Errors
     /// A query has no meaning; hardware and model differ; the core is stuck.
-    pub fn search(&self, queries: &[Query]) -> Result<Outcome, Error> {
+    pub fn search(&self, queries: &[Query]) -> Result<SearchOutcome, SearchError> {
         self.search_with(queries, &|_, _| {})
     }
 
@@ -134,11 +134,11 @@ impl Session {
     ///
     /// # Errors
     /// As [`Session::search`].
-    pub fn search_with(&self, queries: &[Query], progress: Progress) -> Result<Outcome, Error> {
+    pub fn search_with(&self, queries: &[Query], progress: Progress) -> Result<SearchOutcome, SearchError> {
         check_alike(&self.config, queries)?;
-        let kind = queries.first().map_or(Kind::Nearest, Query::kind);
+        let kind = queries.first().map_or(QueryKind::Nearest, Query::kind);
         let encode = |(index, query): (usize, &Query)| query.encode(&self.config, self.reuse, index);
-        let queries = queries.par_iter().enumerate().map(encode).collect::<Result<Vec<_>, Error>>()?;
+        let queries = queries.par_iter().enumerate().map(encode).collect::<Result<Vec<_>, SearchError>>()?;
         let order = interleaved(queries.len(), self.runs);
         let queries: Vec<_> = order.iter().map(|query| queries[*query]).collect();
         let work = Work {
@@ -149,10 +149,10 @@ impl Session {
             kind,
             memory: self.memory,
         };
-        let runner = Runner { work, stall: self.stall, seed: self.seed, progress, reproduce: &self.reproduce };
+        let runner = SearchRunner { work, stall: self.stall, seed: self.seed, progress, reproduce: &self.reproduce };
         let mut outcome = match (self.engine, &self.library) {
-            (Engine::Hardware, Some(library)) => runner.hardware(library, None),
-            (Engine::Lockstep, Some(library)) => runner.lockstep(&self.core, library),
+            (SearchEngine::Hardware, Some(library)) => runner.hardware(library, None),
+            (SearchEngine::Lockstep, Some(library)) => runner.lockstep(&self.core, library),
             _ => runner.golden(&self.core),
         }?;
         let mut neighbors = vec![Vec::new(); order.len()];

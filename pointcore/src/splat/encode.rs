@@ -8,7 +8,7 @@ use pointcore_contract::Splat;
 use pointcore_contract::splat::records;
 
 /// Splat records one after the other, and the uniform registers by address.
-pub struct Frame {
+pub struct EncodedFrame {
     /// Words of the records, `record_words` each; the last one is the end record.
     pub records: Vec<u64>,
     /// Fields of a record.
@@ -17,7 +17,7 @@ pub struct Frame {
     pub uniforms: Vec<u64>,
 }
 
-impl Frame {
+impl EncodedFrame {
     /// Encodes what the planned hardware needs of a scene.
     #[must_use]
     pub fn new(scene: &Scene, plan: &Plan) -> Self {

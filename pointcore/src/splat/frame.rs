@@ -7,7 +7,7 @@ use pointcore_contract::splat::records;
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use pointcore_golden::reference::{Decisions, Fragment, Frame, Margins, Statistics};
 
-/// Places fragments (as [`Host`](super::host::Host) collects them) in the scene's image; hardware for a larger one renders beyond it.
+/// Places fragments (as [`SplatHost`](super::host::SplatHost) collects them) in the scene's image; hardware for a larger one renders beyond it.
 /// Attributes the hardware does not carry take their constant; the material of a scene with only one is that of any splat.
 #[must_use]
 pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {

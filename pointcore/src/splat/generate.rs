@@ -9,14 +9,14 @@ use rtl::{Design, elaborate};
 use std::collections::BTreeMap;
 
 /// A generated core.
-pub struct Core {
+pub struct SplatCore {
     /// Verilog and ports.
     pub design: Design,
     /// What the compiler decided, by unit.
     pub manifests: BTreeMap<String, Manifest>,
 }
 
-impl Core {
+impl SplatCore {
     /// Generates the core.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! The host around the renderer: writes uniforms, sends splats, plays the reconstruction buffer, collects fragments, counts.
 
-use super::encode::Frame;
+use super::encode::EncodedFrame;
 use super::memory::ReconstructionBuffer;
 use crate::generated::Progress;
 use pointcore_contract::Direction;
@@ -55,7 +55,7 @@ impl Places {
 
 /// What a run counted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Counters {
+pub struct SplatCounters {
     /// Cycles from the first splat offered to the last end fragment.
     pub cycles: u64,
     /// Cycles of each of [`EVENTS`].
@@ -68,8 +68,8 @@ pub struct Counters {
 
 /// The host as a stimulus: it sees the outputs of the cycle before.
 #[derive(Clone)]
-pub struct Host<'a> {
-    frame: &'a Frame,
+pub struct SplatHost<'a> {
+    frame: &'a EncodedFrame,
     stalls: Stalls,
     progress: Progress<'a>,
     uniform: [usize; 3],
@@ -86,14 +86,14 @@ pub struct Host<'a> {
     /// Fragments as they came, field by field; end fragments are not among them.
     pub fragments: Vec<u64>,
     /// Counts so far.
-    pub counters: Counters,
+    pub counters: SplatCounters,
 }
 
-impl<'a> Host<'a> {
+impl<'a> SplatHost<'a> {
     /// A host that sends `frame` once and waits for as many end fragments as it has end records; `stalls` says when it holds
     /// back.
     #[must_use]
-    pub fn new(config: &Config, frame: &'a Frame, stalls: Stalls, progress: Progress<'a>) -> Self {
+    pub fn new(config: &Config, frame: &'a EncodedFrame, stalls: Stalls, progress: Progress<'a>) -> Self {
         let places = Places::new(&ports::top(config));
         let input = |name: &str| places.find(Direction::Input, name);
         let pixel_words = records::pixel(config).len();
@@ -114,7 +114,7 @@ impl<'a> Host<'a> {
             open_frames: frame.records.chunks_exact(frame.record_words).filter(|record| record[0] == 1).count(),
             buffer: ReconstructionBuffer::new(tiles, pixel_words, MEMORY_LATENCY_CYCLES),
             fragments: Vec::new(),
-            counters: Counters::default(),
+            counters: SplatCounters::default(),
         }
     }
 
@@ -174,7 +174,7 @@ impl<'a> Host<'a> {
     }
 }
 
-impl Stimulus for Host<'_> {
+impl Stimulus for SplatHost<'_> {
     fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
         let first_splat_cycle = UNIFORMS.len() as u64;
         let splat_taken = inputs[self.splat.valid] & outputs[self.splat.ready] == 1;

@@ -10,10 +10,10 @@ mod recorded;
 mod report;
 mod run;
 
-pub use encode::Frame as EncodedFrame;
+pub use encode::EncodedFrame;
 pub use frame::assemble;
-pub use generate::Core;
-pub use host::{Counters, Host};
+pub use generate::SplatCore;
+pub use host::{SplatCounters, SplatHost};
 pub use recorded::record;
-pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, Measured, ROUNDING_LIMIT, Report, rounding_limit};
-pub use run::{Outcome, Runner};
+pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, SplatReport, SplatRun, rounding_limit};
+pub use run::{SplatOutcome, SplatRunner};

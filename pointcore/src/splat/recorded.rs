@@ -1,8 +1,8 @@
 //! The beginning of a small frame, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
-use super::encode::Frame;
-use super::generate::Core;
-use super::run::Runner;
+use super::encode::EncodedFrame;
+use super::generate::SplatCore;
+use super::run::SplatRunner;
 use crate::number::{encode, encode_attribute};
 use crate::recording::Recording;
 use crate::uniforms::uniforms;
@@ -56,7 +56,7 @@ fn rendering(config: &Config) -> Rendering {
 }
 
 /// Splats around the camera's axis that face the eye.
-fn frame(config: &Config) -> Frame {
+fn frame(config: &Config) -> EncodedFrame {
     let mut random = Rng::with_seed(SEED);
     let record_words = records::splat(config).len();
     let mut words = Vec::new();
@@ -72,17 +72,18 @@ fn frame(config: &Config) -> Frame {
     let end = words.len();
     words.resize(end + record_words, 0);
     words[end] = 1;
-    Frame { records: words, record_words, uniforms: uniforms(&camera(config), &rendering(config), config) }
+    EncodedFrame { records: words, record_words, uniforms: uniforms(&camera(config), &rendering(config), config) }
 }
 
 /// Records the beginning of a frame on the hardware of a configuration.
 ///
 /// # Errors
 /// The frame does not come to its end.
-pub fn record(config: &Config, core: &Core) -> Result<Recording, LockstepError> {
+pub fn record(config: &Config, core: &SplatCore) -> Result<Recording, LockstepError> {
     let frame = frame(config);
     let width: usize = core.design.ports().iter().map(|port| port.width).sum();
     let stop_after = Some((VECTOR_BITS / width) as u64);
-    let runner = Runner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after };
+    let runner =
+        SplatRunner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after };
     runner.recording(core, (1 << config.tile_bits()) + SETTLING_CYCLES)
 }

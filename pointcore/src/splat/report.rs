@@ -1,6 +1,6 @@
 //! What a run says: figures with their definitions, as JSON and as a page to read.
 
-use super::host::Counters;
+use super::host::SplatCounters;
 use pointcore_contract::splat::ports::EVENTS;
 use pointcore_contract::splat::{AttributeFormat, Config, records};
 use pointcore_golden::reference::Frame;
@@ -36,7 +36,7 @@ pub const EDGE_ROUNDING: f64 = 1.0 / (1 << 14) as f64;
 
 /// The figures of one frame.
 #[derive(Clone, Debug, Serialize)]
-pub struct Report {
+pub struct SplatReport {
     /// The scene's name.
     pub scene: String,
     /// What ran: `rtl` (in lockstep or not) or `golden`.
@@ -128,7 +128,7 @@ impl Differences {
 }
 
 /// The run behind a report.
-pub struct Measured<'a> {
+pub struct SplatRun<'a> {
     /// The scene's name.
     pub scene: &'a str,
     /// What ran.
@@ -138,7 +138,7 @@ pub struct Measured<'a> {
     /// Splats sent.
     pub splats: usize,
     /// What the host counted.
-    pub counters: &'a Counters,
+    pub counters: &'a SplatCounters,
     /// The frame.
     pub frame: &'a Frame,
     /// The f64 reference.
@@ -151,11 +151,11 @@ pub struct Measured<'a> {
     pub simulated_cycles_per_second: f64,
 }
 
-impl Report {
+impl SplatReport {
     /// Derives the figures.
     #[must_use]
-    pub fn new(run: &Measured) -> Self {
-        let Counters { cycles, events, pixels_read, pixels_written } = *run.counters;
+    pub fn new(run: &SplatRun) -> Self {
+        let SplatCounters { cycles, events, pixels_read, pixels_written } = *run.counters;
         let [samples, starved, blocked, accumulated, hazard, slot_wait] = events;
         let share = |count: u64| count as f64 / cycles.max(1) as f64;
         let pixel_bytes = u64::from(records::pixel_bytes(run.config));
@@ -244,4 +244,4 @@ impl Report {
     }
 }
 
-const _: () = assert!(EVENTS.len() == 6, "Report::new names every event");
+const _: () = assert!(EVENTS.len() == 6, "SplatReport::new names every event");

@@ -1,8 +1,8 @@
 //! A frame on the hardware, on its golden model, or on both in lockstep.
 
-use super::encode::Frame as EncodedFrame;
-use super::generate::Core;
-use super::host::{Counters, Host};
+use super::encode::EncodedFrame;
+use super::generate::SplatCore;
+use super::host::{SplatCounters, SplatHost};
 use super::mask::end_records;
 use crate::generated::Progress;
 use crate::recording::Recording;
@@ -22,11 +22,11 @@ const STUCK_CYCLES_PER_SPLAT: u64 = 20_000;
 const STUCK_BASE_CYCLES: u64 = 10_000_000;
 
 /// What a run brought.
-pub struct Outcome {
+pub struct SplatOutcome {
     /// Fragments, field by field.
     pub fragments: Vec<u64>,
     /// What the host counted.
-    pub counters: Counters,
+    pub counters: SplatCounters,
     /// Cycles simulated.
     pub simulated_cycles: u64,
     /// Time the simulation took.
@@ -35,7 +35,7 @@ pub struct Outcome {
 
 /// A frame ready to be run, on one engine or another, with one pattern of stalls or another.
 #[derive(Clone)]
-pub struct Runner<'a> {
+pub struct SplatRunner<'a> {
     /// The hardware's configuration.
     pub config: &'a Config,
     /// The frame.
@@ -50,10 +50,10 @@ pub struct Runner<'a> {
     pub stop_after: Option<u64>,
 }
 
-impl<'a> Runner<'a> {
-    fn host(&self) -> Host<'a> {
+impl<'a> SplatRunner<'a> {
+    fn host(&self) -> SplatHost<'a> {
         let stalls = Stalls::new(self.stall, fastrand::Rng::with_seed(self.seed));
-        Host::new(self.config, self.frame, stalls, self.progress)
+        SplatHost::new(self.config, self.frame, stalls, self.progress)
     }
 
     fn limit(&self) -> u64 {
@@ -64,7 +64,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// The frame does not come to its end.
-    pub fn golden(&self, core: &Core) -> Result<Outcome, LockstepError> {
+    pub fn golden(&self, core: &SplatCore) -> Result<SplatOutcome, LockstepError> {
         let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
         self.alone(count(&ports::top(self.config)), |inputs, outputs| {
             golden.step(inputs, outputs);
@@ -76,7 +76,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// An assertion of the hardware fails, or the frame does not come to its end.
-    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<Outcome, LockstepError> {
+    pub fn hardware(&self, library: &Arc<Library>, waveform: Option<&Path>) -> Result<SplatOutcome, LockstepError> {
         let mut model = library.instantiate(self.seed);
         if let Some(path) = waveform {
             model.open_trace(path)?;
@@ -89,7 +89,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// The frame does not come to its end.
-    pub fn recording(&self, core: &Core, settling_cycles: u64) -> Result<Recording, LockstepError> {
+    pub fn recording(&self, core: &SplatCore, settling_cycles: u64) -> Result<Recording, LockstepError> {
         let list = ports::top(self.config);
         let mut recording = Recording::new(list.clone()).after(settling_cycles);
         let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
@@ -116,7 +116,7 @@ impl<'a> Runner<'a> {
     /// replays them.
     ///
     /// # Errors
-    /// As [`Runner::hardware`].
+    /// As [`SplatRunner::hardware`].
     pub fn record(&self, library: &Arc<Library>) -> Result<Vec<u64>, LockstepError> {
         let mut model = library.instantiate(self.seed);
         let mut rows = Vec::new();
@@ -131,7 +131,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// The first difference, or the frame does not come to its end.
-    pub fn lockstep(&self, core: &Core, library: &Arc<Library>) -> Result<Outcome, LockstepError> {
+    pub fn lockstep(&self, core: &SplatCore, library: &Arc<Library>) -> Result<SplatOutcome, LockstepError> {
         let started = Instant::now();
         let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
         let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
@@ -139,7 +139,7 @@ impl<'a> Runner<'a> {
         let reproduce = format!("pointcore run SCENE --seed {}", self.seed);
         let stimulus = CutOff { host: self.host(), stop_after: self.stop_after };
         let run = lockstep.mask(end_records(&ports::top(self.config))).reproduced_by(reproduce).run(stimulus)?;
-        Ok(Outcome {
+        Ok(SplatOutcome {
             fragments: run.stimulus.host.fragments,
             counters: run.stimulus.host.counters,
             simulated_cycles: run.report.cycles,
@@ -152,7 +152,7 @@ impl<'a> Runner<'a> {
         &self,
         (inputs, outputs): (usize, usize),
         mut step: impl FnMut(&[u64], &mut [u64]) -> Result<(), VerilatedError>,
-    ) -> Result<Outcome, LockstepError> {
+    ) -> Result<SplatOutcome, LockstepError> {
         let started = Instant::now();
         let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
         inputs[0] = 1;
@@ -171,14 +171,14 @@ impl<'a> Runner<'a> {
         }
         let elapsed = started.elapsed();
         let host = stimulus.host;
-        Ok(Outcome { fragments: host.fragments, counters: host.counters, simulated_cycles: cycle, elapsed })
+        Ok(SplatOutcome { fragments: host.fragments, counters: host.counters, simulated_cycles: cycle, elapsed })
     }
 }
 
 /// The host of a run that may be cut off.
 #[derive(Clone)]
 struct CutOff<'a> {
-    host: Host<'a>,
+    host: SplatHost<'a>,
     stop_after: Option<u64>,
 }
 

@@ -5,15 +5,15 @@ mod neighbors;
 use super::{Failure, Figures, Output, choices, merge, scene_name, write};
 use pointcore::area::estimate::Estimator;
 use pointcore::configuration::read_text;
-use pointcore::search::Source;
+use pointcore::search::PointSource;
 use pointcore_lab::accuracy::AccuracyError;
 use pointcore_lab::accuracy::choice::{Against, Decibels, Prefer, Rated, cheapest, most_accurate, rate};
-use pointcore_lab::accuracy::figures::Engine;
-use pointcore_lab::accuracy::page::Page;
+use pointcore_lab::accuracy::figures::PointEngine;
+use pointcore_lab::accuracy::page::SweepPage;
 use pointcore_lab::accuracy::point::{Knob, UnknownKnob, points};
-use pointcore_lab::accuracy::sweep::{Measured, Planned, Sweep};
+use pointcore_lab::accuracy::sweep::{MeasuredPoint, Planned, Sweep};
 use pointcore_lab::accuracy::table::{cells, document, legend, markdown};
-use pointcore_lab::synthesis::Record;
+use pointcore_lab::synthesis::AreaRecord;
 use pointcore_tb::cache::Cache;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub struct Arguments {
     scene: Option<PathBuf>,
     /// Sweep neighbor search among these points instead: tolerance, neighborhoods in the neighbor cache, points of a leaf.
     #[arg(long, value_name = "FILE|surface:COUNT", conflicts_with_all = ["scene", "at_least", "knobs", "settings"])]
-    neighbors: Option<Source>,
+    neighbors: Option<PointSource>,
     /// Neighbors of a query, 1 to 63; with --neighbors.
     #[arg(long, value_name = "COUNT", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=63), requires = "neighbors")]
     k: u32,
@@ -84,8 +84,8 @@ impl Arguments {
     }
 
     /// What hardware is rendered on.
-    const fn engine(&self) -> Engine {
-        if self.lockstep { Engine::Lockstep } else { Engine::Golden }
+    const fn engine(&self) -> PointEngine {
+        if self.lockstep { PointEngine::Lockstep } else { PointEngine::Golden }
     }
 }
 
@@ -125,7 +125,7 @@ pub fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
     if !path.exists() {
         return Ok(Estimator::new(&[]));
     }
-    Ok(pointcore_lab::accuracy::kept_estimator(&Record::load(path)?, &read_text(path)?, cache)?)
+    Ok(pointcore_lab::accuracy::kept_estimator(&AreaRecord::load(path)?, &read_text(path)?, cache)?)
 }
 
 /// Does `work` on every item, several at a time; results are in the items' order.
@@ -151,7 +151,7 @@ fn spread<T: Sync, R: Send>(items: &[T], jobs: u16, work: impl Fn(&T) -> R + Syn
 }
 
 /// Measures what is not kept yet; a point that fails does not keep the others from being measured.
-fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured>, Failure> {
+fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<MeasuredPoint>, Failure> {
     let done = AtomicUsize::new(0);
     let results = spread(planned, jobs, |point| {
         let kept = sweep.kept(point)?;
@@ -284,7 +284,7 @@ fn sweep_scene(scene: &Path, arguments: &Arguments, output: Output) -> Result<()
     });
     write(&results.join("README.md"), &text)?;
     write(&results.join("accuracy.json"), &serde_json::to_string_pretty(&result).expect("results have string keys"))?;
-    let page = Page { scene: &name, rated: &rated, legend: &legend, advice: &advice, truth: &truth };
+    let page = SweepPage { scene: &name, rated: &rated, legend: &legend, advice: &advice, truth: &truth };
     write(&results.join("index.html"), &page.html()?)?;
     merge(&arguments.merge, figures)?;
     match arguments.at_least {

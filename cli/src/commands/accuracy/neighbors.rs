@@ -2,23 +2,23 @@
 
 use super::{Arguments, estimator, report, spread};
 use crate::commands::{Failure, Output, write};
-use pointcore::search::{PointSet, Source};
+use pointcore::search::{PointSet, PointSource};
 use pointcore_contract::search::Config;
-use pointcore_lab::accuracy::neighbors::{Setting, Task, markdown, rank};
+use pointcore_lab::accuracy::neighbors::{NeighborSetting, Task, markdown, rank};
 use pointcore_tb::cache::Cache;
 use serde_json::json;
 use std::path::Path;
 
 /// Sweeps what trades accuracy of neighbors for time and hardware.
-pub fn run(source: &Source, arguments: &Arguments, output: Output) -> Result<(), Failure> {
+pub fn run(source: &PointSource, arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let points = PointSet::load(Config::default().geometry, source)?;
     let task = Task { points: &points, k: arguments.k, limit: arguments.queries as usize, engine: arguments.engine() };
     let cache = Cache::new(arguments.folder());
-    let mut settings = Setting::all();
+    let mut settings = NeighborSetting::all();
     if let Some(shard) = arguments.shard {
         settings = shard.of(settings);
     }
-    let measure = |setting: &Setting| {
+    let measure = |setting: &NeighborSetting| {
         let found = task.measure(&cache, *setting)?;
         eprintln!("{}: {:.1} cycles a query", setting.name(), found.cycles_per_query);
         Ok::<_, Failure>(found)

@@ -5,7 +5,9 @@ mod record;
 
 use super::{Failure, Figures, Output, choices, merge, scene_name};
 use pointcore::configuration::{parse, read_text};
-use pointcore_lab::synthesis::{self, Line, Measurement, Record, Revision, Style, Synthesizer, Target, Unit};
+use pointcore_lab::synthesis::{
+    self, AreaRecord, Line, MeasuredUnit, Measurement, Revision, Style, Synthesizer, Target,
+};
 use progress::Display;
 use rayon::prelude::*;
 use record::Recorder;
@@ -56,12 +58,12 @@ pub struct Arguments {
 
 /// A unit, and the file it is read from if it is a configuration's core.
 struct Named {
-    unit: Unit,
+    unit: MeasuredUnit,
     configuration: Option<PathBuf>,
 }
 
-impl From<Unit> for Named {
-    fn from(unit: Unit) -> Self {
+impl From<MeasuredUnit> for Named {
+    fn from(unit: MeasuredUnit) -> Self {
         Self { unit, configuration: None }
     }
 }
@@ -90,7 +92,7 @@ fn units(names: &[String]) -> Result<Vec<Named>, Failure> {
 
 /// The whole core of a configuration file, by the file's name.
 fn core(path: &Path) -> Result<Named, Failure> {
-    let unit = Unit::core(scene_name(path), parse(path, &read_text(path)?)?);
+    let unit = MeasuredUnit::core(scene_name(path), parse(path, &read_text(path)?)?);
     Ok(Named { unit, configuration: Some(path.to_owned()) })
 }
 
@@ -120,7 +122,7 @@ fn figures(target: Target, measurements: &[Measurement]) -> Figures {
 }
 
 /// The figures of a record that are of the hardware as it is now.
-fn recorded(record: &Record) -> Figures {
+fn recorded(record: &AreaRecord) -> Figures {
     let of_target = |&target: &Target| {
         let measurements: Vec<_> = record.fresh(target).into_iter().map(|(entry, _)| entry.measurement()).collect();
         figures(target, &measurements)
@@ -142,7 +144,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     } else if !arguments.recorded {
         measure(arguments, output)?;
     } else if let (Some(path), Some(record)) = (&arguments.merge, &arguments.record) {
-        merge(path, recorded(&Record::load(record)?))?;
+        merge(path, recorded(&AreaRecord::load(record)?))?;
     }
     match (&arguments.record, &arguments.tables) {
         (Some(path), Some(tables)) => record::write_tables(path, tables),

@@ -2,7 +2,9 @@
 
 use crate::commands::{Failure, Output, write};
 use pointcore::configuration::{read_text, wrong};
-use pointcore_lab::synthesis::{Entry, Measurement, Record, Revision, Stale, Synthesizer, Unit, source_hash};
+use pointcore_lab::synthesis::{
+    AreaEntry, AreaRecord, MeasuredUnit, Measurement, Revision, Stale, Synthesizer, source_hash,
+};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -16,7 +18,7 @@ pub struct Recorder {
 impl Recorder {
     /// A record in this file, which may be there already.
     pub fn new(path: &Path) -> Result<Self, Failure> {
-        Record::load(path)?;
+        AreaRecord::load(path)?;
         Ok(Self { path: path.to_owned(), writing: Mutex::new(()) })
     }
 
@@ -24,23 +26,23 @@ impl Recorder {
     pub fn keep(
         &self,
         synthesizer: &Synthesizer,
-        unit: &Unit,
+        unit: &MeasuredUnit,
         configuration: Option<&Path>,
         measurement: &Measurement,
     ) -> Result<(), Failure> {
         let target = synthesizer.target();
         let source = source_hash(target, unit)?;
         let configuration = configuration.map(Path::to_owned);
-        let entry = Entry::new(target, configuration, source, synthesizer.tools(), measurement.clone());
+        let entry = AreaEntry::new(target, configuration, source, synthesizer.tools(), measurement.clone());
         let _writing = self.writing.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let mut record = Record::load(&self.path)?;
+        let mut record = AreaRecord::load(&self.path)?;
         record.insert(entry);
         write(&self.path, &record.text())
     }
 }
 
 /// The tables of a document as the record has them, and as they are.
-fn tabulated(record: &Record, tables: &Path) -> Result<(String, String), Failure> {
+fn tabulated(record: &AreaRecord, tables: &Path) -> Result<(String, String), Failure> {
     let present = read_text(tables)?;
     let wanted = record.tabulate(&present).map_err(|problem| wrong(tables, problem))?;
     Ok((wanted, present))
@@ -48,16 +50,16 @@ fn tabulated(record: &Record, tables: &Path) -> Result<(String, String), Failure
 
 /// Writes the tables of a document anew.
 pub fn write_tables(record: &Path, tables: &Path) -> Result<(), Failure> {
-    let (wanted, present) = tabulated(&Record::load(record)?, tables)?;
+    let (wanted, present) = tabulated(&AreaRecord::load(record)?, tables)?;
     if wanted == present { Ok(()) } else { write(tables, &wanted) }
 }
 
 /// A record that is there and has entries.
-fn load(path: &Path) -> Result<Record, Failure> {
+fn load(path: &Path) -> Result<AreaRecord, Failure> {
     if !path.exists() {
         return Err(wrong(path, "there is no such record").into());
     }
-    let record = Record::load(path)?;
+    let record = AreaRecord::load(path)?;
     if record.entries().is_empty() {
         return Err(wrong(path, "has no entry: nothing was checked").into());
     }
@@ -65,7 +67,7 @@ fn load(path: &Path) -> Result<Record, Failure> {
 }
 
 /// What of a record is of the hardware as it is now, in words and for programs.
-fn print_ages(path: &Path, record: &Record, output: Output) {
+fn print_ages(path: &Path, record: &AreaRecord, output: Output) {
     let (entries, earlier) = (record.entries().len(), record.earlier());
     let ages = match earlier {
         0 => "all of the hardware as it is now".to_owned(),

@@ -7,7 +7,7 @@ use pointcore::generated::verilate;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::shading::shade;
-use pointcore::splat::{Core, EncodedFrame, Measured, Outcome, Report, Runner, assemble};
+use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatReport, SplatRun, SplatRunner, assemble};
 use pointcore_golden::reference::{self, Mapping};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::{Library, Trace};
@@ -44,7 +44,7 @@ struct Prepared {
     name: String,
     scene: Scene,
     plan: Plan,
-    core: Core,
+    core: SplatCore,
     library: Arc<Library>,
     frame: EncodedFrame,
 }
@@ -56,7 +56,7 @@ impl Prepared {
     }
 
     fn on(name: String, scene: Scene, plan: Plan) -> Result<Self, Failure> {
-        let core = Core::generate(&plan.config)?;
+        let core = SplatCore::generate(&plan.config)?;
         let library = verilate(&core.design, Trace::Off)?;
         let frame = EncodedFrame::new(&scene, &plan);
         Ok(Self { name, scene, plan, core, library, frame })
@@ -67,8 +67,15 @@ impl Prepared {
         Self::on(self.name.clone(), self.scene.clone(), self.plan.with_everything())
     }
 
-    fn runner(&self, stall: Stall, seed: u64) -> Runner<'_> {
-        Runner { config: &self.plan.config, frame: &self.frame, stall, seed, progress: &|_, _| {}, stop_after: None }
+    fn runner(&self, stall: Stall, seed: u64) -> SplatRunner<'_> {
+        SplatRunner {
+            config: &self.plan.config,
+            frame: &self.frame,
+            stall,
+            seed,
+            progress: &|_, _| {},
+            stop_after: None,
+        }
     }
 }
 
@@ -89,7 +96,7 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failu
     let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
     let rendered = assemble(plan, &scene.splats, &outcome.fragments);
     let psnr_db = shade(&rendered, scene).psnr_db(&shade(&reference, scene));
-    let report = Report::new(&Measured {
+    let report = SplatReport::new(&SplatRun {
         scene: name,
         engine: "rtl in lockstep with golden",
         config: &plan.config,
@@ -120,13 +127,13 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failu
     Ok(())
 }
 
-fn speed(outcome: &Outcome) -> f64 {
+fn speed(outcome: &SplatOutcome) -> f64 {
     outcome.simulated_cycles as f64 / outcome.elapsed.as_secs_f64()
 }
 
 /// Simulation speed beside a bare loop in C++ over the same model and the same inputs, alternating.
 fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
-    let runner = Runner { stop_after: Some(TIMED_CYCLES), ..prepared.runner(Stall::Never, 1) };
+    let runner = SplatRunner { stop_after: Some(TIMED_CYCLES), ..prepared.runner(Stall::Never, 1) };
     let rows = runner.record(&prepared.library)?;
     let (mut bare_ratios, mut lockstep_ratios, mut speeds) = (Vec::new(), Vec::new(), Vec::new());
     for repetition in 1..=REPETITIONS {

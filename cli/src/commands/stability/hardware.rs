@@ -2,7 +2,7 @@
 
 use crate::commands::{Failure, Figures, progress};
 use pointcore::generated::verilate;
-use pointcore::splat::{Core, Runner};
+use pointcore::splat::{SplatCore, SplatRunner};
 use pointcore_lab::stability::frames::{FRAME_SPLATS, config, frame};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::Trace;
@@ -13,7 +13,7 @@ const STALL_SHARE: f64 = 0.2;
 /// Runs so many splats, frame by frame, every output compared in every cycle under stalls, and fragments with those of the model without.
 pub fn figures(splats: u64, seed: u64, figures: &mut Figures) -> Result<(), Failure> {
     let config = config();
-    let core = Core::generate(&config)?;
+    let core = SplatCore::generate(&config)?;
     let library = progress::with_spinner("verilating and compiling (cached for the next time)", || {
         verilate(&core.design, Trace::Off)
     })?;
@@ -23,7 +23,7 @@ pub fn figures(splats: u64, seed: u64, figures: &mut Figures) -> Result<(), Fail
         eprintln!("hardware: frame {} of {frames}", index + 1);
         let first = index * FRAME_SPLATS;
         let frame = frame(&config, first, FRAME_SPLATS.min(splats - first), seed);
-        let stalled = Runner {
+        let stalled = SplatRunner {
             config: &config,
             frame: &frame,
             stall: Stall::Random(STALL_SHARE),
@@ -33,7 +33,7 @@ pub fn figures(splats: u64, seed: u64, figures: &mut Figures) -> Result<(), Fail
         };
         // A difference ends the run.
         let outcome = stalled.lockstep(&core, &library)?;
-        let free = Runner { stall: Stall::Never, ..stalled }.golden(&core)?;
+        let free = SplatRunner { stall: Stall::Never, ..stalled }.golden(&core)?;
         cycles += outcome.simulated_cycles;
         timing_differences += u64::from(free.fragments != outcome.fragments);
     }

@@ -10,7 +10,7 @@ mod splitting;
 
 pub use splitting::Splitting;
 
-use super::{Error, PointSet};
+use super::{PointSet, SearchError};
 use crate::number::encode;
 use divide::{Item, Part};
 use pointcore_contract::Format;
@@ -68,12 +68,18 @@ impl Tree {
     ///
     /// # Errors
     /// The configuration is not valid, or its tree or point memory is too small.
-    pub fn build(config: &Config, points: &PointSet, splitting: Splitting) -> Result<Self, Error> {
+    pub fn build(config: &Config, points: &PointSet, splitting: Splitting) -> Result<Self, SearchError> {
         config.validate()?;
         let (depth, bucket, count) = (config.tree_depth, config.bucket, points.points().len());
         let capacity = (bucket as usize) << depth;
         if count > capacity {
-            return Err(Error::Capacity { points: count, depth, bucket, capacity, needed: depth_for(count, bucket) });
+            return Err(SearchError::Capacity {
+                points: count,
+                depth,
+                bucket,
+                capacity,
+                needed: depth_for(count, bucket),
+            });
         }
         let item = |(index, point): (usize, &[f32; 3])| Item { point: *point, index: index as u32 };
         let mut items: Vec<Item> = points.points().iter().enumerate().map(item).collect();
@@ -103,19 +109,19 @@ impl Tree {
         let (places, bits) = (tree.memory.len(), config.index_bits);
         if places as u64 > 1 << bits {
             let needed = (places as u64).next_power_of_two().ilog2();
-            return Err(Error::Addresses { places, bits, limit: 1 << bits, needed });
+            return Err(SearchError::Addresses { places, bits, limit: 1 << bits, needed });
         }
         Ok(tree)
     }
 
     /// Whether this tree fits the hardware of a configuration.
-    pub(super) fn check(&self, config: &Config) -> Result<(), Error> {
+    pub(super) fn check(&self, config: &Config) -> Result<(), SearchError> {
         let same = self.format == config.geometry
             && self.lanes == config.lanes
             && self.leaves.len() == 1 << config.tree_depth
             && self.memory.len() as u64 <= 1 << config.index_bits
             && self.leaves.iter().flatten().all(|bucket| bucket.points <= config.bucket);
-        if same { Ok(()) } else { Err(Error::OtherTree) }
+        if same { Ok(()) } else { Err(SearchError::OtherTree) }
     }
 
     fn add_leaf(&mut self, node: u32, depth: u32, items: &[Item]) {
@@ -161,14 +167,14 @@ impl Tree {
 
     /// What was built.
     #[must_use]
-    pub fn statistics(&self) -> Statistics {
+    pub fn statistics(&self) -> TreeStatistics {
         let buckets = || self.leaves.iter().flatten();
         let depth = self.leaves.len().ilog2();
         let leaves = buckets().count();
         let level = |(address, node): (usize, &Option<Node>)| (*node == Some(Node::Leaf)).then(|| address.ilog2());
         let internal: Vec<u32> = self.nodes.iter().enumerate().filter_map(level).collect();
         let deepest = if internal.len() < leaves { depth } else { internal.into_iter().max().unwrap_or(0) };
-        Statistics {
+        TreeStatistics {
             points: buckets().map(|bucket| bucket.points as usize).sum(),
             nodes: self.nodes.iter().flatten().filter(|node| **node != Node::Leaf).count(),
             leaves,
@@ -182,7 +188,7 @@ impl Tree {
 
 /// The size and shape of a tree.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Statistics {
+pub struct TreeStatistics {
     /// Points in it.
     pub points: usize,
     /// Nodes with a plane.
@@ -199,7 +205,7 @@ pub struct Statistics {
     pub memory_bytes: usize,
 }
 
-impl fmt::Display for Statistics {
+impl fmt::Display for TreeStatistics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { points, leaves, depth, mean_points, memory_bytes, .. } = self;
         write!(

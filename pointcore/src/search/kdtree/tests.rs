@@ -38,7 +38,7 @@ fn check_node(tree: &Tree, node: u32, cell: [RangeInclusive<f32>; 3], found: &mu
 }
 
 /// Builds and checks; every point must be in one leaf.
-fn check(config: &Config, points: &[[f32; 3]], splitting: Splitting) -> Statistics {
+fn check(config: &Config, points: &[[f32; 3]], splitting: Splitting) -> TreeStatistics {
     let set = PointSet::new(config.geometry, points).expect("the points are finite");
     let tree = Tree::build(config, &set, splitting).unwrap_or_else(|error| panic!("{error}"));
     let everywhere = [(); 3].map(|()| f32::NEG_INFINITY..=f32::INFINITY);

@@ -9,8 +9,8 @@ use crate::commands::Failure;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use page::{Line, Page};
 use pointcore::search::{
-    Engine, Measured, MemorySettings, Order, Outcome, PointSet, Query, Report, Reuse, Session, Source, Splitting, Tree,
-    check,
+    MemorySettings, Order, PointSet, PointSource, Query, Reuse, SearchEngine, SearchOutcome, SearchReport, SearchRun,
+    Session, Splitting, Tree, check,
 };
 use pointcore_contract::search::Config;
 use std::num::NonZero;
@@ -35,14 +35,14 @@ const CLOCK_MHZ: f64 = 100.0;
 /// Points by a name for the keys.
 struct Cloud {
     name: String,
-    source: Source,
+    source: PointSource,
     points: PointSet,
 }
 
 impl Cloud {
     /// The scan, or as large a procedural surface as the thesis measured.
     fn new(scan: Option<&Path>) -> Result<Self, Failure> {
-        let source = scan.map_or(Source::Surface(100_000), |path| Source::File(path.to_owned()));
+        let source = scan.map_or(PointSource::Surface(100_000), |path| PointSource::File(path.to_owned()));
         let name =
             scan.and_then(Path::file_stem).map_or("surface".to_owned(), |stem| stem.to_string_lossy().into_owned());
         let points = PointSet::load(Config::default().geometry, &source)?;
@@ -76,8 +76,8 @@ impl Shape {
 
 /// A search that was run.
 struct Run {
-    report: Report,
-    outcome: Outcome,
+    report: SearchReport,
+    outcome: SearchOutcome,
 }
 
 /// How a search is made.
@@ -85,20 +85,20 @@ struct Run {
 struct Setting<'a> {
     config: &'a Config,
     splitting: Splitting,
-    engine: Engine,
+    engine: SearchEngine,
     reuse: Reuse,
     /// Runs of queries that take turns.
     runs: usize,
 }
 
 impl<'a> Setting<'a> {
-    const fn new(config: &'a Config, splitting: Splitting, engine: Engine) -> Self {
+    const fn new(config: &'a Config, splitting: Splitting, engine: SearchEngine) -> Self {
         Self { config, splitting, engine, reuse: Reuse { epsilon: 0.0, alpha: 1.0 }, runs: 1 }
     }
 
     /// On the golden model, which lockstep has shown equal.
     const fn golden(config: &'a Config, splitting: Splitting) -> Self {
-        Self::new(config, splitting, Engine::Golden)
+        Self::new(config, splitting, SearchEngine::Golden)
     }
 }
 
@@ -110,9 +110,9 @@ fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run,
     let memory = MemorySettings { latency_cycles: LATENCY_CYCLES, ..MemorySettings::default() };
     let session = Session::open(config.clone(), tree, memory, engine)?.reusing(reuse)?.interleaved(runs);
     let outcome = session.search(queries)?;
-    let report = Report::new(&Measured {
+    let report = SearchReport::new(&SearchRun {
         points: &cloud.source.to_string(),
-        engine: if engine == Engine::Golden { "golden" } else { "rtl in lockstep with golden" },
+        engine: if engine == SearchEngine::Golden { "golden" } else { "rtl in lockstep with golden" },
         order: "",
         config,
         tree: statistics,
@@ -123,7 +123,7 @@ fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run,
         radius: None,
         reuse,
         outcome: &outcome,
-        mismatches: (engine == Engine::Lockstep).then_some(0),
+        mismatches: (engine == SearchEngine::Lockstep).then_some(0),
         checked: None,
         clock_mhz: CLOCK_MHZ,
     });
@@ -137,7 +137,7 @@ fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Resul
         eprintln!("{}: {} lanes, {} queries in lockstep", cloud.name, shape.lanes, queries.len());
         let config = shape.config(cloud.points.points().len(), NEIGHBORS);
         let Run { report, outcome } =
-            search(cloud, Setting::new(&config, shape.splitting, Engine::Lockstep), &queries)?;
+            search(cloud, Setting::new(&config, shape.splitting, SearchEngine::Lockstep), &queries)?;
         let mismatches = match check(&cloud.points, &queries, &outcome.neighbors, 0.0) {
             Ok(_) => 0,
             Err(difference) => {

@@ -2,7 +2,7 @@
 
 use crate::commands::{Failure, write};
 use pointcore::search::resources::{arithmetic, storage};
-use pointcore::search::{Core, Report};
+use pointcore::search::{SearchCore, SearchReport};
 use pointcore_contract::search::Config;
 use pointcore_lab::plot::{Chart, Series};
 use std::fmt::Write as _;
@@ -43,7 +43,7 @@ impl Page {
     }
 
     /// What one shape of core takes, beside what bounds it.
-    pub fn bound(&mut self, lanes: u32, report: &Report) {
+    pub fn bound(&mut self, lanes: u32, report: &SearchReport) {
         let ratio = PROTOTYPE_CYCLES / report.cycles_per_query;
         _ = writeln!(
             self.text,
@@ -103,7 +103,7 @@ impl Page {
                 Config { tree_cache: 4096, neighbor_cache: 8, neighbors: 32, lanes: 1, ..config.clone() },
             ),
         ];
-        let cores = variants.iter().map(|(_, config)| Core::generate(config)).collect::<Result<Vec<_>, _>>()?;
+        let cores = variants.iter().map(|(_, config)| SearchCore::generate(config)).collect::<Result<Vec<_>, _>>()?;
         let names: Vec<_> = variants.iter().map(|(name, _)| *name).collect();
         _ = writeln!(
             self.text,

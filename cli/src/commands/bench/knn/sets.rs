@@ -3,7 +3,7 @@
 use super::{Cloud, FOUR_LANES, Figures, NEIGHBORS, SEED, Setting, search};
 use crate::commands::Failure;
 use pointcore::search::samples::{point_sets, queries_near};
-use pointcore::search::{Engine, PointSet, Source, check};
+use pointcore::search::{PointSet, PointSource, SearchEngine, check};
 use std::path::PathBuf;
 
 /// Points of a procedural set.
@@ -17,7 +17,7 @@ pub fn figures(scan: &Cloud, files: &[PathBuf], figures: &mut Figures) -> Result
     let mut random = fastrand::Rng::with_seed(SEED);
     let mut clouds = vec![(scan.name.clone(), scan.points.clone())];
     for path in files {
-        clouds.push((path.display().to_string(), PointSet::load(config.geometry, &Source::File(path.clone()))?));
+        clouds.push((path.display().to_string(), PointSet::load(config.geometry, &PointSource::File(path.clone()))?));
     }
     for (name, points) in point_sets(POINTS, &mut random) {
         clouds.push((name.to_owned(), PointSet::new(config.geometry, &points)?));
@@ -26,8 +26,8 @@ pub fn figures(scan: &Cloud, files: &[PathBuf], figures: &mut Figures) -> Result
     for (name, points) in clouds {
         eprintln!("brute force: {name}");
         let queries = queries_near(points.points(), NEIGHBORS, QUERIES, &mut random);
-        let cloud = Cloud { source: Source::File(name.clone().into()), name, points };
-        let run = search(&cloud, Setting::new(&config, FOUR_LANES.splitting, Engine::Lockstep), &queries)?;
+        let cloud = Cloud { source: PointSource::File(name.clone().into()), name, points };
+        let run = search(&cloud, Setting::new(&config, FOUR_LANES.splitting, SearchEngine::Lockstep), &queries)?;
         cases += queries.len();
         if let Err(difference) = check(&cloud.points, &queries, &run.outcome.neighbors, 0.0) {
             eprintln!("{}: {difference}", cloud.name);

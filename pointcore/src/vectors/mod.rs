@@ -16,7 +16,7 @@ use serde::Serialize;
 
 /// Vectors that cannot be made.
 #[derive(Debug, thiserror::Error)]
-pub enum Error {
+pub enum VectorsError {
     /// A place in memory where nothing can begin.
     #[error("the memory's base is {0:#x}: expected a multiple of {BORDER_BYTES:#x} that fits 32 bits")]
     Base(u64),
@@ -48,7 +48,7 @@ pub enum Error {
     Frame(#[from] LockstepError),
     /// Tree, queries, or the golden model's search.
     #[error(transparent)]
-    Search(#[from] crate::search::Error),
+    Search(#[from] crate::search::SearchError),
 }
 
 /// A value to be written into a register before the run.
@@ -171,21 +171,21 @@ impl Packets {
 }
 
 /// Hands out memory, every region from a multiple of the border on.
-struct Memory {
+struct AddressSpace {
     next: u64,
 }
 
-impl Memory {
-    fn new(base: u64) -> Result<Self, Error> {
+impl AddressSpace {
+    fn new(base: u64) -> Result<Self, VectorsError> {
         let fits = base.is_multiple_of(BORDER_BYTES.into()) && u32::try_from(base).is_ok();
-        if fits { Ok(Self { next: base }) } else { Err(Error::Base(base)) }
+        if fits { Ok(Self { next: base }) } else { Err(VectorsError::Base(base)) }
     }
 
-    fn take(&mut self, name: &'static str, bytes: u64) -> Result<u32, Error> {
+    fn take(&mut self, name: &'static str, bytes: u64) -> Result<u32, VectorsError> {
         let base = self.next;
         self.next = (base + bytes).next_multiple_of(BORDER_BYTES.into());
         if base + bytes > 1 << u32::BITS {
-            return Err(Error::Space { name, bytes, base });
+            return Err(VectorsError::Space { name, bytes, base });
         }
         Ok(base as u32)
     }

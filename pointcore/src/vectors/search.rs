@@ -1,8 +1,8 @@
 //! A search for `search_axi`.
 
-use super::{Error, Memory, Packets, Region, Vectors, writes};
+use super::{AddressSpace, Packets, Region, Vectors, VectorsError, writes};
 use crate::number::encode;
-use crate::search::{Engine, Kind, MemorySettings, Neighbor, Query, Reuse, Session, Tree};
+use crate::search::{MemorySettings, Neighbor, Query, QueryKind, Reuse, SearchEngine, Session, Tree};
 use pointcore_contract::bus::config::TREE_WORD_BITS;
 use pointcore_contract::bus::{Layout, packets, registers};
 use pointcore_contract::search::records::Lookup;
@@ -16,19 +16,26 @@ use std::collections::HashMap;
 ///
 /// # Errors
 /// There is no place for the memory, the numbers of queries repeat, or the golden model fails.
-pub fn search(config: &Config, tree: Tree, queries: &[Query], reuse: Reuse, base: u64) -> Result<Vectors, Error> {
+pub fn search(
+    config: &Config,
+    tree: Tree,
+    queries: &[Query],
+    reuse: Reuse,
+    base: u64,
+) -> Result<Vectors, VectorsError> {
     let limit = 1 << config.index_bits;
     if queries.len() as u64 > limit {
-        return Err(Error::Numbers { queries: queries.len(), bits: config.index_bits, limit });
+        return Err(VectorsError::Numbers { queries: queries.len(), bits: config.index_bits, limit });
     }
-    let mut memory = Memory::new(base)?;
+    let mut memory = AddressSpace::new(base)?;
     let points = points(config, &tree, &mut memory)?;
     let nodes = nodes(config, &tree, &mut memory)?;
     let places: HashMap<u32, u32> =
         (0..tree.memory().len() as u32).filter_map(|place| Some((tree.source(place)?, place))).collect();
     let asked = queries.iter().enumerate().map(|(index, query)| query.encode(config, reuse, index));
     let asked = asked.collect::<Result<Vec<_>, _>>()?;
-    let session = Session::open(config.clone(), tree, MemorySettings::default(), Engine::Golden)?.reusing(reuse)?;
+    let session =
+        Session::open(config.clone(), tree, MemorySettings::default(), SearchEngine::Golden)?.reusing(reuse)?;
     let found = session.search(queries)?.neighbors;
 
     let mut values = vec![("points_base", points.base), ("queries", queries.len() as u32)];
@@ -36,7 +43,7 @@ pub fn search(config: &Config, tree: Tree, queries: &[Query], reuse: Reuse, base
         values.push(("tree_base", nodes.base));
     }
     if config.neighbor_cache > 0 {
-        let setup = reuse.setup(config.geometry, queries.first().map_or(Kind::Nearest, Query::kind));
+        let setup = reuse.setup(config.geometry, queries.first().map_or(QueryKind::Nearest, Query::kind));
         values.push(("cache_ball", setup.ball.into()));
         values.push(("cache_far_scale", setup.far_scale));
         values.push(("cache_margin_scale", setup.margin_scale));
@@ -73,7 +80,7 @@ pub fn search(config: &Config, tree: Tree, queries: &[Query], reuse: Reuse, base
 }
 
 /// The points, a beat a record.
-fn points(config: &Config, tree: &Tree, memory: &mut Memory) -> Result<Region, Error> {
+fn points(config: &Config, tree: &Tree, memory: &mut AddressSpace) -> Result<Region, VectorsError> {
     let layout = Layout::of(&packets::points(config));
     let stride = layout.stride(config.bus.memory_bits);
     let beat = |points: &[[u32; 3]]| {
@@ -88,7 +95,7 @@ fn points(config: &Config, tree: &Tree, memory: &mut Memory) -> Result<Region, E
 }
 
 /// Nodes and leaves: written through the window, or read from memory.
-fn nodes(config: &Config, tree: &Tree, memory: &mut Memory) -> Result<Region, Error> {
+fn nodes(config: &Config, tree: &Tree, memory: &mut AddressSpace) -> Result<Region, VectorsError> {
     let [node, leaf] = [records::node(config), records::bucket(config)].map(|fields| Layout::of(&fields));
     let in_memory = config.tree_cache > 0;
     let stride = packets::tree_stride(config, if in_memory { config.bus.memory_bits } else { TREE_WORD_BITS });

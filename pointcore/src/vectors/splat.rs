@@ -1,7 +1,7 @@
 //! A frame for `splat_axi`.
 
-use super::{Error, Memory, Packets, Region, Vectors, writes};
-use crate::splat::{Core, EncodedFrame, Runner};
+use super::{AddressSpace, Packets, Region, Vectors, VectorsError, writes};
+use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::{Layout, registers};
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::splat::{Config, ports, records};
@@ -11,12 +11,12 @@ use pointcore_tb::lockstep::Stall;
 ///
 /// # Errors
 /// The buffer has no place, or the golden model does not come to its end.
-pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors, Error> {
+pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors, VectorsError> {
     let stride = Layout::of(&records::pixel(config)).stride(config.bus.memory_bits);
     let bytes = (u64::from(TILE_PIXELS) * u64::from(stride)) << config.tile_bits();
-    let buffer_base = Memory::new(base)?.take("a reconstruction buffer", bytes)?;
-    let runner = Runner { config, frame, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
-    let fragments = runner.golden(&Core::generate(config)?)?.fragments;
+    let buffer_base = AddressSpace::new(base)?.take("a reconstruction buffer", bytes)?;
+    let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
+    let fragments = runner.golden(&SplatCore::generate(config)?)?.fragments;
 
     let splats = frame.records.chunks_exact(frame.record_words).map(<[u64]>::to_vec);
     let fields = records::fragment(config);
