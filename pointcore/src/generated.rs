@@ -2,9 +2,9 @@
 //! news of a run.
 
 use crate::configuration::Configuration;
-use pointcore_hdl::compiler::{CompileError, Options as CompilerOptions};
+use pointcore_hdl::compiler::{CompileError, Options};
 use pointcore_hdl::{search, splat};
-use pointcore_tb::verilated::{Builder, Library, Optimization, Options, Source, Trace, VerilatedError};
+use pointcore_tb::verilated::{BuildOptions, Builder, Library, Optimization, Trace, VerilatedError, VerilogSource};
 use rtl::{Design, ElaborationError, Module};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ impl Configuration {
     /// # Errors
     /// A fault of the generator.
     pub fn module(&self) -> Result<Rc<Module>, GenerateError> {
-        let options = CompilerOptions::default();
+        let options = Options::default();
         Ok(match self {
             Self::Splat(config) => splat::top::core(config, &options)?.module.into(),
             Self::Search(config) => search::top::core(config, &options)?.module.into(),
@@ -39,7 +39,7 @@ impl Configuration {
 /// # Errors
 /// The tools are missing or fail.
 pub fn verilate(design: &Design, trace: Trace) -> Result<Arc<Library>, VerilatedError> {
-    Builder::new()?.build(&Source::from(design), Options { optimization: Optimization::Full, trace })
+    Builder::new()?.build(&VerilogSource::from(design), BuildOptions { optimization: Optimization::Full, trace })
 }
 
 /// Hears of a run: the cycles so far, and the share of the work that has been sent.

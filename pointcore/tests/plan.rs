@@ -10,7 +10,7 @@ use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner, assem
 use pointcore_contract::splat::{Config, Feature, records};
 use pointcore_contract::surface::CONTINUOUS_ATTRIBUTES;
 use pointcore_tb::lockstep::Stall;
-use pointcore_tb::verilated::{Builder, Options, Source};
+use pointcore_tb::verilated::{BuildOptions, Builder, VerilogSource};
 
 /// Both cores do the same work at the same rate. Their pipelines differ in length, so that copies meet others in the heap and the
 /// tiles come and go in another order.
@@ -156,8 +156,8 @@ fn planned_hardware_agrees_with_its_model() {
         SplatRunner { config, frame, stall: Stall::Random(0.2), seed: 1, progress: &|_, _| {}, stop_after: None };
     let library = {
         let builder = Builder::new().unwrap_or_else(|error| panic!("{error}"));
-        let source = Source::from(&core.design);
-        builder.build(&source, Options::default()).unwrap_or_else(|error| panic!("{error}"))
+        let source = VerilogSource::from(&core.design);
+        builder.build(&source, BuildOptions::default()).unwrap_or_else(|error| panic!("{error}"))
     };
     let outcome = runner.lockstep(&core, &library).unwrap_or_else(|error| panic!("{error}"));
     let everything = plan.with_everything();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
 use pointcore_contract::splat::{Config, records};
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, inject, seed, seeds};
-use pointcore_tb::verilated::{Library, Source};
+use pointcore_tb::verilated::{Library, VerilogSource};
 
 use crate::splat::{RUNS, configs, fixed_configs, integer_configs, knobs, scene, stalls};
 use crate::support;
@@ -37,7 +37,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
     let ([coarse, _], [fixed, ..], [.., integers]) = (knobs(), fixed_configs(), integer_configs());
     for config in configs().into_iter().chain([coarse, fixed, integers]) {
         let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
-        let library = support::build(&Source::from(&core.design));
+        let library = support::build(&VerilogSource::from(&core.design));
         let mut frame = frames(&config, RECORDS);
         let mut expected: Option<Vec<u64>> = None;
         for seed in seeds(RUNS).unwrap() {
@@ -63,7 +63,7 @@ fn it_agrees_with_the_model_and_frames_depend_on_their_splats_alone() {
 fn a_fault_in_one_unit_is_reported_with_cycle_and_port() {
     let [config, ..] = configs();
     let core = SplatCore::generate(&config).unwrap_or_else(|error| panic!("{error}"));
-    let mut source = Source::from(&core.design);
+    let mut source = VerilogSource::from(&core.design);
     source.verilog = inject(&source.verilog, "depth_sum_4 <= stored", "+", "-").unwrap();
     let broken = support::build(&source);
     let seed = seed().unwrap();

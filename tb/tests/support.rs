@@ -4,20 +4,20 @@ use std::sync::Arc;
 
 use pointcore_contract::splat::{Direction, Port};
 use pointcore_golden::unit::Unit;
-use pointcore_tb::verilated::{Builder, Library, Options, Source};
+use pointcore_tb::verilated::{BuildOptions, Builder, Library, VerilogSource};
 use rtl::{self, Module, elaborate};
 
 /// A unit, elaborated and verilated; its outputs must be functions of registers only.
 pub fn verilate(unit: &Module) -> Arc<Library> {
     let design = elaborate(unit).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(design.combinational_paths(), [], "{} has a path from input to output", design.top());
-    build(&Source::from(&design))
+    build(&VerilogSource::from(&design))
 }
 
 /// A design, verilated so that it builds soonest.
-pub fn build(source: &Source) -> Arc<Library> {
+pub fn build(source: &VerilogSource) -> Arc<Library> {
     let builder = Builder::new().unwrap_or_else(|error| panic!("{error}"));
-    builder.build(source, Options::default()).unwrap_or_else(|error| panic!("{error}"))
+    builder.build(source, BuildOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The hardware's ports in the specification's terms and the hardware's order.

@@ -1,7 +1,7 @@
 //! `pointcore knn --points FILE`.
 
 use super::progress::{with_progress, with_spinner};
-use super::search::Search;
+use super::search::SearchArguments;
 use super::{Failure, Output, generate, write};
 use pointcore::package::Package;
 use pointcore::search::{
@@ -17,7 +17,7 @@ const REORDER_WINDOW: usize = 8;
 
 /// What answers the queries.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Model {
+pub enum KnnEngine {
     /// The generated Verilog under Verilator, in lockstep with the golden model.
     Rtl,
     /// The bit-exact, cycle-accurate golden model alone.
@@ -31,13 +31,13 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE|surface:COUNT")]
     points: PointSource,
     #[command(flatten)]
-    search: Search,
+    search: SearchArguments,
     /// Ask N parts of the queries in turn, so that near ones are not under way together.
     #[arg(long, value_name = "N", default_value_t = 1)]
     interleave: usize,
     /// What answers the queries.
     #[arg(long, value_enum, default_value = "rtl")]
-    model: Model,
+    model: KnnEngine,
     /// Do not compare the Verilog with the golden model: faster, but trusts it.
     #[arg(long)]
     no_lockstep: bool,
@@ -83,7 +83,7 @@ impl Arguments {
         if self.interleave == 0 {
             return usage("--interleave 0: expected 1 part at least".to_owned());
         }
-        if self.model == Model::Golden && self.no_lockstep {
+        if self.model == KnnEngine::Golden && self.no_lockstep {
             return usage("--no-lockstep goes with --model rtl".to_owned());
         }
         Ok(self.memory().validate()?)
@@ -100,10 +100,10 @@ impl Arguments {
 
     const fn engine(&self) -> (SearchEngine, &'static str, Option<u64>) {
         match (self.model, self.no_lockstep) {
-            (Model::Golden, _) => (SearchEngine::Golden, "golden", None),
-            (Model::Rtl, true) => (SearchEngine::Hardware, "rtl", None),
+            (KnnEngine::Golden, _) => (SearchEngine::Golden, "golden", None),
+            (KnnEngine::Rtl, true) => (SearchEngine::Hardware, "rtl", None),
             // A difference would end the run.
-            (Model::Rtl, false) => (SearchEngine::Lockstep, "rtl in lockstep with golden", Some(0)),
+            (KnnEngine::Rtl, false) => (SearchEngine::Lockstep, "rtl in lockstep with golden", Some(0)),
         }
     }
 }

@@ -17,7 +17,7 @@ const MAGNIFICATION: f64 = 16.0;
 
 /// What renders the scene.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Model {
+pub enum RunEngine {
     /// The generated Verilog under Verilator, in lockstep with the golden model.
     Rtl,
     /// The bit-exact, cycle-accurate golden model alone.
@@ -37,7 +37,7 @@ pub struct Arguments {
     config: Option<PathBuf>,
     /// What renders the scene.
     #[arg(long, value_enum, default_value = "rtl")]
-    model: Model,
+    model: RunEngine,
     /// Do not compare the Verilog with the golden model: faster, but trusts it.
     #[arg(long)]
     no_lockstep: bool,
@@ -63,7 +63,7 @@ impl Arguments {
         if !(0.0..1.0).contains(&self.stalls) {
             return Err(Failure::Usage(format!("--stalls {}: expected a share from 0 up to, but not, 1", self.stalls)));
         }
-        if self.model != Model::Rtl && (self.trace || self.no_lockstep) {
+        if self.model != RunEngine::Rtl && (self.trace || self.no_lockstep) {
             return Err(Failure::Usage("--trace and --no-lockstep go with --model rtl".to_owned()));
         }
         Ok(())
@@ -76,7 +76,7 @@ impl Arguments {
         runner: &SplatRunner,
         folder: &Path,
     ) -> Result<(SplatOutcome, &'static str, Option<u64>), Failure> {
-        if self.model == Model::Golden {
+        if self.model == RunEngine::Golden {
             let outcome = with_progress("golden", |progress| SplatRunner { progress, ..*runner }.golden(core))?;
             return Ok((outcome, "golden", None));
         }
@@ -107,7 +107,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let reference = reference::render(&scene.splats, &scene.camera, &scene.rendering, Mapping::Backward);
     let reference_picture = shading::picture(&reference, &scene);
     reference_picture.save_png(&folder.join("reference.png"))?;
-    if arguments.model == Model::Reference {
+    if arguments.model == RunEngine::Reference {
         let path = folder.join("reference.png");
         output.print(&json!({ "scene": name, "reference": path }), &path.display().to_string());
         return Ok(());

@@ -29,7 +29,7 @@ impl std::str::FromStr for Limit {
 
 /// A search but for its points.
 #[derive(clap::Args)]
-pub struct Search {
+pub struct SearchArguments {
     /// Neighbors of each query, 1 to 64.
     #[arg(long, value_name = "COUNT", default_value_t = 10)]
     pub k: u32,
@@ -65,7 +65,7 @@ pub struct Search {
     pub seed: u64,
 }
 
-impl Search {
+impl SearchArguments {
     /// Checks what goes together.
     pub fn check(&self) -> Result<(), Failure> {
         let usage = |message| Err(Failure::Usage(message));

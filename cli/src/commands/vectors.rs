@@ -1,6 +1,6 @@
 //! `pointcore vectors SCENE -o DIR` and `pointcore vectors --points FILE -o DIR`.
 
-use super::search::Search;
+use super::search::SearchArguments;
 use super::{Failure, Output, load, write_bytes};
 use pointcore::configuration::Configuration;
 use pointcore::search::{PointSource, Tree};
@@ -22,7 +22,7 @@ fn address(text: &str) -> Result<u64, String> {
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A scene file: vectors for the renderer.
-    #[arg(required_unless_present = "points", conflicts_with_all = ["points", "Search"])]
+    #[arg(required_unless_present = "points", conflicts_with_all = ["points", "SearchArguments"])]
     scene: Option<PathBuf>,
     /// Replaces a value of the scene file, e.g. `--set overrides.stream_bits=32`; paths are relative to the scene file.
     #[arg(long = "set", value_name = "KEY=VALUE", conflicts_with = "points")]
@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE|surface:COUNT")]
     points: Option<PointSource>,
     #[command(flatten)]
-    search: Search,
+    search: SearchArguments,
     /// Where the memory begins that the core is given, a multiple of 0x1000.
     #[arg(long, value_name = "ADDRESS", default_value = DEFAULT_BASE, value_parser = address)]
     base: u64,

@@ -5,7 +5,7 @@ mod operations;
 use crate::operands::FloatCases;
 use operations::{Operation, operations};
 use pointcore_contract::Format;
-use pointcore_tb::verilated::{Builder, Model, Optimization, Options, Source, VerilatedError};
+use pointcore_tb::verilated::{BuildOptions, Builder, Optimization, VerilatedError, VerilatedModel, VerilogSource};
 use rtl::{ElaborationError, Module, elaborate};
 use std::fmt;
 
@@ -85,8 +85,8 @@ pub fn check_format(
 ) -> Result<Vec<OperatorReport>, FloatCheckError> {
     let operations = operations(format, stages);
     let design = elaborate(&top(format, &operations))?;
-    let source = Source::from(&design);
-    let options = Options { optimization: Optimization::Quick, ..Options::default() };
+    let source = VerilogSource::from(&design);
+    let options = BuildOptions { optimization: Optimization::Quick, ..BuildOptions::default() };
     let mut model = Builder::new()?.build(&source, options)?.instantiate(seed);
     compare(&mut model, &operations, FloatCases::new(format, seed), enable, cases)
 }
@@ -111,7 +111,7 @@ fn top(format: Format, operations: &[Operation]) -> Module {
 }
 
 fn compare(
-    model: &mut Model,
+    model: &mut VerilatedModel,
     operations: &[Operation],
     mut source: FloatCases,
     enable: Enable,

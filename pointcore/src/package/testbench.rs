@@ -3,7 +3,7 @@
 use super::GENERATOR;
 use crate::recording::Recording;
 use pointcore_contract::Direction as Specified;
-use pointcore_tb::lockstep::{RESET_CYCLES, Stream, Streams};
+use pointcore_tb::lockstep::{RESET_CYCLES, StreamPorts, Streams};
 use rtl::{Design, Direction, Port};
 
 /// The bits of a port in a vector.
@@ -56,7 +56,7 @@ fn side(recording: &Recording, direction: Direction) -> Vec<Port> {
 }
 
 /// The streams that leave the core.
-fn output_streams(recording: &Recording) -> Vec<Stream> {
+fn output_streams(recording: &Recording) -> Vec<StreamPorts> {
     let streams = Streams::from_ports(&side(recording, Direction::Input), &side(recording, Direction::Output));
     streams.iter().filter(|stream| stream.direction == Direction::Output).cloned().collect()
 }

@@ -30,7 +30,7 @@ pub enum SearchEngine {
 /// A core with a tree.
 ///
 /// ```
-/// use pointcore::search::{SearchEngine, MemorySettings, PointSet, Query, Session, Splitting, Tree};
+/// use pointcore::search::{MemorySettings, PointSet, Query, SearchEngine, Session, Splitting, Tree};
 /// use pointcore_contract::search::Config;
 ///
 /// let config = Config { tree_depth: 4, bucket: 8, ..Config::default() };
@@ -44,7 +44,7 @@ pub enum SearchEngine {
 /// let nearest: Vec<u32> = outcome.neighbors[0].iter().map(|neighbor| neighbor.point).collect();
 /// assert_eq!(nearest, [1, 3]);
 /// assert!(outcome.counters.cycles > 0);
-/// # Ok::<(), pointcore::search::Error>(())
+/// # Ok::<(), pointcore::search::SearchError>(())
 /// ```
 pub struct Session {
     config: Config,

@@ -112,7 +112,7 @@ impl<'a> SplatRunner<'a> {
         Ok(recording)
     }
 
-    /// The inputs of the run's first cycles, one row of words a cycle, as [`Model::run_bare`](pointcore_tb::verilated::Model::run_bare)
+    /// The inputs of the run's first cycles, one row of words a cycle, as [`VerilatedModel::run_bare`](pointcore_tb::verilated::VerilatedModel::run_bare)
     /// replays them.
     ///
     /// # Errors

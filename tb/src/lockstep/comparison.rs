@@ -1,6 +1,6 @@
 //! Equality of outputs, up to what the unit leaves open.
 
-use super::failure::Difference;
+use super::failure::PortDifference;
 use super::stream::Streams;
 use crate::verilated::{Direction, Port};
 
@@ -40,10 +40,12 @@ impl Comparison {
     }
 
     /// The ports that made the last [`Comparison::agree`] false.
-    pub fn differences(&self, outputs: &[Port]) -> Vec<Difference> {
+    pub fn differences(&self, outputs: &[Port]) -> Vec<PortDifference> {
         let pairs = self.hardware.iter().zip(&self.golden).zip(outputs);
         let differing = pairs.filter(|((hardware, golden), _)| hardware != golden);
-        differing.map(|((&hardware, &golden), port)| Difference { port: port.name.clone(), hardware, golden }).collect()
+        differing
+            .map(|((&hardware, &golden), port)| PortDifference { port: port.name.clone(), hardware, golden })
+            .collect()
     }
 }
 

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use super::comparison::Comparison;
-use super::failure::{Cause, Failure, LockstepError, Waveform};
+use super::failure::{Cause, LockstepError, LockstepFailure, Waveform};
 use super::protocol::Protocol;
 use super::replay::Replay;
 use super::seed::SEED_VARIABLE;
 use super::stimulus::{Flow, Golden, Stimulus};
 use super::stream::Streams;
-use crate::verilated::{Direction, Library, Model, RESET, VerilatedError};
+use crate::verilated::{Direction, Library, RESET, VerilatedError, VerilatedModel};
 
 /// Cycles of reset before a run; their outputs are not compared.
 pub const RESET_CYCLES: u64 = 2;
@@ -41,12 +41,12 @@ pub struct Run<S> {
     /// The stimulus in its final state, with what it collected.
     pub stimulus: S,
     /// What happened.
-    pub report: Report,
+    pub report: LockstepReport,
 }
 
 /// What happened in a run.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Report {
+pub struct LockstepReport {
     /// Cycles compared.
     pub cycles: u64,
     /// Items transferred by each stream.
@@ -55,7 +55,7 @@ pub struct Report {
     pub events: Vec<(String, u64)>,
 }
 
-impl Report {
+impl LockstepReport {
     /// Items transferred by the stream `name`; 0 for a stream that does not exist.
     #[must_use]
     pub fn transfers(&self, name: &str) -> u64 {
@@ -152,7 +152,7 @@ impl<G: Golden> Lockstep<G> {
     }
 
     /// One cycle of both; the inner error is what went wrong in it.
-    fn step(&mut self, hardware: &mut Model, state: &mut State) -> Result<Result<(), Cause>, VerilatedError> {
+    fn step(&mut self, hardware: &mut VerilatedModel, state: &mut State) -> Result<Result<(), Cause>, VerilatedError> {
         match hardware.step(&state.inputs, &mut state.outputs) {
             Ok(()) => {}
             Err(VerilatedError::Stopped(text)) => return Ok(Err(Cause::Stopped(text))),
@@ -171,7 +171,7 @@ impl<G: Golden> Lockstep<G> {
             Replay { library: &self.library, seed: self.seed, cycle, outputs: &state.outputs, recorded: self.recorded };
         let waveform: Waveform = replay.run(initial);
         let ports = self.library.inputs().iter().map(|port| port.name.clone());
-        LockstepError::Failed(Box::new(Failure {
+        LockstepError::Failed(Box::new(LockstepFailure {
             top: self.library.source().top.clone(),
             cycle,
             cause,
@@ -184,7 +184,7 @@ impl<G: Golden> Lockstep<G> {
 
     /// Results must have come out where results can come out, else something must have gone in; a unit without streams
     /// has one transaction a cycle.
-    fn report(&self, cycles: u64, state: &State) -> Result<Report, LockstepError> {
+    fn report(&self, cycles: u64, state: &State) -> Result<LockstepReport, LockstepError> {
         let protocol = &state.protocol;
         let produces = self.streams.iter().any(|stream| stream.direction == Direction::Output);
         let wanted = if produces { Direction::Output } else { Direction::Input };
@@ -197,7 +197,7 @@ impl<G: Golden> Lockstep<G> {
         let transfers = protocol.transfers().map(|(stream, count)| (stream.name.clone(), count)).collect();
         let outputs = self.library.outputs();
         let events = state.events.iter().map(|&(output, count)| (outputs[output].name.clone(), count)).collect();
-        Ok(Report { cycles, transfers, events })
+        Ok(LockstepReport { cycles, transfers, events })
     }
 }
 

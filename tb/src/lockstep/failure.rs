@@ -11,7 +11,7 @@ use crate::verilated::VerilatedError;
 pub enum LockstepError {
     /// The hardware is wrong, or its model is.
     #[error("{0}")]
-    Failed(Box<Failure>),
+    Failed(Box<LockstepFailure>),
     /// Nothing was transferred, so nothing was tested.
     #[error("no transaction in {cycles} cycles on {streams}: nothing was compared (seed {seed})")]
     NoTransaction {
@@ -56,7 +56,7 @@ pub enum LockstepError {
 
 /// The first thing that went wrong, and how to see it again.
 #[derive(Debug)]
-pub struct Failure {
+pub struct LockstepFailure {
     /// Top module.
     pub top: String,
     /// Cycle, counted from the end of the reset.
@@ -77,9 +77,9 @@ pub struct Failure {
 #[derive(Debug)]
 pub enum Cause {
     /// Outputs differ.
-    Mismatch(Vec<Difference>),
+    Mismatch(Vec<PortDifference>),
     /// A stream broke its protocol.
-    Protocol(Violation),
+    Protocol(ProtocolViolation),
     /// The hardware stopped itself; what it said.
     Stopped(String),
     /// The stimulus had not finished after so many cycles.
@@ -88,7 +88,7 @@ pub enum Cause {
 
 /// An output on which hardware and model disagree.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Difference {
+pub struct PortDifference {
     /// The port.
     pub port: String,
     /// What the hardware says.
@@ -99,7 +99,7 @@ pub struct Difference {
 
 /// A broken promise of a stream.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Violation {
+pub enum ProtocolViolation {
     /// `valid` fell before the transfer.
     Withdrawn {
         /// The stream.
@@ -123,7 +123,7 @@ pub enum Waveform {
     Unavailable(VerilatedError),
 }
 
-impl fmt::Display for Failure {
+impl fmt::Display for LockstepFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{} in cycle {}: {}", self.top, self.cycle, self.cause)?;
         write!(f, "  inputs:")?;
@@ -141,15 +141,15 @@ impl fmt::Display for Cause {
         match self {
             Self::Mismatch(differences) => {
                 write!(f, "hardware and model differ")?;
-                for Difference { port, hardware, golden } in differences {
+                for PortDifference { port, hardware, golden } in differences {
                     write!(f, "\n  {port}: hardware {hardware:#x}, model {golden:#x}")?;
                 }
                 Ok(())
             }
-            Self::Protocol(Violation::Withdrawn { stream }) => {
+            Self::Protocol(ProtocolViolation::Withdrawn { stream }) => {
                 write!(f, "{stream}_valid fell before {stream}_ready took the item")
             }
-            Self::Protocol(Violation::Changed { stream }) => {
+            Self::Protocol(ProtocolViolation::Changed { stream }) => {
                 write!(f, "the fields of {stream} changed before {stream}_ready took the item")
             }
             Self::Stopped(text) => write!(f, "the hardware stopped: {text}"),

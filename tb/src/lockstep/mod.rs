@@ -2,7 +2,7 @@
 //!
 //! [`Lockstep::run`] is the one driver for unit tests (a [`StreamTestbench`] with random stalls) and for whole cores
 //! (a [`Stimulus`] that plays memory and scene). The first difference, broken stream protocol or failed assertion ends
-//! the run with a [`Failure`] that says where, and replays the last cycles into a waveform.
+//! the run with a [`LockstepFailure`] that says where, and replays the last cycles into a waveform.
 
 mod comparison;
 mod driver;
@@ -16,11 +16,11 @@ mod stimulus;
 mod stream;
 mod testbench;
 
-pub use driver::{Lockstep, RESET_CYCLES, Report, Run};
-pub use failure::{Cause, Difference, Failure, LockstepError, Violation, Waveform};
+pub use driver::{Lockstep, LockstepReport, RESET_CYCLES, Run};
+pub use failure::{Cause, LockstepError, LockstepFailure, PortDifference, ProtocolViolation, Waveform};
 pub use fault::inject;
 pub use seed::{SEED_VARIABLE, seed, seeds};
 pub use stall::{Stall, Stalls};
 pub use stimulus::{Flow, Golden, Stimulus};
-pub use stream::{Stream, Streams};
+pub use stream::{StreamPorts, Streams};
 pub use testbench::{StreamTestbench, TestbenchError};

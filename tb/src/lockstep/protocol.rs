@@ -1,7 +1,7 @@
 //! The rules of a stream, watched from the outside: once raised, `valid` and its data hold until the transfer.
 
-use super::failure::Violation;
-use super::stream::{Stream, Streams};
+use super::failure::ProtocolViolation;
+use super::stream::{StreamPorts, Streams};
 
 /// Watches all streams of a top module and counts their transfers.
 #[derive(Debug)]
@@ -13,7 +13,7 @@ pub struct Protocol {
 
 #[derive(Debug)]
 struct Watched {
-    stream: Stream,
+    stream: StreamPorts,
     transfers: u64,
     /// Whether an item was offered and not taken in the cycle before; its fields are in `offered`.
     waiting: bool,
@@ -22,7 +22,7 @@ struct Watched {
 
 impl Protocol {
     pub fn new(streams: &Streams, reset: Option<usize>) -> Self {
-        let watch = |stream: &Stream| Watched {
+        let watch = |stream: &StreamPorts| Watched {
             stream: stream.clone(),
             transfers: 0,
             waiting: false,
@@ -32,18 +32,18 @@ impl Protocol {
     }
 
     /// Checks one cycle against the one before.
-    pub fn check(&mut self, inputs: &[u64], outputs: &[u64]) -> Result<(), Violation> {
+    pub fn check(&mut self, inputs: &[u64], outputs: &[u64]) -> Result<(), ProtocolViolation> {
         let in_reset = self.reset.is_some_and(|reset| inputs[reset] != 0);
         for watched in &mut self.watched {
             let stream = &watched.stream;
             let (forward, _) = stream.sides(inputs, outputs);
             let valid = forward[stream.valid] != 0;
             if watched.waiting && !valid {
-                return Err(Violation::Withdrawn { stream: stream.name.clone() });
+                return Err(ProtocolViolation::Withdrawn { stream: stream.name.clone() });
             }
             let fields = || stream.fields.iter().map(|&field| forward[field]);
             if watched.waiting && !fields().eq(watched.offered.iter().copied()) {
-                return Err(Violation::Changed { stream: stream.name.clone() });
+                return Err(ProtocolViolation::Changed { stream: stream.name.clone() });
             }
             let taken = stream.transfers(inputs, outputs);
             watched.waiting = valid && !taken && !in_reset;
@@ -56,7 +56,7 @@ impl Protocol {
     }
 
     /// Transfers of each stream so far.
-    pub fn transfers(&self) -> impl Iterator<Item = (&Stream, u64)> {
+    pub fn transfers(&self) -> impl Iterator<Item = (&StreamPorts, u64)> {
         self.watched.iter().map(|watched| (&watched.stream, watched.transfers))
     }
 }

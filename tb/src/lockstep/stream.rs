@@ -4,7 +4,7 @@ use crate::verilated::{Direction, Library, Port};
 
 /// A `valid`/`ready` stream of the hardware: positions in the arrays of inputs and outputs.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Stream {
+pub struct StreamPorts {
     /// The prefix of its ports.
     pub name: String,
     /// Whether the hardware consumes it (`Input`) or produces it (`Output`): the side of `valid` and the fields.
@@ -17,7 +17,7 @@ pub struct Stream {
     pub fields: Vec<usize>,
 }
 
-impl Stream {
+impl StreamPorts {
     /// The arrays as this stream sees them: first that of `valid` and the fields, then that of `ready`.
     #[must_use]
     pub fn sides<'a>(&self, inputs: &'a [u64], outputs: &'a [u64]) -> (&'a [u64], &'a [u64]) {
@@ -43,7 +43,7 @@ impl Stream {
 
 /// All streams of a top module.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Streams(Vec<Stream>);
+pub struct Streams(Vec<StreamPorts>);
 
 impl Streams {
     /// The streams of a library's ports.
@@ -71,7 +71,7 @@ impl Streams {
                 };
                 let ready = position(backward, "_ready");
                 let fields = (0..forward.len()).filter(|&index| index != valid && owns(&forward[index])).collect();
-                streams.push(Stream { name: name.to_owned(), direction, valid, ready, fields });
+                streams.push(StreamPorts { name: name.to_owned(), direction, valid, ready, fields });
             }
         }
         Self(streams)
@@ -79,19 +79,19 @@ impl Streams {
 
     /// The stream of this name.
     #[must_use]
-    pub fn get(&self, name: &str) -> Option<&Stream> {
+    pub fn get(&self, name: &str) -> Option<&StreamPorts> {
         self.iter().find(|stream| stream.name == name)
     }
 
     /// All streams: those the hardware consumes, then those it produces.
-    pub fn iter(&self) -> std::slice::Iter<'_, Stream> {
+    pub fn iter(&self) -> std::slice::Iter<'_, StreamPorts> {
         self.0.iter()
     }
 }
 
 impl<'a> IntoIterator for &'a Streams {
-    type Item = &'a Stream;
-    type IntoIter = std::slice::Iter<'a, Stream>;
+    type Item = &'a StreamPorts;
+    type IntoIter = std::slice::Iter<'a, StreamPorts>;
 
     fn into_iter(self) -> Self::IntoIter {
         self.iter()

@@ -2,7 +2,7 @@
 
 use super::stall::{Stall, Stalls};
 use super::stimulus::{Flow, Stimulus};
-use super::stream::{Stream, Streams};
+use super::stream::{StreamPorts, Streams};
 use crate::verilated::{Direction, Library, Port};
 
 /// Cycles without a transfer, after the last item went in, that end a run; longer than any stall pattern in use.
@@ -68,7 +68,7 @@ pub struct StreamTestbench {
 /// Feeds one stream. The item on offer stays until it is taken.
 #[derive(Debug, Clone)]
 struct Source {
-    stream: Stream,
+    stream: StreamPorts,
     items: Vec<Vec<u64>>,
     next: usize,
     offering: bool,
@@ -82,7 +82,7 @@ struct Source {
 /// Collects one stream.
 #[derive(Debug, Clone)]
 struct Sink {
-    stream: Stream,
+    stream: StreamPorts,
     items: Vec<Vec<u64>>,
     stalls: Stalls,
 }
@@ -159,7 +159,7 @@ impl StreamTestbench {
         self.sinks.iter().find(|sink| sink.stream.name == name).map_or(&[], |sink| &sink.items)
     }
 
-    fn stream(&self, name: &str, direction: Direction) -> Result<Stream, TestbenchError> {
+    fn stream(&self, name: &str, direction: Direction) -> Result<StreamPorts, TestbenchError> {
         let found = self.streams.get(name).filter(|stream| stream.direction == direction);
         found.cloned().ok_or_else(|| {
             let present: Vec<_> = self.streams.iter().map(|stream| stream.name.as_str()).collect();

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::model::Library;
 use super::shim::{self, MODEL_CLASS};
-use super::{Optimization, Options, Source, Trace, VerilatedError};
+use super::{BuildOptions, Optimization, Trace, VerilatedError, VerilogSource};
 use crate::cache::{Cache, file, key};
 use crate::toolchain::Toolchain;
 
@@ -78,7 +78,11 @@ impl Builder {
     ///
     /// # Errors
     /// When a port cannot be exchanged, a tool refuses the design (warnings count), or the cache cannot be written.
-    pub fn build(self: &Arc<Self>, source: &Source, options: Options) -> Result<Arc<Library>, VerilatedError> {
+    pub fn build(
+        self: &Arc<Self>,
+        source: &VerilogSource,
+        options: BuildOptions,
+    ) -> Result<Arc<Library>, VerilatedError> {
         check_ports(source)?;
         let shim = shim::generate(source, options.trace);
         let key = self.key(&[&source.verilog, &source.top, &shim, RUNTIME_HEADER, RUNTIME_SOURCE], options);
@@ -95,7 +99,7 @@ impl Builder {
 
     /// The run-time library and the precompiled header, shared by all models of one optimization.
     fn runtime(&self, optimization: Optimization) -> Result<PathBuf, VerilatedError> {
-        let options = Options { optimization, trace: Trace::Off };
+        let options = BuildOptions { optimization, trace: Trace::Off };
         let threads = self.toolchain.include.join("verilated_threads.cpp");
         let jobs = [
             ["-xc++-header", "runtime.h", "-o", "runtime.h.gch"],
@@ -107,14 +111,14 @@ impl Builder {
 
     /// The writer of waveforms, which needs a library that simulation does not.
     fn waveform_writer(&self, optimization: Optimization) -> Result<PathBuf, VerilatedError> {
-        let options = Options { optimization, trace: Trace::On };
+        let options = BuildOptions { optimization, trace: Trace::On };
         let writer = self.toolchain.include.join("verilated_fst_c.cpp");
         let jobs = [["-c", &writer.to_string_lossy(), "-o", "waveform.o"]];
         self.precompiled("the waveform writer (needs `apt-get install zlib1g-dev`)", options, &jobs)
     }
 
     /// The cache entry with the results of these compilations.
-    fn precompiled(&self, what: &str, options: Options, jobs: &[[&str; 4]]) -> Result<PathBuf, VerilatedError> {
+    fn precompiled(&self, what: &str, options: BuildOptions, jobs: &[[&str; 4]]) -> Result<PathBuf, VerilatedError> {
         let key = self.key(&[what, RUNTIME_HEADER, RUNTIME_SOURCE], options);
         self.cache.entry(&key, |content| {
             write(&content.join("runtime.h"), RUNTIME_HEADER)?;
@@ -128,7 +132,7 @@ impl Builder {
         })
     }
 
-    fn key(&self, parts: &[&str], options: Options) -> String {
+    fn key(&self, parts: &[&str], options: BuildOptions) -> String {
         let options = format!("{options:?}");
         let tools = [&self.toolchain.verilator.description, &self.toolchain.compiler.description];
         let arguments = VERILATOR_ARGUMENTS.iter().chain(COMPILER_ARGUMENTS).copied();
@@ -139,8 +143,8 @@ impl Builder {
 /// One build of one model.
 struct Build<'a> {
     toolchain: &'a Toolchain,
-    source: &'a Source,
-    options: Options,
+    source: &'a VerilogSource,
+    options: BuildOptions,
     runtime: PathBuf,
     waveform_writer: Option<PathBuf>,
     content: &'a Path,
@@ -226,7 +230,7 @@ fn compiler(toolchain: &Toolchain, optimization: Optimization) -> Command {
     command
 }
 
-fn check_ports(source: &Source) -> Result<(), VerilatedError> {
+fn check_ports(source: &VerilogSource) -> Result<(), VerilatedError> {
     for port in &source.ports {
         let (top, name, width) = (source.top.clone(), port.name.clone(), port.width);
         if !(1..=64).contains(&width) {

@@ -1,7 +1,7 @@
 //! Verilog, run: verilated, compiled and loaded into this process.
 //!
-//! [`Builder::build`] turns a [`Source`] into a [`Library`], from a cache where it can; [`Library::instantiate`] makes
-//! [`Model`]s of it, as many as wanted. Inputs and outputs cross in two arrays, one foreign call a cycle.
+//! [`Builder::build`] turns a [`VerilogSource`] into a [`Library`], from a cache where it can; [`Library::instantiate`] makes
+//! [`VerilatedModel`]s of it, as many as wanted. Inputs and outputs cross in two arrays, one foreign call a cycle.
 
 mod build;
 mod model;
@@ -10,7 +10,7 @@ mod shim;
 use std::path::PathBuf;
 
 pub use build::Builder;
-pub use model::{Library, Model, RESET};
+pub use model::{Library, RESET, VerilatedModel};
 pub use rtl::{Direction, Port};
 
 use rtl::Design;
@@ -20,7 +20,7 @@ use crate::toolchain::ToolchainError;
 
 /// Verilog text and what of it is to be run.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Source {
+pub struct VerilogSource {
     /// The whole design.
     pub verilog: String,
     /// Name of the top module.
@@ -29,7 +29,7 @@ pub struct Source {
     pub ports: Vec<Port>,
 }
 
-impl From<&Design> for Source {
+impl From<&Design> for VerilogSource {
     fn from(design: &Design) -> Self {
         Self { verilog: design.verilog().to_owned(), top: design.top().to_owned(), ports: design.ports().to_vec() }
     }
@@ -51,13 +51,13 @@ pub enum Trace {
     /// It cannot, and is faster for it.
     #[default]
     Off,
-    /// It can, see [`Model::open_trace`].
+    /// It can, see [`VerilatedModel::open_trace`].
     On,
 }
 
 /// Choices of a build.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Options {
+pub struct BuildOptions {
     /// How hard the compiler works.
     pub optimization: Optimization,
     /// Whether waveforms can be written.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::build::Builder;
 use super::shim;
-use super::{Direction, Options, Port, Source, Trace, VerilatedError};
+use super::{BuildOptions, Direction, Port, Trace, VerilatedError, VerilogSource};
 
 /// Name of the synchronous reset, active high.
 pub const RESET: &str = "rst";
@@ -39,8 +39,8 @@ struct EntryPoints {
 /// A compiled model: makes instances.
 pub struct Library {
     entry_points: EntryPoints,
-    source: Source,
-    options: Options,
+    source: VerilogSource,
+    options: BuildOptions,
     builder: Arc<Builder>,
     inputs: Vec<Port>,
     outputs: Vec<Port>,
@@ -52,8 +52,8 @@ impl Library {
     pub(super) fn load(
         path: &Path,
         key: String,
-        source: Source,
-        options: Options,
+        source: VerilogSource,
+        options: BuildOptions,
         builder: Arc<Builder>,
     ) -> Result<Arc<Self>, VerilatedError> {
         let failed = |error| VerilatedError::Load { path: path.to_path_buf(), source: error };
@@ -82,13 +82,13 @@ impl Library {
 
     /// A model in its initial state. What the design does not initialize is random, the same for the same `seed`.
     #[must_use]
-    pub fn instantiate(self: &Arc<Self>, seed: u64) -> Model {
+    pub fn instantiate(self: &Arc<Self>, seed: u64) -> VerilatedModel {
         // Verilator takes 31 bits and understands 0 as "no seed".
         let seed = 1 + ((seed ^ (seed >> 32)) & 0x3fff_ffff) as c_int;
         // SAFETY: any seed is valid; the shim returns a new instance (or ends the program when memory is exhausted).
         let instance =
             NonNull::new(unsafe { (self.entry_points.new)(seed) }).expect("operator new does not return null");
-        Model { library: Arc::clone(self), instance }
+        VerilatedModel { library: Arc::clone(self), instance }
     }
 
     /// The same design, built so that it can write waveforms.
@@ -96,22 +96,22 @@ impl Library {
     /// # Errors
     /// As [`Builder::build`].
     pub fn traced(&self) -> Result<Arc<Self>, VerilatedError> {
-        self.builder.build(&self.source, Options { trace: Trace::On, ..self.options })
+        self.builder.build(&self.source, BuildOptions { trace: Trace::On, ..self.options })
     }
 
     /// The design.
     #[must_use]
-    pub fn source(&self) -> &Source {
+    pub fn source(&self) -> &VerilogSource {
         &self.source
     }
 
-    /// Input ports without the clock: the order of `inputs` in [`Model::step`].
+    /// Input ports without the clock: the order of `inputs` in [`VerilatedModel::step`].
     #[must_use]
     pub fn inputs(&self) -> &[Port] {
         &self.inputs
     }
 
-    /// Output ports: the order of `outputs` in [`Model::step`].
+    /// Output ports: the order of `outputs` in [`VerilatedModel::step`].
     #[must_use]
     pub fn outputs(&self) -> &[Port] {
         &self.outputs
@@ -137,15 +137,15 @@ impl Library {
 }
 
 /// One running instance of the hardware.
-pub struct Model {
+pub struct VerilatedModel {
     library: Arc<Library>,
     instance: NonNull<Instance>,
 }
 
 // SAFETY: an instance owns all its state; Verilator's thread-local state is set anew in every call of the shim.
-unsafe impl Send for Model {}
+unsafe impl Send for VerilatedModel {}
 
-impl Model {
+impl VerilatedModel {
     /// What this is an instance of.
     #[must_use]
     pub fn library(&self) -> &Arc<Library> {
@@ -223,7 +223,7 @@ impl Model {
     }
 }
 
-impl Drop for Model {
+impl Drop for VerilatedModel {
     fn drop(&mut self) {
         // SAFETY: the instance was made by this library, which is still loaded, and is not used again.
         unsafe { (self.library.entry_points.delete)(self.instance.as_ptr()) };

@@ -5,7 +5,7 @@ pub mod host;
 use std::collections::VecDeque;
 
 use pointcore_tb::lockstep::{Stall, Stalls};
-use pointcore_tb::verilated::{Direction, Model, Port};
+use pointcore_tb::verilated::{Direction, Port, VerilatedModel};
 use rtl::{Module, cat, elaborate};
 
 use crate::support;
@@ -41,7 +41,7 @@ fn narrow(unit: Module) -> Module {
 
 /// A unit at work.
 pub struct Bench {
-    model: Model,
+    model: VerilatedModel,
     inputs: Vec<u64>,
     outputs: Vec<u64>,
     /// Cycles since the reset.

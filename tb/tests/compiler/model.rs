@@ -6,8 +6,8 @@ use fastrand::Rng;
 use pointcore_golden::datapath::Datapath;
 use pointcore_golden::float::Table;
 use pointcore_hdl::compiler::{self, Graph, Manifest, Operation, Type};
-use pointcore_tb::lockstep::{Golden, Lockstep, Report, Stall, StreamTestbench};
-use pointcore_tb::verilated::{Builder, Library, Options, Port, Source};
+use pointcore_tb::lockstep::{Golden, Lockstep, LockstepReport, Stall, StreamTestbench};
+use pointcore_tb::verilated::{BuildOptions, Builder, Library, Port, VerilogSource};
 use rtl::{Design, Module, elaborate};
 use std::sync::Arc;
 
@@ -62,7 +62,7 @@ pub fn compile_all(programs: Vec<(Graph, u32)>, rng: &mut Rng) -> (Design, Vec<C
 /// The verilated design.
 pub fn build(design: &Design) -> Arc<Library> {
     let builder = Builder::new().unwrap_or_else(|error| panic!("{error}"));
-    builder.build(&Source::from(design), Options::default()).unwrap_or_else(|error| panic!("{error}"))
+    builder.build(&VerilogSource::from(design), BuildOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Positions of a datapath's ports among the words of its design.
@@ -136,7 +136,7 @@ pub fn run(
     tokens: usize,
     seed: u64,
     stall: Stall,
-) -> Report {
+) -> LockstepReport {
     let mut rng = Rng::with_seed(seed);
     let mut testbench = StreamTestbench::new(library, seed);
     let mut longest = 0;

@@ -5,7 +5,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
 use pointcore_tb::toolchain::{Toolchain, ToolchainError};
-use pointcore_tb::verilated::{Builder, Direction, Model, Options, Source, Trace, VerilatedError};
+use pointcore_tb::verilated::{BuildOptions, Builder, Direction, Trace, VerilatedError, VerilatedModel, VerilogSource};
 use rtl::{Module, elaborate};
 
 use super::{FIFO, library, port, source};
@@ -35,7 +35,7 @@ fn the_second_build_comes_from_the_cache_and_a_damaged_one_is_redone() {
     let translations = || fs::read_to_string(&log).unwrap().lines().count();
     let build = || {
         let builder = Builder::with(toolchain.clone(), cache.clone());
-        builder.build(&source(FIFO), Options::default()).unwrap().instantiate(1).reset(2).unwrap();
+        builder.build(&source(FIFO), BuildOptions::default()).unwrap().instantiate(1).reset(2).unwrap();
     };
     std::thread::scope(|scope| {
         scope.spawn(build);
@@ -51,7 +51,7 @@ fn the_second_build_comes_from_the_cache_and_a_damaged_one_is_redone() {
     build();
     assert_eq!(translations(), 2, "half a library is no library");
     let builder = Builder::with(toolchain.clone(), cache.clone());
-    builder.build(&source(&FIFO.replace("17'd1", "17'd3")), Options::default()).unwrap();
+    builder.build(&source(&FIFO.replace("17'd1", "17'd3")), BuildOptions::default()).unwrap();
     assert_eq!(translations(), 3, "other text, other build");
 }
 
@@ -72,7 +72,8 @@ fn tools_that_are_missing_or_old_are_named_with_the_remedy() {
 fn a_design_that_is_not_clean_is_refused_with_the_message_of_verilator() {
     let builder = Builder::new().unwrap();
     for (from, to, expected) in [(" + 17'd1;", " +;", "fifo.v:25"), ("17'd1", "18'd1", "WIDTH")] {
-        let error = builder.build(&source(&FIFO.replace(from, to)), Options::default()).err().expect("it is not clean");
+        let error =
+            builder.build(&source(&FIFO.replace(from, to)), BuildOptions::default()).err().expect("it is not clean");
         assert!(matches!(error, VerilatedError::Tool { .. }), "{error}");
         assert!(error.to_string().contains(expected), "{error}");
     }
@@ -85,8 +86,8 @@ fn ports_that_cannot_be_exchanged_are_refused() {
     wide.ports.push(port("wide", 65, Direction::Output));
     let mut odd = source(FIFO);
     odd.ports.push(port("odd__name", 1, Direction::Output));
-    assert!(matches!(builder.build(&wide, Options::default()), Err(VerilatedError::PortWidth { width: 65, .. })));
-    assert!(matches!(builder.build(&odd, Options::default()), Err(VerilatedError::PortName { .. })));
+    assert!(matches!(builder.build(&wide, BuildOptions::default()), Err(VerilatedError::PortWidth { width: 65, .. })));
+    assert!(matches!(builder.build(&odd, BuildOptions::default()), Err(VerilatedError::PortName { .. })));
 }
 
 #[test]
@@ -95,7 +96,7 @@ fn outputs_are_those_before_the_edge() {
     let mut model = library.instantiate(1);
     model.reset(2).unwrap();
     let mut outputs = [9; 4];
-    let valid = |model: &mut Model, outputs: &mut [u64], inputs: [u64; 5]| {
+    let valid = |model: &mut VerilatedModel, outputs: &mut [u64], inputs: [u64; 5]| {
         model.step(&inputs, outputs).unwrap();
         (outputs[0], outputs[1], outputs[2])
     };
@@ -112,8 +113,8 @@ fn elaborated_designs_run() {
     let sum = accumulator.reg_reset("sum", 40, 5);
     accumulator.next(&sum, &(sum.expr() + step.zext(40)));
     accumulator.output("total", &sum.expr());
-    let source = Source::from(&elaborate(&accumulator).unwrap());
-    let mut model = Builder::new().unwrap().build(&source, Options::default()).unwrap().instantiate(1);
+    let source = VerilogSource::from(&elaborate(&accumulator).unwrap());
+    let mut model = Builder::new().unwrap().build(&source, BuildOptions::default()).unwrap().instantiate(1);
     model.reset(2).unwrap();
     let step = model.library().inputs().iter().position(|port| port.name == "step").expect("it was declared");
     let mut inputs = vec![0; model.library().inputs().len()];
@@ -179,8 +180,10 @@ fn waveforms_are_written_on_demand_only() {
     let path = folder.path().join("fifo.fst");
     let plain = library(FIFO);
     assert!(matches!(plain.instantiate(1).open_trace(&path), Err(VerilatedError::Waveform { .. })));
-    let traced =
-        Builder::new().unwrap().build(&source(FIFO), Options { trace: Trace::On, ..Options::default() }).unwrap();
+    let traced = Builder::new()
+        .unwrap()
+        .build(&source(FIFO), BuildOptions { trace: Trace::On, ..BuildOptions::default() })
+        .unwrap();
     let mut model = traced.instantiate(1);
     model.reset(2).unwrap();
     assert!(model.open_trace(Path::new("/nowhere/at/all.fst")).is_err());

@@ -3,8 +3,8 @@
 use std::fs;
 
 use pointcore_tb::lockstep::{
-    Cause, Difference, Failure, Flow, Lockstep, LockstepError, Run, Stall, StreamTestbench, TestbenchError, Violation,
-    Waveform, inject, seed, seeds,
+    Cause, Flow, Lockstep, LockstepError, LockstepFailure, PortDifference, ProtocolViolation, Run, Stall,
+    StreamTestbench, TestbenchError, Waveform, inject, seed, seeds,
 };
 use pointcore_tb::verilated::Direction;
 
@@ -22,7 +22,7 @@ fn run(verilog: &str, seed: u64, stall: Stall) -> Result<Run<StreamTestbench>, L
 }
 
 /// The failure of a run that must not succeed.
-fn failure(outcome: Result<Run<impl Sized>, LockstepError>) -> Failure {
+fn failure(outcome: Result<Run<impl Sized>, LockstepError>) -> LockstepFailure {
     match outcome {
         Err(LockstepError::Failed(failure)) => *failure,
         Err(other) => panic!("another error: {other}"),
@@ -48,7 +48,7 @@ fn an_injected_fault_is_located_and_recorded() {
     let seed = seed().unwrap();
     let failure = failure(run(&broken, seed, Stall::Random(0.3)));
     let Cause::Mismatch(differences) = &failure.cause else { panic!("{failure}") };
-    let [Difference { port, hardware, golden }] = differences.as_slice() else { panic!("{failure}") };
+    let [PortDifference { port, hardware, golden }] = differences.as_slice() else { panic!("{failure}") };
     assert_eq!((port.as_str(), *hardware, *golden), ("out_value", 0x1_ffff, 1), "the first item is 0");
     assert!(failure.cycle >= 1, "nothing comes out in cycle 0");
     assert_eq!(failure.inputs[0], ("rst".to_owned(), 0));
@@ -87,7 +87,7 @@ fn a_stream_that_breaks_its_promise_is_found() {
     let testbench = testbench.sink("out", Stall::Random(0.5)).unwrap();
     let failure = failure(Lockstep::new(&library, golden, 1).run(testbench));
     let Cause::Protocol(violation) = &failure.cause else { panic!("{failure}") };
-    assert_eq!(violation, &Violation::Withdrawn { stream: "out".to_owned() });
+    assert_eq!(violation, &ProtocolViolation::Withdrawn { stream: "out".to_owned() });
 }
 
 #[test]
@@ -99,7 +99,10 @@ fn a_stimulus_that_breaks_its_promise_is_found() {
     };
     let failure = failure(Lockstep::new(&library, golden(), 1).run(impatient));
     assert_eq!(failure.cycle, 5, "the queue is full in cycle 4: {failure}");
-    assert!(matches!(&failure.cause, Cause::Protocol(Violation::Changed { stream }) if stream == "in"), "{failure}");
+    assert!(
+        matches!(&failure.cause, Cause::Protocol(ProtocolViolation::Changed { stream }) if stream == "in"),
+        "{failure}"
+    );
 }
 
 #[test]

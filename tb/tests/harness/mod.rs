@@ -6,7 +6,7 @@ mod lockstep;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use pointcore_tb::verilated::{Builder, Direction, Library, Options, Port, Source};
+use pointcore_tb::verilated::{BuildOptions, Builder, Direction, Library, Port, VerilogSource};
 
 /// The queue's Verilog.
 const FIFO: &str = include_str!("fifo.v");
@@ -16,17 +16,17 @@ fn port(name: &str, width: usize, direction: Direction) -> Port {
 }
 
 /// The queue, or a broken one, with its ports.
-fn source(verilog: &str) -> Source {
+fn source(verilog: &str) -> VerilogSource {
     let inputs = [("clk", 1), ("rst", 1), ("in_valid", 1), ("in_value", 16), ("in_last", 1), ("out_ready", 1)];
     let outputs = [("in_ready", 1), ("out_valid", 1), ("out_value", 17), ("out_last", 1)];
     let ports = inputs.map(|(name, width)| port(name, width, Direction::Input)).into_iter();
     let ports = ports.chain(outputs.map(|(name, width)| port(name, width, Direction::Output))).collect();
-    Source { verilog: verilog.to_owned(), top: "fifo".to_owned(), ports }
+    VerilogSource { verilog: verilog.to_owned(), top: "fifo".to_owned(), ports }
 }
 
 fn library(verilog: &str) -> Arc<Library> {
     let builder = Builder::new().expect("verilator and g++ are installed");
-    builder.build(&source(verilog), Options::default()).expect("the Verilog is clean")
+    builder.build(&source(verilog), BuildOptions::default()).expect("the Verilog is clean")
 }
 
 /// The queue's model: `rst, in_valid, in_value, in_last, out_ready` to `in_ready, out_valid, out_value, out_last`.

@@ -3,7 +3,7 @@
 
 use std::collections::VecDeque;
 
-use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, Stream, Streams};
+use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus, StreamPorts, Streams};
 use pointcore_tb::verilated::{Direction, Library, Port};
 
 /// Cycles without a transfer that end a run; longer than any latency or pause here.
@@ -21,7 +21,7 @@ pub struct Feeds {
 
 #[derive(Clone)]
 struct Source {
-    stream: Stream,
+    stream: StreamPorts,
     /// Each with the cycles that it waits at the head.
     items: VecDeque<(u32, Vec<u64>)>,
     offering: bool,

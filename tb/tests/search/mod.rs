@@ -8,7 +8,7 @@ use pointcore_contract::Format;
 use pointcore_contract::search::Config;
 use pointcore_contract::splat::Port;
 use pointcore_golden::unit::{Model, Ported};
-use pointcore_tb::lockstep::{Lockstep, Report, seeds};
+use pointcore_tb::lockstep::{Lockstep, LockstepReport, seeds};
 use rtl::Module;
 
 use environment::{Environment, Feeds, Rule};
@@ -46,7 +46,7 @@ pub fn lockstep<M: Model<Config = Config> + 'static, R: Rule>(
     specified: &[Port],
     begin: impl Fn(&mut Feeds) -> R,
     mask: impl Fn(&mut [u64]) + Clone + Send + 'static,
-    check: impl Fn(&R, &Report),
+    check: impl Fn(&R, &LockstepReport),
 ) {
     let library = support::verilate(module);
     for seed in seeds(SEEDS).unwrap() {

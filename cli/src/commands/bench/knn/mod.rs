@@ -7,7 +7,7 @@ mod sets;
 use super::Figures;
 use crate::commands::Failure;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
-use page::{Line, Page};
+use page::{KnnPage, Line};
 use pointcore::search::{
     MemorySettings, Order, PointSet, PointSource, Query, Reuse, SearchEngine, SearchOutcome, SearchReport, SearchRun,
     Session, Splitting, Tree, check,
@@ -57,16 +57,16 @@ impl Cloud {
 
 /// A core as it is measured: a point a cycle with small leaves, or several with full ones.
 #[derive(Clone, Copy)]
-struct Shape {
+struct CoreShape {
     lanes: u32,
     leaves_in_flight: u32,
     splitting: Splitting,
 }
 
-const ONE_LANE: Shape = Shape { lanes: 1, leaves_in_flight: 1, splitting: Splitting::Median };
-const FOUR_LANES: Shape = Shape { lanes: 4, leaves_in_flight: 2, splitting: Splitting::Packed };
+const ONE_LANE: CoreShape = CoreShape { lanes: 1, leaves_in_flight: 1, splitting: Splitting::Median };
+const FOUR_LANES: CoreShape = CoreShape { lanes: 4, leaves_in_flight: 2, splitting: Splitting::Packed };
 
-impl Shape {
+impl CoreShape {
     fn config(self, points: usize, k: u32) -> Config {
         let Self { lanes, leaves_in_flight, splitting } = self;
         let derived = pointcore::search::config_for(points, k, splitting);
@@ -131,7 +131,7 @@ fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run,
 }
 
 /// Every point as a query in random order, hardware in lockstep, every distance compared with brute force.
-fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
     let queries = cloud.queries(Order::Random, None, NEIGHBORS);
     for shape in [ONE_LANE, FOUR_LANES] {
         eprintln!("{}: {} lanes, {} queries in lockstep", cloud.name, shape.lanes, queries.len());
@@ -159,7 +159,7 @@ fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Resul
 }
 
 /// Cycles a query with more and more threads.
-fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
     let queries = cloud.queries(Order::Random, Some(SAMPLE), NEIGHBORS);
     let counts = [1, 2, 4, 8, 16, 32];
     let mut lines = Vec::new();
@@ -186,7 +186,7 @@ fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Resu
 }
 
 /// Cycles a query for more neighbors, in random and in coherent order.
-fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
     let counts = [8, 16, 32];
     let mut lines = Vec::new();
     for order in [Order::Random, Order::Morton] {
@@ -228,7 +228,7 @@ fn cpu_figures(cloud: &Cloud, figures: &mut Figures) {
 /// Measures neighbor search among the points of a scan, or of a procedural surface; pictures and tables go to `folder`.
 pub fn figures(scan: Option<&Path>, models: &[PathBuf], folder: &Path, figures: &mut Figures) -> Result<(), Failure> {
     let cloud = Cloud::new(scan)?;
-    let mut page = Page::new(folder, &cloud.source.to_string());
+    let mut page = KnnPage::new(folder, &cloud.source.to_string());
     bound_figures(&cloud, figures, &mut page)?;
     thread_figures(&cloud, figures, &mut page)?;
     order_figures(&cloud, figures, &mut page)?;

@@ -30,12 +30,12 @@ impl Line {
 }
 
 /// A page in the making.
-pub struct Page {
+pub struct KnnPage {
     folder: PathBuf,
     text: String,
 }
 
-impl Page {
+impl KnnPage {
     /// A page about the search among these points.
     pub fn new(folder: &Path, points: &str) -> Self {
         let text = format!("# Neighbor search, measured\n\nPoints: {points}\n");

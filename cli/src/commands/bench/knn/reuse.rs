@@ -1,6 +1,6 @@
 //! How many searches the coherent neighbor cache saves when points are sampled up (thesis 6.7.1, figures 6.13 to 6.15).
 
-use super::page::{Line, Page};
+use super::page::{KnnPage, Line};
 use super::{Cloud, FOUR_LANES, Figures, Setting, search};
 use crate::commands::Failure;
 use pointcore::search::{Neighbor, Order, Query, Reuse, check};
@@ -61,7 +61,7 @@ fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result
 }
 
 /// k nearest neighbors at rising tolerance.
-fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
     let queries = queries(cloud, 8, NEIGHBORS, None);
     let mut lines = Vec::new();
     for entries in [ENTRIES, FEW_ENTRIES] {
@@ -93,7 +93,7 @@ fn radii(cloud: &Cloud) -> Result<Vec<f32>, Failure> {
 }
 
 /// Ball queries in patterns of rising density.
-fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
     let radii = radii(cloud)?;
     let mut lines = Vec::new();
     for entries in [ENTRIES, FEW_ENTRIES] {
@@ -113,7 +113,7 @@ fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result
 }
 
 /// Both, with what the thesis reports beside them.
-pub fn figures(cloud: &Cloud, figures: &mut Figures, page: &mut Page) -> Result<(), Failure> {
+pub fn figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
     nearest_figures(cloud, figures, page)?;
     page.paragraph("The thesis reports more than half of the searches saved at ε = 0.1, and few for exact neighbors (6.7.1, eight entries).");
     ball_figures(cloud, figures, page)?;
