@@ -1,6 +1,8 @@
 //! Hardware configurations as files: the line `kind` says which core a file is for; its tables are those of `docs/configuration.md`.
 
 mod layout;
+#[cfg(test)]
+mod reference;
 
 use layout::Kind;
 use pointcore_contract::{search, splat};
