@@ -102,9 +102,9 @@ pub fn ecp5() -> splat::Config {
 /// # Panics
 /// Never: a test reads the file.
 #[must_use]
-pub fn ecp5_knn() -> search::Config {
-    let path = Path::new("configs/ecp5_knn.toml");
-    match parse(path, include_str!("../../configs/ecp5_knn.toml")) {
+pub fn knn() -> search::Config {
+    let path = Path::new("configs/knn.toml");
+    match parse(path, include_str!("../../configs/knn.toml")) {
         Ok(Configuration::Search(config)) => config,
         other => unreachable!("{}: {other:?}", path.display()),
     }
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn what_is_measured_is_what_the_files_say() {
         assert_eq!(ecp5().heap_levels, 12);
-        assert_eq!(ecp5_knn().tree_cache, 0);
+        assert_eq!(knn().tree_cache, 0);
     }
 
     /// The named configurations and those written beside their Verilog.

@@ -1,6 +1,6 @@
-//! What can be synthesized by name: every operator, and the cores, all their units and those of their bus at the configurations `ecp5` and `ecp5_knn`.
+//! What can be synthesized by name: every operator, and the cores, all their units and those of their bus at the configurations `ecp5` and `knn`.
 
-use pointcore::configuration::{Configuration, ecp5, ecp5_knn};
+use pointcore::configuration::{Configuration, ecp5, knn};
 use pointcore::generated::GenerateError;
 use pointcore::package::place_and_route::Crowding;
 use pointcore_contract::{Fixed, Format, Signedness, search as search_spec, splat as splat_spec};
@@ -12,7 +12,7 @@ use std::rc::Rc;
 
 /// The fixed-point format of the conversions: pixels with subpixel positions.
 const FIXED: Fixed = Fixed { width: 24, fraction: 8, signed: Signedness::Signed };
-/// Lines of the caches that `ecp5_knn` leaves out.
+/// Lines of the caches that `knn` leaves out.
 const TREE_CACHE: u32 = 4096;
 const NEIGHBOR_CACHE: u32 = 8;
 /// Levels, cycles of an operation, and image of the heaps that stand beside the core's own, by name.
@@ -200,15 +200,15 @@ fn splat_units() -> Vec<MeasuredUnit> {
     ]
 }
 
-/// Every unit of the search core, at `ecp5_knn`; the two caches that it leaves out, too.
+/// Every unit of the search core, at `knn`; the two caches that it leaves out, too.
 fn search_units() -> Vec<MeasuredUnit> {
     use search::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
     type Config = search_spec::Config;
     let module = |name: &str, module: fn(&Config) -> Module| {
-        MeasuredUnit::new(format!("search_{name}"), move || Ok(module(&ecp5_knn())))
+        MeasuredUnit::new(format!("search_{name}"), move || Ok(module(&knn())))
     };
     let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
-        MeasuredUnit::new(format!("search_{name}"), move || Ok(datapath(&ecp5_knn(), &Options::default())?.module))
+        MeasuredUnit::new(format!("search_{name}"), move || Ok(datapath(&knn(), &Options::default())?.module))
     };
     vec![
         module("threads", threads::module),
@@ -219,11 +219,9 @@ fn search_units() -> Vec<MeasuredUnit> {
         module("point_cache", point_cache::module),
         module("sieve", sieve::module),
         module("queue", queue::module),
-        MeasuredUnit::new("search_tree_cache", || {
-            Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..ecp5_knn() }))
-        }),
+        MeasuredUnit::new("search_tree_cache", || Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..knn() }))),
         MeasuredUnit::new("search_neighbor_cache", || {
-            let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..ecp5_knn() };
+            let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..knn() };
             Ok(neighbor_cache::unit(&config, &Options::default())?.module)
         }),
     ]
@@ -235,7 +233,7 @@ fn bus_units() -> Vec<MeasuredUnit> {
     use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, search, window, writer};
     type Config = search_spec::Config;
     let unit = |name: &str, module: fn(&Config) -> Module| {
-        MeasuredUnit::new(format!("bus_{name}"), move || Ok(module(&ecp5_knn())))
+        MeasuredUnit::new(format!("bus_{name}"), move || Ok(module(&knn())))
     };
     vec![
         unit("packet_in", |config| {
@@ -259,7 +257,7 @@ fn bus_units() -> Vec<MeasuredUnit> {
 fn cores() -> Vec<MeasuredUnit> {
     vec![
         MeasuredUnit::core("splat", Configuration::Splat(ecp5())),
-        MeasuredUnit::core("search", Configuration::Search(ecp5_knn())),
+        MeasuredUnit::core("search", Configuration::Search(knn())),
     ]
 }
 
