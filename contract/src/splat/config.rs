@@ -71,7 +71,7 @@ configuration! {
             /// Format of the footprint behind setup and of the rasterizer, down to ρ²; none, `"geometry"` in a file, for that of all geometry.
             #[serde(with = "as_geometry")]
             rasterizer: Option<RasterFormat> = None,
-            described("`\"geometry\"`, a format no wider than that, `\"fixed24\"`, `\"fixed18\"`, `\"fixed16\"`"), User;
+            described("`\"geometry\"`, a format no wider than that, `\"fixed18\"`, `\"fixed16\"`"), User;
             /// Format of attributes and of their accumulators.
             attribute: AttributeFormat = AttributeFormat::F16,
             described("`\"f32\"`, `\"f24\"`, `\"f16\"`, `\"bf16\"`, each with `-ftz` or not; `\"fixed16\"`, `\"fixed12\"`, `\"fixed8\"`"), User;
@@ -191,7 +191,7 @@ impl Config {
         }
         match self.raster_format() {
             RasterFormat::Float(format) if !self.holds(format) => {
-                let expected = "\"geometry\", f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (no wider than `geometry`), or fixed24, fixed18, fixed16";
+                let expected = "\"geometry\", f32, f24, bf16, f32-ftz, f24-ftz, bf16-ftz (no wider than `geometry`), or fixed18, fixed16";
                 return Err(ConfigError::Format { key: "rasterizer", format, expected });
             }
             format @ RasterFormat::Fixed(_) if self.depth == FragmentDepth::Plane => {

@@ -21,22 +21,19 @@ pub enum Coefficient {
     Sixteen,
     /// Of 18 bits, as wide as many hardware multipliers.
     Eighteen,
-    /// Of 24 bits: a product takes four of those.
-    TwentyFour,
 }
 
 /// A rasterizer format's name is not one of those [`RasterFormat::from_str`] knows.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "unknown rasterizer format `{0}`: expected f32, f24 or bf16, with `-ftz` appended to flush subnormals, or fixed24, fixed18 or \
+    "unknown rasterizer format `{0}`: expected f32, f24 or bf16, with `-ftz` appended to flush subnormals, or fixed18 or \
      fixed16"
 )]
 pub struct UnknownRasterFormat(pub String);
 
 impl Coefficient {
     /// Every width, with the name of the format.
-    pub const NAMED: [(&'static str, Self); 3] =
-        [("fixed24", Self::TwentyFour), ("fixed18", Self::Eighteen), ("fixed16", Self::Sixteen)];
+    pub const NAMED: [(&'static str, Self); 2] = [("fixed18", Self::Eighteen), ("fixed16", Self::Sixteen)];
     /// Integer bits of a projected centre, px, the sign included: from two of the largest images beside the image on.
     pub const CENTER_INTEGER_BITS: u32 = 14;
     /// Bits of the number of places by which a splat's offsets are shifted.
@@ -60,16 +57,13 @@ impl Coefficient {
         match self {
             Self::Sixteen => 16,
             Self::Eighteen => 18,
-            Self::TwentyFour => 24,
         }
     }
 
-    /// Fraction bits of a place, px: as many as let the offsets of splats of some pixels fill the width, and no more than the centre is
-    /// known to in `f32`.
+    /// Fraction bits of a place, px: as many as let the offsets of splats of some pixels fill the width.
     #[must_use]
     pub const fn place_fraction(self) -> u32 {
-        let fraction = self.width() - 4;
-        if fraction < 16 { fraction } else { 16 }
+        self.width() - 4
     }
 
     /// A projected centre, px.
@@ -210,11 +204,11 @@ mod tests {
 
     #[test]
     fn names_round_trip() {
-        for name in ["f32", "f24-ftz", "bf16", "fixed16", "fixed18", "fixed24"] {
+        for name in ["f32", "f24-ftz", "bf16", "fixed16", "fixed18"] {
             let format: RasterFormat = name.parse().expect("the name is known");
             assert_eq!(format.to_string(), name);
         }
-        for name in ["fixed20", "fixed", "fixed18-ftz", "f8", ""] {
+        for name in ["fixed20", "fixed24", "fixed", "fixed18-ftz", "f8", ""] {
             let error = name.parse::<RasterFormat>().expect_err("there is no such format").to_string();
             assert!(
                 error.contains(&format!("`{name}`")) && error.contains("f24") && error.contains("fixed18"),

@@ -227,7 +227,6 @@ mod tests {
             let (mean_limit, bound_limit) = match coefficient {
                 Coefficient::Sixteen => (2e-4, 2e-3),
                 Coefficient::Eighteen => (6e-5, 6e-4),
-                Coefficient::TwentyFour => (2e-5, 1e-4),
             };
             assert!(mean < mean_limit && mean_bound < bound_limit && worst > 0.3, "{name}");
         }

@@ -77,7 +77,7 @@ mod tests {
             depth: FragmentDepth::Plane,
             ..Config::default()
         };
-        let integers = Config { rasterizer: Some(RasterFormat::Fixed(Coefficient::TwentyFour)), ..Config::default() };
+        let integers = Config { rasterizer: Some(RasterFormat::Fixed(Coefficient::Sixteen)), ..Config::default() };
         for config in [Config::default(), small, fixed, coarse, integers] {
             for (module, ports) in CONTROL_UNITS {
                 check(&module(&config), ports(&config));

@@ -91,7 +91,7 @@ impl Knob {
     pub fn standard() -> Vec<Self> {
         vec![
             Self::new("geometry", &["f32", "f24", "bf16-ftz"], &["f32-ftz", "f24-ftz"]),
-            Self::new("rasterizer", &["geometry", "f24-ftz", "bf16-ftz", "fixed24", "fixed18", "fixed16"], &[]),
+            Self::new("rasterizer", &["geometry", "f24-ftz", "bf16-ftz", "fixed18", "fixed16"], &[]),
             Self::new("attribute", &["f32", "f24", "fixed16", "fixed12", "fixed8"], &["f16", "bf16"]),
             Self::new("samples", &["3"], &["1", "2", "4"]),
             Self::new("sampling", &["flipquad"], &[]),

@@ -101,7 +101,7 @@ pub fn integer_configs() -> [Config; 3] {
     let fixed = |config, coefficient| Config { rasterizer: Some(RasterFormat::Fixed(coefficient)), ..config };
     let mixed = Config { depth: FragmentDepth::Center, screen_filter: Feature::On, ..mixed };
     let coarse = Config { kernel_index_bits: 5, kernel_fraction_bits: 0, division: Division::Newton, ..full };
-    [fixed(bare, Coefficient::Eighteen), fixed(coarse, Coefficient::Sixteen), fixed(mixed, Coefficient::TwentyFour)]
+    [fixed(bare, Coefficient::Eighteen), fixed(coarse, Coefficient::Sixteen), fixed(mixed, Coefficient::Eighteen)]
 }
 
 /// Two more, with everything otherwise that trades accuracy for hardware: as coarse as can be, and in between.
