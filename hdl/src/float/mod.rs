@@ -10,6 +10,10 @@
 //!
 //! Results are those of the functions of the same names in the golden model; formats that flush subnormals have no
 //! shifter for them.
+//!
+//! Three operators are for programs and for units to come, and no unit of the cores has them: [`fma`] and [`rsqrt`] (the processing
+//! module, which normalizes vectors) and [`erf`] (the kernel's integral over an exposure, thesis chapter 4). Those with Newton steps
+//! are there for `division = "newton"`.
 
 pub mod add;
 pub mod compare;
