@@ -64,7 +64,7 @@
 #define SPLAT_EPSILON_SCALE 0x14cu /* write: uniform `epsilon_scale`, in f24-ftz */
 #define SPLAT_EPSILON_BIAS 0x150u /* write: uniform `epsilon_bias`, in f24-ftz */
 #define SPLAT_FILTER_RADIUS 0x154u /* write: uniform `filter_radius`, in f24-ftz */
-#define SPLAT_FILTER_SCALE 0x158u /* write: uniform `filter_scale`, in f24-ftz */
+#define SPLAT_FILTER_SCALE 0x158u /* write: uniform `filter_scale`, in unsigned fixed point, 16 bits, 12 of them behind the point */
 #define SPLAT_IDENTITY UINT32_C(0x50430a01) /* what SPLAT_ID reads */
 
 /* A splat in world space, or with `end` set the end of the frame. */
@@ -80,9 +80,9 @@ struct splat_splat {
     uint32_t tangent2_x; /* 24 bits */
     uint32_t tangent2_y; /* 24 bits */
     uint32_t tangent2_z; /* 24 bits */
-    uint16_t attribute_0; /* 16 bits */
-    uint16_t attribute_1; /* 16 bits */
-    uint16_t attribute_2; /* 16 bits */
+    uint16_t attribute_0; /* 12 bits */
+    uint16_t attribute_1; /* 12 bits */
+    uint16_t attribute_2; /* 12 bits */
     uint8_t padding_1[2];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_splat) == 48, "splat_splat takes 48 bytes");
@@ -95,9 +95,9 @@ struct splat_fragment {
     uint16_t row; /* 9 bits */
     uint8_t padding_1[2];
     uint32_t depth; /* 24 bits */
-    uint16_t attribute_0; /* 16 bits */
-    uint16_t attribute_1; /* 16 bits */
-    uint16_t attribute_2; /* 16 bits */
+    uint16_t attribute_0; /* 12 bits */
+    uint16_t attribute_1; /* 12 bits */
+    uint16_t attribute_2; /* 12 bits */
     uint8_t padding_2[6];
 };
 POINTCORE_STATIC_ASSERT(sizeof(struct splat_fragment) == 24, "splat_fragment takes 24 bytes");
@@ -107,11 +107,11 @@ struct splat_pixel {
     uint32_t weight; /* 28 bits */
     uint8_t padding_0[4];
     uint64_t depth; /* 52 bits */
-    uint16_t attribute_0; /* 16 bits */
-    uint16_t attribute_1; /* 16 bits */
-    uint16_t attribute_2; /* 16 bits */
-    uint8_t padding_1[10];
+    uint64_t attribute_0; /* 40 bits */
+    uint64_t attribute_1; /* 40 bits */
+    uint64_t attribute_2; /* 40 bits */
+    uint8_t padding_1[24];
 };
-POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 32, "splat_pixel takes 32 bytes");
+POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 64, "splat_pixel takes 64 bytes");
 
 #endif

@@ -72,17 +72,17 @@ module splat_axi (
     wire [5:0] core_write_pixel;
     wire [27:0] core_write_weight;
     wire [51:0] core_write_depth;
-    wire [15:0] core_write_attribute_0;
-    wire [15:0] core_write_attribute_1;
-    wire [15:0] core_write_attribute_2;
+    wire [39:0] core_write_attribute_0;
+    wire [39:0] core_write_attribute_1;
+    wire [39:0] core_write_attribute_2;
     wire core_fragment_valid;
     wire core_fragment_end;
     wire [8:0] core_fragment_column;
     wire [8:0] core_fragment_row;
     wire [23:0] core_fragment_depth;
-    wire [15:0] core_fragment_attribute_0;
-    wire [15:0] core_fragment_attribute_1;
-    wire [15:0] core_fragment_attribute_2;
+    wire [11:0] core_fragment_attribute_0;
+    wire [11:0] core_fragment_attribute_1;
+    wire [11:0] core_fragment_attribute_2;
     wire core_event_sample;
     wire core_event_starved;
     wire core_event_blocked;
@@ -117,9 +117,9 @@ module splat_axi (
     wire [23:0] splats_out_tangent2_x;
     wire [23:0] splats_out_tangent2_y;
     wire [23:0] splats_out_tangent2_z;
-    wire [15:0] splats_out_attribute_0;
-    wire [15:0] splats_out_attribute_1;
-    wire [15:0] splats_out_attribute_2;
+    wire [11:0] splats_out_attribute_0;
+    wire [11:0] splats_out_attribute_1;
+    wire [11:0] splats_out_attribute_2;
     wire splats_taken;
     wire splats_refused;
     wire fragments_in_ready;
@@ -139,9 +139,9 @@ module splat_axi (
     wire reads_record_valid;
     wire [27:0] reads_record_weight;
     wire [51:0] reads_record_depth;
-    wire [15:0] reads_record_attribute_0;
-    wire [15:0] reads_record_attribute_1;
-    wire [15:0] reads_record_attribute_2;
+    wire [39:0] reads_record_attribute_0;
+    wire [39:0] reads_record_attribute_1;
+    wire [39:0] reads_record_attribute_2;
     wire reads_error;
     wire reads_misplaced;
     wire writes_in_ready;
@@ -165,9 +165,9 @@ module splat_axi (
     wire core_fragment_ready = fragments_in_ready;
     wire term_1 = has_ended & ~registers_start;
     wire splats_out_ready = core_splat_ready;
-    wire [31:0] tile_address = registers_buffer_base + {9'd0, core_read_tile, 11'd0};
+    wire [31:0] tile_address = registers_buffer_base + {8'd0, core_read_tile, 12'd0};
     wire reads_record_ready = core_data_ready;
-    wire [31:0] pixel_address = registers_buffer_base + {9'd0, core_write_tile, core_write_pixel, 5'd0};
+    wire [31:0] pixel_address = registers_buffer_base + {8'd0, core_write_tile, core_write_pixel, 6'd0};
     wire is_last = core_fragment_valid & core_fragment_ready & core_fragment_end;
 
     assign s_axil_awready = registers_s_axil_awready;
@@ -423,7 +423,7 @@ module splat_axi (
 endmodule
 
 // Writes records to memory, each in a burst.
-// beats = 4
+// beats = 8
 // width = 64
 module bus_writer (
     input  wire clk,
@@ -433,9 +433,9 @@ module bus_writer (
     input  wire [31:0] in_address,
     input  wire [27:0] in_weight,
     input  wire [51:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [39:0] in_attribute_0,
+    input  wire [39:0] in_attribute_1,
+    input  wire [39:0] in_attribute_2,
     output wire m_axi_awvalid,
     input  wire m_axi_awready,
     output wire [3:0] m_axi_awid,
@@ -457,16 +457,16 @@ module bus_writer (
 );
     reg [4:0] unanswered;
     reg held;
-    reg [1:0] place;
+    reg [2:0] place;
     reg [27:0] held_weight;
     reg [51:0] held_depth;
-    reg [15:0] held_attribute_0;
-    reg [15:0] held_attribute_1;
-    reg [15:0] held_attribute_2;
+    reg [39:0] held_attribute_0;
+    reg [39:0] held_attribute_1;
+    reg [39:0] held_attribute_2;
 
     wire address_queue_in_ready;
     wire address_queue_out_valid;
-    wire [26:0] address_queue_out_address;
+    wire [25:0] address_queue_out_address;
     wire [7:0] address_queue_out_length;
     wire beat_queue_in_ready;
     wire beat_queue_out_valid;
@@ -474,7 +474,7 @@ module bus_writer (
     wire beat_queue_out_last;
 
     wire moves = held & beat_queue_in_ready;
-    wire at_end = place == 2'd3;
+    wire at_end = place == 3'd7;
     wire leaves = moves & at_end;
     wire below_limit = ~(unanswered == 5'd16);
     wire accepts = address_queue_in_ready & below_limit;
@@ -483,12 +483,14 @@ module bus_writer (
     wire takes = in_valid & takes_record;
     wire accepted = takes;
     wire address_queue_out_ready = m_axi_awready;
-    wire [63:0] joined_1 = {16'd0, held_attribute_2, held_attribute_1, held_attribute_0};
+    wire [63:0] choice_1 = place[1] ? (place[0] ? 64'd0 : 64'd0) : place[0] ? 64'd0 : {24'd0, held_attribute_2};
+    wire [63:0] choice_2 = place[0] ? {24'd0, held_attribute_1} : {24'd0, held_attribute_0};
+    wire [63:0] choice_3 = place[1] ? choice_2 : place[0] ? {12'd0, held_depth} : {36'd0, held_weight};
     wire beat_queue_out_ready = m_axi_wready;
 
     assign m_axi_awvalid = address_queue_out_valid;
     assign m_axi_awid = 4'd0;
-    assign m_axi_awaddr = {address_queue_out_address, 5'd0};
+    assign m_axi_awaddr = {address_queue_out_address, 6'd0};
     assign m_axi_awlen = address_queue_out_length;
     assign m_axi_awsize = 3'd3;
     assign m_axi_awburst = 2'd1;
@@ -499,13 +501,13 @@ module bus_writer (
     assign m_axi_bready = 1'd1;
     assign idle = unanswered == 5'd0;
 
-    stream_skid_w35 address_queue (
+    stream_skid_w34 address_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(accepted),
         .in_ready(address_queue_in_ready),
-        .in_address(in_address[31:5]),
-        .in_length(8'd3),
+        .in_address(in_address[31:6]),
+        .in_length(8'd7),
         .out_valid(address_queue_out_valid),
         .out_ready(address_queue_out_ready),
         .out_address(address_queue_out_address),
@@ -517,7 +519,7 @@ module bus_writer (
         .rst(rst),
         .in_valid(held),
         .in_ready(beat_queue_in_ready),
-        .in_data(place[1] ? (place[0] ? 64'd0 : joined_1) : place[0] ? {12'd0, held_depth} : {36'd0, held_weight}),
+        .in_data(place[2] ? choice_1 : choice_3),
         .in_last(at_end),
         .out_valid(beat_queue_out_valid),
         .out_ready(beat_queue_out_ready),
@@ -529,14 +531,14 @@ module bus_writer (
         if (rst) begin
             unanswered <= 5'd0;
             held <= 1'd0;
-            place <= 2'd0;
+            place <= 3'd0;
             error <= 1'd0;
         end else begin
             unanswered <= (unanswered + {4'd0, accepted}) - {4'd0, m_axi_bvalid};
             held <= takes | (held & ~leaves);
             error <= m_axi_bvalid & |m_axi_bresp;
             if (moves) begin
-                place <= at_end ? 2'd0 : (place + 2'd1);
+                place <= at_end ? 3'd0 : (place + 3'd1);
             end
         end
     end
@@ -550,11 +552,11 @@ module bus_writer (
         end
     end
 
-    wire _unused = &{1'b0, in_address[4:0], m_axi_bid};
+    wire _unused = &{1'b0, in_address[5:0], m_axi_bid};
 endmodule
 
 // Reads records from memory in bursts.
-// beats = 4
+// beats = 8
 // width = 64
 // records = 64
 module bus_reader (
@@ -581,26 +583,26 @@ module bus_reader (
     input  wire record_ready,
     output wire [27:0] record_weight,
     output wire [51:0] record_depth,
-    output wire [15:0] record_attribute_0,
-    output wire [15:0] record_attribute_1,
-    output wire [15:0] record_attribute_2,
+    output wire [39:0] record_attribute_0,
+    output wire [39:0] record_attribute_1,
+    output wire [39:0] record_attribute_2,
     output reg  error,
     output reg  misplaced
 );
     reg held;
-    reg [26:0] address;
+    reg [25:0] address;
     reg [6:0] records;
     reg [7:0] number;
     reg [27:0] held_weight_0;
     reg [51:0] held_depth_0;
-    reg [15:0] held_attribute_0_0;
-    reg [15:0] held_attribute_1_0;
-    reg [15:0] held_attribute_2_0;
+    reg [39:0] held_attribute_0_0;
+    reg [39:0] held_attribute_1_0;
+    reg [39:0] held_attribute_2_0;
     reg is_wrong;
 
     wire address_queue_in_ready;
     wire address_queue_out_valid;
-    wire [26:0] address_queue_out_address;
+    wire [25:0] address_queue_out_address;
     wire [7:0] address_queue_out_length;
     wire length_queue_in_ready;
     wire length_queue_out_valid;
@@ -611,12 +613,12 @@ module bus_reader (
     wire beat_queue_out_last;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
-    wire [6:0] room_records = 7'd64 - {1'd0, address[5:0]};
+    wire [6:0] room_records = 7'd32 - {2'd0, address[4:0]};
     wire crosses = room_records < records;
     wire takes_request = ~held | (issues & ~crosses);
     assign request_ready = takes_request;
     wire [6:0] burst = crosses ? room_records : records;
-    wire [8:0] difference_1 = {burst, 2'd0} - 9'd1;
+    wire [8:0] difference_1 = {burst[5:0], 3'd0} - 9'd1;
     wire [7:0] length = difference_1[7:0];
     wire address_queue_out_ready = m_axi_arready;
     wire record_taken = record_ready;
@@ -626,14 +628,16 @@ module bus_reader (
     wire ends = number == length_queue_out_length;
     wire length_queue_out_ready = moves & ends;
     wire term_2 = takes_request | issues;
-    wire takes_beat_0 = moves & (number[1:0] == 2'd0);
-    wire takes_beat_1 = moves & (number[1:0] == 2'd1);
-    wire takes_beat_2 = moves & (number[1:0] == 2'd2);
+    wire takes_beat_0 = moves & (number[2:0] == 3'd0);
+    wire takes_beat_1 = moves & (number[2:0] == 3'd1);
+    wire takes_beat_2 = moves & (number[2:0] == 3'd2);
+    wire takes_beat_3 = moves & (number[2:0] == 3'd3);
+    wire takes_beat_4 = moves & (number[2:0] == 3'd4);
     wire term_3 = is_wrong | (beat_queue_out_last ^ ends);
 
     assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
-    assign m_axi_araddr = {address_queue_out_address, 5'd0};
+    assign m_axi_araddr = {address_queue_out_address, 6'd0};
     assign m_axi_arlen = address_queue_out_length;
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
@@ -644,7 +648,7 @@ module bus_reader (
     assign record_attribute_1 = held_attribute_1_0;
     assign record_attribute_2 = held_attribute_2_0;
 
-    stream_skid_w35 address_queue (
+    stream_skid_w34 address_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(issues),
@@ -694,7 +698,7 @@ module bus_reader (
                 held <= request_valid;
             end
             if (advance) begin
-                record_valid <= moves & (number[1:0] == 2'd3);
+                record_valid <= moves & (number[2:0] == 3'd7);
             end
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
@@ -706,7 +710,7 @@ module bus_reader (
     end
     always @(posedge clk) begin
         if (term_2) begin
-            address <= takes_request ? request_address[31:5] : {address[26:6] + 21'd1, 6'd0};
+            address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
             records <= takes_request ? request_records : (records - room_records);
         end
         if (takes_beat_0) begin
@@ -716,13 +720,17 @@ module bus_reader (
             held_depth_0 <= beat_queue_out_data;
         end
         if (takes_beat_2) begin
-            held_attribute_0_0 <= beat_queue_out_data[15:0];
-            held_attribute_1_0 <= beat_queue_out_data[31:16];
-            held_attribute_2_0 <= beat_queue_out_data[47:32];
+            held_attribute_0_0 <= beat_queue_out_data[39:0];
+        end
+        if (takes_beat_3) begin
+            held_attribute_1_0 <= beat_queue_out_data[39:0];
+        end
+        if (takes_beat_4) begin
+            held_attribute_2_0 <= beat_queue_out_data[39:0];
         end
     end
 
-    wire _unused = &{1'b0, difference_1[8], m_axi_rdata[63:52], m_axi_rid, request_address[4:0]};
+    wire _unused = &{1'b0, burst[6], difference_1[8], m_axi_rdata[63:52], m_axi_rid, request_address[5:0]};
 endmodule
 
 // Queue of two in registers.
@@ -875,29 +883,29 @@ module stream_fifo_d16_w8 (
 endmodule
 
 // Queue of two in registers.
-// width = 35
-module stream_skid_w35 (
+// width = 34
+module stream_skid_w34 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [26:0] in_address,
+    input  wire [25:0] in_address,
     input  wire [7:0] in_length,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [26:0] out_address,
+    output wire [25:0] out_address,
     output wire [7:0] out_length
 );
     reg second_valid;
-    reg [34:0] head;
-    reg [34:0] second;
+    reg [33:0] head;
+    reg [33:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [34:0] in_item = {in_address, in_length};
+    wire [33:0] in_item = {in_address, in_length};
 
-    assign out_address = head[34:8];
+    assign out_address = head[33:8];
     assign out_length = head[7:0];
 
     always @(posedge clk) begin
@@ -948,9 +956,9 @@ module bus_packet_out (
     input  wire [8:0] in_column,
     input  wire [8:0] in_row,
     input  wire [23:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     output wire m_axis_tvalid,
     input  wire m_axis_tready,
     output wire [63:0] m_axis_tdata,
@@ -964,9 +972,9 @@ module bus_packet_out (
     reg [8:0] held_column;
     reg [8:0] held_row;
     reg [23:0] held_depth;
-    reg [15:0] held_attribute_0;
-    reg [15:0] held_attribute_1;
-    reg [15:0] held_attribute_2;
+    reg [11:0] held_attribute_0;
+    reg [11:0] held_attribute_1;
+    reg [11:0] held_attribute_2;
 
     wire beat_queue_in_ready;
     wire beat_queue_out_valid;
@@ -978,7 +986,8 @@ module bus_packet_out (
     wire leaves = moves & at_end;
     wire takes_record = ~held | leaves;
     assign in_ready = takes_record;
-    wire [63:0] choice_1 = place[0] ? {held_attribute_1, held_attribute_0, 8'd0, held_depth} : {23'd0, held_row, 7'd0, held_column, 15'd0, held_end};
+    wire [63:0] joined_1 = {4'd0, held_attribute_1, 4'd0, held_attribute_0, 8'd0, held_depth};
+    wire [63:0] choice_2 = place[0] ? joined_1 : {23'd0, held_row, 7'd0, held_column, 15'd0, held_end};
     wire beat_queue_out_ready = m_axis_tready;
     wire takes = in_valid & takes_record;
 
@@ -992,7 +1001,7 @@ module bus_packet_out (
         .rst(rst),
         .in_valid(held),
         .in_ready(beat_queue_in_ready),
-        .in_data(place[1] ? {48'd0, held_attribute_2} : choice_1),
+        .in_data(place[1] ? {52'd0, held_attribute_2} : choice_2),
         .in_last(at_end),
         .out_valid(beat_queue_out_valid),
         .out_ready(beat_queue_out_ready),
@@ -1111,9 +1120,9 @@ module bus_packet_in (
     output wire [23:0] out_tangent2_x,
     output wire [23:0] out_tangent2_y,
     output wire [23:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output reg  taken,
     output reg  refused
 );
@@ -1132,14 +1141,14 @@ module bus_packet_in (
     reg [23:0] held_tangent2_x_0;
     reg [23:0] held_tangent2_y_0;
     reg [23:0] held_tangent2_z_0;
-    reg [15:0] held_attribute_0_0;
-    reg [15:0] held_attribute_1_0;
-    reg [15:0] held_attribute_2_0;
+    reg [11:0] held_attribute_0_0;
+    reg [11:0] held_attribute_1_0;
+    reg [11:0] held_attribute_2_0;
 
     wire beat_queue_in_ready;
     wire beat_queue_out_valid;
     wire beat_queue_out_good;
-    wire [55:0] beat_queue_out_data;
+    wire [51:0] beat_queue_out_data;
     wire [2:0] beat_queue_out_place;
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
@@ -1174,13 +1183,13 @@ module bus_packet_in (
     assign out_attribute_1 = held_attribute_1_0;
     assign out_attribute_2 = held_attribute_2_0;
 
-    stream_skid_w60 beat_queue (
+    stream_skid_w56 beat_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(term_1),
         .in_ready(beat_queue_in_ready),
         .in_good(good),
-        .in_data(s_axis_tdata[55:0]),
+        .in_data({s_axis_tdata[55:32], s_axis_tdata[27:0]}),
         .in_place(place),
         .out_valid(beat_queue_out_valid),
         .out_ready(beat_queue_out_ready),
@@ -1220,61 +1229,61 @@ module bus_packet_in (
         end
         if (takes_beat_0) begin
             held_end_0 <= beat_queue_out_data[0];
-            held_center_x_0 <= beat_queue_out_data[55:32];
+            held_center_x_0 <= beat_queue_out_data[51:28];
         end
         if (takes_beat_1) begin
             held_center_y_0 <= beat_queue_out_data[23:0];
-            held_center_z_0 <= beat_queue_out_data[55:32];
+            held_center_z_0 <= beat_queue_out_data[51:28];
         end
         if (takes_beat_2) begin
             held_tangent1_x_0 <= beat_queue_out_data[23:0];
-            held_tangent1_y_0 <= beat_queue_out_data[55:32];
+            held_tangent1_y_0 <= beat_queue_out_data[51:28];
         end
         if (takes_beat_3) begin
             held_tangent1_z_0 <= beat_queue_out_data[23:0];
-            held_tangent2_x_0 <= beat_queue_out_data[55:32];
+            held_tangent2_x_0 <= beat_queue_out_data[51:28];
         end
         if (takes_beat_4) begin
             held_tangent2_y_0 <= beat_queue_out_data[23:0];
-            held_tangent2_z_0 <= beat_queue_out_data[55:32];
+            held_tangent2_z_0 <= beat_queue_out_data[51:28];
         end
         if (takes_beat_5) begin
-            held_attribute_0_0 <= beat_queue_out_data[15:0];
-            held_attribute_1_0 <= beat_queue_out_data[31:16];
-            held_attribute_2_0 <= beat_queue_out_data[47:32];
+            held_attribute_0_0 <= beat_queue_out_data[11:0];
+            held_attribute_1_0 <= beat_queue_out_data[27:16];
+            held_attribute_2_0 <= beat_queue_out_data[39:28];
         end
     end
 
-    wire _unused = &{1'b0, s_axis_tdata[63:56]};
+    wire _unused = &{1'b0, s_axis_tdata[31:28], s_axis_tdata[63:56]};
 endmodule
 
 // Queue of two in registers.
-// width = 60
-module stream_skid_w60 (
+// width = 56
+module stream_skid_w56 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
     input  wire in_good,
-    input  wire [55:0] in_data,
+    input  wire [51:0] in_data,
     input  wire [2:0] in_place,
     output reg  out_valid,
     input  wire out_ready,
     output wire out_good,
-    output wire [55:0] out_data,
+    output wire [51:0] out_data,
     output wire [2:0] out_place
 );
     reg second_valid;
-    reg [59:0] head;
-    reg [59:0] second;
+    reg [55:0] head;
+    reg [55:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [59:0] in_item = {in_good, in_data, in_place};
+    wire [55:0] in_item = {in_good, in_data, in_place};
 
-    assign out_good = head[59];
-    assign out_data = head[58:3];
+    assign out_good = head[55];
+    assign out_data = head[54:3];
     assign out_place = head[2:0];
 
     always @(posedge clk) begin

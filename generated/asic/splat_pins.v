@@ -23,9 +23,9 @@ module splat_pins (
     reg [23:0] drive_splat_tangent2_x;
     reg [23:0] drive_splat_tangent2_y;
     reg [23:0] drive_splat_tangent2_z;
-    reg [15:0] drive_splat_attribute_0;
-    reg [15:0] drive_splat_attribute_1;
-    reg [15:0] drive_splat_attribute_2;
+    reg [11:0] drive_splat_attribute_0;
+    reg [11:0] drive_splat_attribute_1;
+    reg [11:0] drive_splat_attribute_2;
     reg catch_read_valid;
     reg drive_read_ready;
     reg [11:0] catch_read_tile;
@@ -33,36 +33,36 @@ module splat_pins (
     reg catch_data_ready;
     reg [27:0] drive_data_weight;
     reg [51:0] drive_data_depth;
-    reg [15:0] drive_data_attribute_0;
-    reg [15:0] drive_data_attribute_1;
-    reg [15:0] drive_data_attribute_2;
+    reg [39:0] drive_data_attribute_0;
+    reg [39:0] drive_data_attribute_1;
+    reg [39:0] drive_data_attribute_2;
     reg catch_write_valid;
     reg drive_write_ready;
     reg [11:0] catch_write_tile;
     reg [5:0] catch_write_pixel;
     reg [27:0] catch_write_weight;
     reg [51:0] catch_write_depth;
-    reg [15:0] catch_write_attribute_0;
-    reg [15:0] catch_write_attribute_1;
-    reg [15:0] catch_write_attribute_2;
+    reg [39:0] catch_write_attribute_0;
+    reg [39:0] catch_write_attribute_1;
+    reg [39:0] catch_write_attribute_2;
     reg catch_fragment_valid;
     reg drive_fragment_ready;
     reg catch_fragment_end;
     reg [8:0] catch_fragment_column;
     reg [8:0] catch_fragment_row;
     reg [23:0] catch_fragment_depth;
-    reg [15:0] catch_fragment_attribute_0;
-    reg [15:0] catch_fragment_attribute_1;
-    reg [15:0] catch_fragment_attribute_2;
+    reg [11:0] catch_fragment_attribute_0;
+    reg [11:0] catch_fragment_attribute_1;
+    reg [11:0] catch_fragment_attribute_2;
     reg catch_event_sample;
     reg catch_event_starved;
     reg catch_event_blocked;
     reg catch_event_accumulate;
     reg catch_event_hazard;
     reg catch_event_slot_wait;
-    reg [65:0] fold_0;
-    reg [16:0] fold_1;
-    reg [4:0] fold_2;
+    reg [80:0] fold_0;
+    reg [20:0] fold_1;
+    reg [5:0] fold_2;
     reg [1:0] fold_3;
     reg fold_4;
 
@@ -75,17 +75,17 @@ module splat_pins (
     wire [5:0] unit_write_pixel;
     wire [27:0] unit_write_weight;
     wire [51:0] unit_write_depth;
-    wire [15:0] unit_write_attribute_0;
-    wire [15:0] unit_write_attribute_1;
-    wire [15:0] unit_write_attribute_2;
+    wire [39:0] unit_write_attribute_0;
+    wire [39:0] unit_write_attribute_1;
+    wire [39:0] unit_write_attribute_2;
     wire unit_fragment_valid;
     wire unit_fragment_end;
     wire [8:0] unit_fragment_column;
     wire [8:0] unit_fragment_row;
     wire [23:0] unit_fragment_depth;
-    wire [15:0] unit_fragment_attribute_0;
-    wire [15:0] unit_fragment_attribute_1;
-    wire [15:0] unit_fragment_attribute_2;
+    wire [11:0] unit_fragment_attribute_0;
+    wire [11:0] unit_fragment_attribute_1;
+    wire [11:0] unit_fragment_attribute_2;
     wire unit_event_sample;
     wire unit_event_starved;
     wire unit_event_blocked;
@@ -100,79 +100,109 @@ module splat_pins (
     wire term_5 = catch_fragment_attribute_2[5] ^ catch_fragment_attribute_2[6];
     wire term_6 = term_5 ^ catch_fragment_attribute_2[7] ^ catch_fragment_attribute_2[8];
     wire term_7 = catch_fragment_attribute_2[9] ^ catch_fragment_attribute_2[10];
-    wire term_8 = term_7 ^ catch_fragment_attribute_2[11] ^ catch_fragment_attribute_2[12];
-    wire term_9 = catch_fragment_attribute_2[13] ^ catch_fragment_attribute_2[14];
-    wire term_10 = term_9 ^ catch_fragment_attribute_2[15] ^ catch_fragment_attribute_1[0];
-    wire term_11 = catch_fragment_attribute_1[1] ^ catch_fragment_attribute_1[2];
-    wire term_12 = term_11 ^ catch_fragment_attribute_1[3] ^ catch_fragment_attribute_1[4];
-    wire term_13 = catch_fragment_attribute_1[5] ^ catch_fragment_attribute_1[6];
-    wire term_14 = term_13 ^ catch_fragment_attribute_1[7] ^ catch_fragment_attribute_1[8];
-    wire term_15 = catch_fragment_attribute_1[9] ^ catch_fragment_attribute_1[10];
-    wire term_16 = term_15 ^ catch_fragment_attribute_1[11] ^ catch_fragment_attribute_1[12];
-    wire term_17 = catch_fragment_attribute_1[13] ^ catch_fragment_attribute_1[14];
-    wire term_18 = term_17 ^ catch_fragment_attribute_1[15] ^ catch_fragment_attribute_0[0];
-    wire term_19 = catch_fragment_attribute_0[1] ^ catch_fragment_attribute_0[2];
-    wire term_20 = term_19 ^ catch_fragment_attribute_0[3] ^ catch_fragment_attribute_0[4];
-    wire term_21 = catch_fragment_attribute_0[5] ^ catch_fragment_attribute_0[6];
-    wire term_22 = term_21 ^ catch_fragment_attribute_0[7] ^ catch_fragment_attribute_0[8];
-    wire term_23 = catch_fragment_attribute_0[9] ^ catch_fragment_attribute_0[10];
-    wire term_24 = term_23 ^ catch_fragment_attribute_0[11] ^ catch_fragment_attribute_0[12];
-    wire term_25 = catch_fragment_attribute_0[13] ^ catch_fragment_attribute_0[14];
-    wire term_26 = term_25 ^ catch_fragment_attribute_0[15] ^ catch_fragment_depth[0];
-    wire term_27 = catch_fragment_depth[1] ^ catch_fragment_depth[2] ^ catch_fragment_depth[3];
-    wire term_28 = catch_fragment_depth[5] ^ catch_fragment_depth[6] ^ catch_fragment_depth[7];
-    wire term_29 = catch_fragment_depth[9] ^ catch_fragment_depth[10] ^ catch_fragment_depth[11];
-    wire term_30 = catch_fragment_depth[13] ^ catch_fragment_depth[14] ^ catch_fragment_depth[15];
-    wire term_31 = catch_fragment_depth[17] ^ catch_fragment_depth[18] ^ catch_fragment_depth[19];
-    wire term_32 = catch_fragment_depth[21] ^ catch_fragment_depth[22] ^ catch_fragment_depth[23];
-    wire term_33 = catch_fragment_row[1] ^ catch_fragment_row[2] ^ catch_fragment_row[3];
-    wire term_34 = catch_fragment_row[5] ^ catch_fragment_row[6] ^ catch_fragment_row[7];
-    wire term_35 = catch_fragment_column[0] ^ catch_fragment_column[1] ^ catch_fragment_column[2];
-    wire term_36 = catch_fragment_column[4] ^ catch_fragment_column[5] ^ catch_fragment_column[6];
-    wire term_37 = catch_fragment_column[8] ^ catch_fragment_end ^ catch_fragment_valid;
-    wire term_38 = catch_write_attribute_2[1] ^ catch_write_attribute_2[2] ^ catch_write_attribute_2[3];
-    wire term_39 = catch_write_attribute_2[5] ^ catch_write_attribute_2[6] ^ catch_write_attribute_2[7];
-    wire term_40 = catch_write_attribute_2[9] ^ catch_write_attribute_2[10] ^ catch_write_attribute_2[11];
-    wire term_41 = catch_write_attribute_2[13] ^ catch_write_attribute_2[14];
-    wire term_42 = term_41 ^ catch_write_attribute_2[15] ^ catch_write_attribute_1[0];
-    wire term_43 = catch_write_attribute_1[1] ^ catch_write_attribute_1[2] ^ catch_write_attribute_1[3];
-    wire term_44 = catch_write_attribute_1[5] ^ catch_write_attribute_1[6] ^ catch_write_attribute_1[7];
-    wire term_45 = catch_write_attribute_1[9] ^ catch_write_attribute_1[10] ^ catch_write_attribute_1[11];
-    wire term_46 = catch_write_attribute_1[13] ^ catch_write_attribute_1[14];
-    wire term_47 = term_46 ^ catch_write_attribute_1[15] ^ catch_write_attribute_0[0];
-    wire term_48 = catch_write_attribute_0[1] ^ catch_write_attribute_0[2] ^ catch_write_attribute_0[3];
-    wire term_49 = catch_write_attribute_0[5] ^ catch_write_attribute_0[6] ^ catch_write_attribute_0[7];
-    wire term_50 = catch_write_attribute_0[9] ^ catch_write_attribute_0[10] ^ catch_write_attribute_0[11];
-    wire term_51 = catch_write_attribute_0[13] ^ catch_write_attribute_0[14];
-    wire term_52 = term_51 ^ catch_write_attribute_0[15] ^ catch_write_depth[0];
-    wire term_53 = catch_write_depth[1] ^ catch_write_depth[2] ^ catch_write_depth[3];
-    wire term_54 = catch_write_depth[5] ^ catch_write_depth[6] ^ catch_write_depth[7];
-    wire term_55 = catch_write_depth[9] ^ catch_write_depth[10] ^ catch_write_depth[11];
-    wire term_56 = catch_write_depth[13] ^ catch_write_depth[14] ^ catch_write_depth[15];
-    wire term_57 = catch_write_depth[17] ^ catch_write_depth[18] ^ catch_write_depth[19];
-    wire term_58 = catch_write_depth[21] ^ catch_write_depth[22] ^ catch_write_depth[23];
-    wire term_59 = catch_write_depth[25] ^ catch_write_depth[26] ^ catch_write_depth[27];
-    wire term_60 = catch_write_depth[29] ^ catch_write_depth[30] ^ catch_write_depth[31];
-    wire term_61 = catch_write_depth[33] ^ catch_write_depth[34] ^ catch_write_depth[35];
-    wire term_62 = catch_write_depth[37] ^ catch_write_depth[38] ^ catch_write_depth[39];
-    wire term_63 = catch_write_depth[41] ^ catch_write_depth[42] ^ catch_write_depth[43];
-    wire term_64 = catch_write_depth[45] ^ catch_write_depth[46] ^ catch_write_depth[47];
-    wire term_65 = catch_write_depth[49] ^ catch_write_depth[50] ^ catch_write_depth[51];
-    wire term_66 = catch_write_weight[1] ^ catch_write_weight[2] ^ catch_write_weight[3];
-    wire term_67 = catch_write_weight[5] ^ catch_write_weight[6] ^ catch_write_weight[7];
-    wire term_68 = catch_write_weight[9] ^ catch_write_weight[10] ^ catch_write_weight[11];
-    wire term_69 = catch_write_weight[13] ^ catch_write_weight[14] ^ catch_write_weight[15];
-    wire term_70 = catch_write_weight[17] ^ catch_write_weight[18] ^ catch_write_weight[19];
-    wire term_71 = catch_write_weight[21] ^ catch_write_weight[22] ^ catch_write_weight[23];
-    wire term_72 = catch_write_weight[25] ^ catch_write_weight[26] ^ catch_write_weight[27];
-    wire term_73 = catch_write_pixel[1] ^ catch_write_pixel[2] ^ catch_write_pixel[3];
-    wire term_74 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1];
-    wire term_75 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5];
-    wire term_76 = catch_write_tile[7] ^ catch_write_tile[8] ^ catch_write_tile[9];
-    wire term_77 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready;
-    wire term_78 = catch_read_tile[1] ^ catch_read_tile[2] ^ catch_read_tile[3];
-    wire term_79 = catch_read_tile[5] ^ catch_read_tile[6] ^ catch_read_tile[7];
-    wire term_80 = catch_read_tile[9] ^ catch_read_tile[10] ^ catch_read_tile[11];
+    wire term_8 = term_7 ^ catch_fragment_attribute_2[11] ^ catch_fragment_attribute_1[0];
+    wire term_9 = catch_fragment_attribute_1[1] ^ catch_fragment_attribute_1[2];
+    wire term_10 = term_9 ^ catch_fragment_attribute_1[3] ^ catch_fragment_attribute_1[4];
+    wire term_11 = catch_fragment_attribute_1[5] ^ catch_fragment_attribute_1[6];
+    wire term_12 = term_11 ^ catch_fragment_attribute_1[7] ^ catch_fragment_attribute_1[8];
+    wire term_13 = catch_fragment_attribute_1[9] ^ catch_fragment_attribute_1[10];
+    wire term_14 = term_13 ^ catch_fragment_attribute_1[11] ^ catch_fragment_attribute_0[0];
+    wire term_15 = catch_fragment_attribute_0[1] ^ catch_fragment_attribute_0[2];
+    wire term_16 = term_15 ^ catch_fragment_attribute_0[3] ^ catch_fragment_attribute_0[4];
+    wire term_17 = catch_fragment_attribute_0[5] ^ catch_fragment_attribute_0[6];
+    wire term_18 = term_17 ^ catch_fragment_attribute_0[7] ^ catch_fragment_attribute_0[8];
+    wire term_19 = catch_fragment_attribute_0[9] ^ catch_fragment_attribute_0[10];
+    wire term_20 = term_19 ^ catch_fragment_attribute_0[11] ^ catch_fragment_depth[0];
+    wire term_21 = catch_fragment_depth[1] ^ catch_fragment_depth[2] ^ catch_fragment_depth[3];
+    wire term_22 = catch_fragment_depth[5] ^ catch_fragment_depth[6] ^ catch_fragment_depth[7];
+    wire term_23 = catch_fragment_depth[9] ^ catch_fragment_depth[10] ^ catch_fragment_depth[11];
+    wire term_24 = catch_fragment_depth[13] ^ catch_fragment_depth[14] ^ catch_fragment_depth[15];
+    wire term_25 = catch_fragment_depth[17] ^ catch_fragment_depth[18] ^ catch_fragment_depth[19];
+    wire term_26 = catch_fragment_depth[21] ^ catch_fragment_depth[22] ^ catch_fragment_depth[23];
+    wire term_27 = catch_fragment_row[1] ^ catch_fragment_row[2] ^ catch_fragment_row[3];
+    wire term_28 = catch_fragment_row[5] ^ catch_fragment_row[6] ^ catch_fragment_row[7];
+    wire term_29 = catch_fragment_column[0] ^ catch_fragment_column[1] ^ catch_fragment_column[2];
+    wire term_30 = catch_fragment_column[4] ^ catch_fragment_column[5] ^ catch_fragment_column[6];
+    wire term_31 = catch_fragment_column[8] ^ catch_fragment_end ^ catch_fragment_valid;
+    wire term_32 = catch_write_attribute_2[1] ^ catch_write_attribute_2[2] ^ catch_write_attribute_2[3];
+    wire term_33 = catch_write_attribute_2[5] ^ catch_write_attribute_2[6] ^ catch_write_attribute_2[7];
+    wire term_34 = catch_write_attribute_2[9] ^ catch_write_attribute_2[10] ^ catch_write_attribute_2[11];
+    wire term_35 = catch_write_attribute_2[13] ^ catch_write_attribute_2[14];
+    wire term_36 = term_35 ^ catch_write_attribute_2[15] ^ catch_write_attribute_2[16];
+    wire term_37 = catch_write_attribute_2[17] ^ catch_write_attribute_2[18];
+    wire term_38 = term_37 ^ catch_write_attribute_2[19] ^ catch_write_attribute_2[20];
+    wire term_39 = catch_write_attribute_2[21] ^ catch_write_attribute_2[22];
+    wire term_40 = term_39 ^ catch_write_attribute_2[23] ^ catch_write_attribute_2[24];
+    wire term_41 = catch_write_attribute_2[25] ^ catch_write_attribute_2[26];
+    wire term_42 = term_41 ^ catch_write_attribute_2[27] ^ catch_write_attribute_2[28];
+    wire term_43 = catch_write_attribute_2[29] ^ catch_write_attribute_2[30];
+    wire term_44 = term_43 ^ catch_write_attribute_2[31] ^ catch_write_attribute_2[32];
+    wire term_45 = catch_write_attribute_2[33] ^ catch_write_attribute_2[34];
+    wire term_46 = term_45 ^ catch_write_attribute_2[35] ^ catch_write_attribute_2[36];
+    wire term_47 = catch_write_attribute_2[37] ^ catch_write_attribute_2[38];
+    wire term_48 = term_47 ^ catch_write_attribute_2[39] ^ catch_write_attribute_1[0];
+    wire term_49 = catch_write_attribute_1[1] ^ catch_write_attribute_1[2] ^ catch_write_attribute_1[3];
+    wire term_50 = catch_write_attribute_1[5] ^ catch_write_attribute_1[6] ^ catch_write_attribute_1[7];
+    wire term_51 = catch_write_attribute_1[9] ^ catch_write_attribute_1[10] ^ catch_write_attribute_1[11];
+    wire term_52 = catch_write_attribute_1[13] ^ catch_write_attribute_1[14];
+    wire term_53 = term_52 ^ catch_write_attribute_1[15] ^ catch_write_attribute_1[16];
+    wire term_54 = catch_write_attribute_1[17] ^ catch_write_attribute_1[18];
+    wire term_55 = term_54 ^ catch_write_attribute_1[19] ^ catch_write_attribute_1[20];
+    wire term_56 = catch_write_attribute_1[21] ^ catch_write_attribute_1[22];
+    wire term_57 = term_56 ^ catch_write_attribute_1[23] ^ catch_write_attribute_1[24];
+    wire term_58 = catch_write_attribute_1[25] ^ catch_write_attribute_1[26];
+    wire term_59 = term_58 ^ catch_write_attribute_1[27] ^ catch_write_attribute_1[28];
+    wire term_60 = catch_write_attribute_1[29] ^ catch_write_attribute_1[30];
+    wire term_61 = term_60 ^ catch_write_attribute_1[31] ^ catch_write_attribute_1[32];
+    wire term_62 = catch_write_attribute_1[33] ^ catch_write_attribute_1[34];
+    wire term_63 = term_62 ^ catch_write_attribute_1[35] ^ catch_write_attribute_1[36];
+    wire term_64 = catch_write_attribute_1[37] ^ catch_write_attribute_1[38];
+    wire term_65 = term_64 ^ catch_write_attribute_1[39] ^ catch_write_attribute_0[0];
+    wire term_66 = catch_write_attribute_0[1] ^ catch_write_attribute_0[2] ^ catch_write_attribute_0[3];
+    wire term_67 = catch_write_attribute_0[5] ^ catch_write_attribute_0[6] ^ catch_write_attribute_0[7];
+    wire term_68 = catch_write_attribute_0[9] ^ catch_write_attribute_0[10] ^ catch_write_attribute_0[11];
+    wire term_69 = catch_write_attribute_0[13] ^ catch_write_attribute_0[14];
+    wire term_70 = term_69 ^ catch_write_attribute_0[15] ^ catch_write_attribute_0[16];
+    wire term_71 = catch_write_attribute_0[17] ^ catch_write_attribute_0[18];
+    wire term_72 = term_71 ^ catch_write_attribute_0[19] ^ catch_write_attribute_0[20];
+    wire term_73 = catch_write_attribute_0[21] ^ catch_write_attribute_0[22];
+    wire term_74 = term_73 ^ catch_write_attribute_0[23] ^ catch_write_attribute_0[24];
+    wire term_75 = catch_write_attribute_0[25] ^ catch_write_attribute_0[26];
+    wire term_76 = term_75 ^ catch_write_attribute_0[27] ^ catch_write_attribute_0[28];
+    wire term_77 = catch_write_attribute_0[29] ^ catch_write_attribute_0[30];
+    wire term_78 = term_77 ^ catch_write_attribute_0[31] ^ catch_write_attribute_0[32];
+    wire term_79 = catch_write_attribute_0[33] ^ catch_write_attribute_0[34];
+    wire term_80 = term_79 ^ catch_write_attribute_0[35] ^ catch_write_attribute_0[36];
+    wire term_81 = catch_write_attribute_0[37] ^ catch_write_attribute_0[38];
+    wire term_82 = term_81 ^ catch_write_attribute_0[39] ^ catch_write_depth[0];
+    wire term_83 = catch_write_depth[1] ^ catch_write_depth[2] ^ catch_write_depth[3];
+    wire term_84 = catch_write_depth[5] ^ catch_write_depth[6] ^ catch_write_depth[7];
+    wire term_85 = catch_write_depth[9] ^ catch_write_depth[10] ^ catch_write_depth[11];
+    wire term_86 = catch_write_depth[13] ^ catch_write_depth[14] ^ catch_write_depth[15];
+    wire term_87 = catch_write_depth[17] ^ catch_write_depth[18] ^ catch_write_depth[19];
+    wire term_88 = catch_write_depth[21] ^ catch_write_depth[22] ^ catch_write_depth[23];
+    wire term_89 = catch_write_depth[25] ^ catch_write_depth[26] ^ catch_write_depth[27];
+    wire term_90 = catch_write_depth[29] ^ catch_write_depth[30] ^ catch_write_depth[31];
+    wire term_91 = catch_write_depth[33] ^ catch_write_depth[34] ^ catch_write_depth[35];
+    wire term_92 = catch_write_depth[37] ^ catch_write_depth[38] ^ catch_write_depth[39];
+    wire term_93 = catch_write_depth[41] ^ catch_write_depth[42] ^ catch_write_depth[43];
+    wire term_94 = catch_write_depth[45] ^ catch_write_depth[46] ^ catch_write_depth[47];
+    wire term_95 = catch_write_depth[49] ^ catch_write_depth[50] ^ catch_write_depth[51];
+    wire term_96 = catch_write_weight[1] ^ catch_write_weight[2] ^ catch_write_weight[3];
+    wire term_97 = catch_write_weight[5] ^ catch_write_weight[6] ^ catch_write_weight[7];
+    wire term_98 = catch_write_weight[9] ^ catch_write_weight[10] ^ catch_write_weight[11];
+    wire term_99 = catch_write_weight[13] ^ catch_write_weight[14] ^ catch_write_weight[15];
+    wire term_100 = catch_write_weight[17] ^ catch_write_weight[18] ^ catch_write_weight[19];
+    wire term_101 = catch_write_weight[21] ^ catch_write_weight[22] ^ catch_write_weight[23];
+    wire term_102 = catch_write_weight[25] ^ catch_write_weight[26] ^ catch_write_weight[27];
+    wire term_103 = catch_write_pixel[1] ^ catch_write_pixel[2] ^ catch_write_pixel[3];
+    wire term_104 = catch_write_pixel[5] ^ catch_write_tile[0] ^ catch_write_tile[1];
+    wire term_105 = catch_write_tile[3] ^ catch_write_tile[4] ^ catch_write_tile[5];
+    wire term_106 = catch_write_tile[7] ^ catch_write_tile[8] ^ catch_write_tile[9];
+    wire term_107 = catch_write_tile[11] ^ catch_write_valid ^ catch_data_ready;
+    wire term_108 = catch_read_tile[1] ^ catch_read_tile[2] ^ catch_read_tile[3];
+    wire term_109 = catch_read_tile[5] ^ catch_read_tile[6] ^ catch_read_tile[7];
+    wire term_110 = catch_read_tile[9] ^ catch_read_tile[10] ^ catch_read_tile[11];
 
     assign serial_out = fold_4;
 
@@ -249,21 +279,21 @@ module splat_pins (
         drive_splat_tangent2_x <= {drive_splat_tangent2_x[22:0], drive_splat_tangent1_z[23]};
         drive_splat_tangent2_y <= {drive_splat_tangent2_y[22:0], drive_splat_tangent2_x[23]};
         drive_splat_tangent2_z <= {drive_splat_tangent2_z[22:0], drive_splat_tangent2_y[23]};
-        drive_splat_attribute_0 <= {drive_splat_attribute_0[14:0], drive_splat_tangent2_z[23]};
-        drive_splat_attribute_1 <= {drive_splat_attribute_1[14:0], drive_splat_attribute_0[15]};
-        drive_splat_attribute_2 <= {drive_splat_attribute_2[14:0], drive_splat_attribute_1[15]};
+        drive_splat_attribute_0 <= {drive_splat_attribute_0[10:0], drive_splat_tangent2_z[23]};
+        drive_splat_attribute_1 <= {drive_splat_attribute_1[10:0], drive_splat_attribute_0[11]};
+        drive_splat_attribute_2 <= {drive_splat_attribute_2[10:0], drive_splat_attribute_1[11]};
         catch_read_valid <= unit_read_valid;
-        drive_read_ready <= drive_splat_attribute_2[15];
+        drive_read_ready <= drive_splat_attribute_2[11];
         catch_read_tile <= unit_read_tile;
         drive_data_valid <= drive_read_ready;
         catch_data_ready <= unit_data_ready;
         drive_data_weight <= {drive_data_weight[26:0], drive_data_valid};
         drive_data_depth <= {drive_data_depth[50:0], drive_data_weight[27]};
-        drive_data_attribute_0 <= {drive_data_attribute_0[14:0], drive_data_depth[51]};
-        drive_data_attribute_1 <= {drive_data_attribute_1[14:0], drive_data_attribute_0[15]};
-        drive_data_attribute_2 <= {drive_data_attribute_2[14:0], drive_data_attribute_1[15]};
+        drive_data_attribute_0 <= {drive_data_attribute_0[38:0], drive_data_depth[51]};
+        drive_data_attribute_1 <= {drive_data_attribute_1[38:0], drive_data_attribute_0[39]};
+        drive_data_attribute_2 <= {drive_data_attribute_2[38:0], drive_data_attribute_1[39]};
         catch_write_valid <= unit_write_valid;
-        drive_write_ready <= drive_data_attribute_2[15];
+        drive_write_ready <= drive_data_attribute_2[39];
         catch_write_tile <= unit_write_tile;
         catch_write_pixel <= unit_write_pixel;
         catch_write_weight <= unit_write_weight;
@@ -298,60 +328,75 @@ module splat_pins (
             term_16,
             term_18,
             term_20,
-            term_22,
-            term_24,
-            term_26,
-            term_27 ^ catch_fragment_depth[4],
-            term_28 ^ catch_fragment_depth[8],
-            term_29 ^ catch_fragment_depth[12],
-            term_30 ^ catch_fragment_depth[16],
-            term_31 ^ catch_fragment_depth[20],
-            term_32 ^ catch_fragment_row[0],
-            term_33 ^ catch_fragment_row[4],
-            term_34 ^ catch_fragment_row[8],
-            term_35 ^ catch_fragment_column[3],
-            term_36 ^ catch_fragment_column[7],
-            term_37 ^ catch_write_attribute_2[0],
-            term_38 ^ catch_write_attribute_2[4],
-            term_39 ^ catch_write_attribute_2[8],
-            term_40 ^ catch_write_attribute_2[12],
+            term_21 ^ catch_fragment_depth[4],
+            term_22 ^ catch_fragment_depth[8],
+            term_23 ^ catch_fragment_depth[12],
+            term_24 ^ catch_fragment_depth[16],
+            term_25 ^ catch_fragment_depth[20],
+            term_26 ^ catch_fragment_row[0],
+            term_27 ^ catch_fragment_row[4],
+            term_28 ^ catch_fragment_row[8],
+            term_29 ^ catch_fragment_column[3],
+            term_30 ^ catch_fragment_column[7],
+            term_31 ^ catch_write_attribute_2[0],
+            term_32 ^ catch_write_attribute_2[4],
+            term_33 ^ catch_write_attribute_2[8],
+            term_34 ^ catch_write_attribute_2[12],
+            term_36,
+            term_38,
+            term_40,
             term_42,
-            term_43 ^ catch_write_attribute_1[4],
-            term_44 ^ catch_write_attribute_1[8],
-            term_45 ^ catch_write_attribute_1[12],
-            term_47,
-            term_48 ^ catch_write_attribute_0[4],
-            term_49 ^ catch_write_attribute_0[8],
-            term_50 ^ catch_write_attribute_0[12],
-            term_52,
-            term_53 ^ catch_write_depth[4],
-            term_54 ^ catch_write_depth[8],
-            term_55 ^ catch_write_depth[12],
-            term_56 ^ catch_write_depth[16],
-            term_57 ^ catch_write_depth[20],
-            term_58 ^ catch_write_depth[24],
-            term_59 ^ catch_write_depth[28],
-            term_60 ^ catch_write_depth[32],
-            term_61 ^ catch_write_depth[36],
-            term_62 ^ catch_write_depth[40],
-            term_63 ^ catch_write_depth[44],
-            term_64 ^ catch_write_depth[48],
-            term_65 ^ catch_write_weight[0],
-            term_66 ^ catch_write_weight[4],
-            term_67 ^ catch_write_weight[8],
-            term_68 ^ catch_write_weight[12],
-            term_69 ^ catch_write_weight[16],
-            term_70 ^ catch_write_weight[20],
-            term_71 ^ catch_write_weight[24],
-            term_72 ^ catch_write_pixel[0],
-            term_73 ^ catch_write_pixel[4],
-            term_74 ^ catch_write_tile[2],
-            term_75 ^ catch_write_tile[6],
-            term_76 ^ catch_write_tile[10],
-            term_77 ^ catch_read_tile[0],
-            term_78 ^ catch_read_tile[4],
-            term_79 ^ catch_read_tile[8],
-            term_80 ^ catch_read_valid,
+            term_44,
+            term_46,
+            term_48,
+            term_49 ^ catch_write_attribute_1[4],
+            term_50 ^ catch_write_attribute_1[8],
+            term_51 ^ catch_write_attribute_1[12],
+            term_53,
+            term_55,
+            term_57,
+            term_59,
+            term_61,
+            term_63,
+            term_65,
+            term_66 ^ catch_write_attribute_0[4],
+            term_67 ^ catch_write_attribute_0[8],
+            term_68 ^ catch_write_attribute_0[12],
+            term_70,
+            term_72,
+            term_74,
+            term_76,
+            term_78,
+            term_80,
+            term_82,
+            term_83 ^ catch_write_depth[4],
+            term_84 ^ catch_write_depth[8],
+            term_85 ^ catch_write_depth[12],
+            term_86 ^ catch_write_depth[16],
+            term_87 ^ catch_write_depth[20],
+            term_88 ^ catch_write_depth[24],
+            term_89 ^ catch_write_depth[28],
+            term_90 ^ catch_write_depth[32],
+            term_91 ^ catch_write_depth[36],
+            term_92 ^ catch_write_depth[40],
+            term_93 ^ catch_write_depth[44],
+            term_94 ^ catch_write_depth[48],
+            term_95 ^ catch_write_weight[0],
+            term_96 ^ catch_write_weight[4],
+            term_97 ^ catch_write_weight[8],
+            term_98 ^ catch_write_weight[12],
+            term_99 ^ catch_write_weight[16],
+            term_100 ^ catch_write_weight[20],
+            term_101 ^ catch_write_weight[24],
+            term_102 ^ catch_write_pixel[0],
+            term_103 ^ catch_write_pixel[4],
+            term_104 ^ catch_write_tile[2],
+            term_105 ^ catch_write_tile[6],
+            term_106 ^ catch_write_tile[10],
+            term_107 ^ catch_read_tile[0],
+            term_108 ^ catch_read_tile[4],
+            term_109 ^ catch_read_tile[8],
+            term_110 ^ catch_read_valid,
             catch_splat_ready
         };
         fold_1 <= {
@@ -371,16 +416,21 @@ module splat_pins (
             fold_0[52] ^ fold_0[53] ^ fold_0[54] ^ fold_0[55],
             fold_0[56] ^ fold_0[57] ^ fold_0[58] ^ fold_0[59],
             fold_0[60] ^ fold_0[61] ^ fold_0[62] ^ fold_0[63],
-            fold_0[64] ^ fold_0[65]
+            fold_0[64] ^ fold_0[65] ^ fold_0[66] ^ fold_0[67],
+            fold_0[68] ^ fold_0[69] ^ fold_0[70] ^ fold_0[71],
+            fold_0[72] ^ fold_0[73] ^ fold_0[74] ^ fold_0[75],
+            fold_0[76] ^ fold_0[77] ^ fold_0[78] ^ fold_0[79],
+            fold_0[80]
         };
         fold_2 <= {
             fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3],
             fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],
             fold_1[8] ^ fold_1[9] ^ fold_1[10] ^ fold_1[11],
             fold_1[12] ^ fold_1[13] ^ fold_1[14] ^ fold_1[15],
-            fold_1[16]
+            fold_1[16] ^ fold_1[17] ^ fold_1[18] ^ fold_1[19],
+            fold_1[20]
         };
-        fold_3 <= {fold_2[0] ^ fold_2[1] ^ fold_2[2] ^ fold_2[3], fold_2[4]};
+        fold_3 <= {fold_2[0] ^ fold_2[1] ^ fold_2[2] ^ fold_2[3], fold_2[4] ^ fold_2[5]};
         fold_4 <= fold_3[0] ^ fold_3[1];
     end
 endmodule

@@ -20,9 +20,9 @@ module splat_top (
     input  wire [23:0] splat_tangent2_x,
     input  wire [23:0] splat_tangent2_y,
     input  wire [23:0] splat_tangent2_z,
-    input  wire [15:0] splat_attribute_0,
-    input  wire [15:0] splat_attribute_1,
-    input  wire [15:0] splat_attribute_2,
+    input  wire [11:0] splat_attribute_0,
+    input  wire [11:0] splat_attribute_1,
+    input  wire [11:0] splat_attribute_2,
     output wire read_valid,
     input  wire read_ready,
     output wire [11:0] read_tile,
@@ -30,27 +30,27 @@ module splat_top (
     output wire data_ready,
     input  wire [27:0] data_weight,
     input  wire [51:0] data_depth,
-    input  wire [15:0] data_attribute_0,
-    input  wire [15:0] data_attribute_1,
-    input  wire [15:0] data_attribute_2,
+    input  wire [39:0] data_attribute_0,
+    input  wire [39:0] data_attribute_1,
+    input  wire [39:0] data_attribute_2,
     output wire write_valid,
     input  wire write_ready,
     output wire [11:0] write_tile,
     output wire [5:0] write_pixel,
     output wire [27:0] write_weight,
     output wire [51:0] write_depth,
-    output wire [15:0] write_attribute_0,
-    output wire [15:0] write_attribute_1,
-    output wire [15:0] write_attribute_2,
+    output wire [39:0] write_attribute_0,
+    output wire [39:0] write_attribute_1,
+    output wire [39:0] write_attribute_2,
     output wire fragment_valid,
     input  wire fragment_ready,
     output wire fragment_end,
     output wire [8:0] fragment_column,
     output wire [8:0] fragment_row,
     output wire [23:0] fragment_depth,
-    output wire [15:0] fragment_attribute_0,
-    output wire [15:0] fragment_attribute_1,
-    output wire [15:0] fragment_attribute_2,
+    output wire [11:0] fragment_attribute_0,
+    output wire [11:0] fragment_attribute_1,
+    output wire [11:0] fragment_attribute_2,
     output wire event_sample,
     output wire event_starved,
     output wire event_blocked,
@@ -80,7 +80,7 @@ module splat_top (
     reg [23:0] uniform_epsilon_scale;
     reg [23:0] uniform_epsilon_bias;
     reg [23:0] uniform_filter_radius;
-    reg [23:0] uniform_filter_scale;
+    reg [15:0] uniform_filter_scale;
 
     wire transform_in_ready;
     wire transform_out_valid;
@@ -94,27 +94,28 @@ module splat_top (
     wire [23:0] transform_out_tangent2_x;
     wire [23:0] transform_out_tangent2_y;
     wire [23:0] transform_out_tangent2_z;
-    wire [15:0] transform_out_attribute_0;
-    wire [15:0] transform_out_attribute_1;
-    wire [15:0] transform_out_attribute_2;
+    wire [11:0] transform_out_attribute_0;
+    wire [11:0] transform_out_attribute_1;
+    wire [11:0] transform_out_attribute_2;
     wire setup_in_ready;
     wire setup_out_valid;
     wire setup_out_end;
-    wire [23:0] setup_out_center_x;
-    wire [23:0] setup_out_center_y;
-    wire [23:0] setup_out_ax;
-    wire [23:0] setup_out_bx;
-    wire [23:0] setup_out_ay;
-    wire [23:0] setup_out_by;
-    wire [23:0] setup_out_delta;
-    wire [23:0] setup_out_mx;
-    wire [23:0] setup_out_my;
+    wire [25:0] setup_out_center_x;
+    wire [25:0] setup_out_center_y;
+    wire [15:0] setup_out_ax;
+    wire [15:0] setup_out_bx;
+    wire [15:0] setup_out_ay;
+    wire [15:0] setup_out_by;
+    wire [19:0] setup_out_delta;
+    wire [15:0] setup_out_mx;
+    wire [15:0] setup_out_my;
+    wire [3:0] setup_out_shift;
     wire [23:0] setup_out_depth;
     wire [23:0] setup_out_depth_low;
     wire [23:0] setup_out_depth_high;
-    wire [15:0] setup_out_attribute_0;
-    wire [15:0] setup_out_attribute_1;
-    wire [15:0] setup_out_attribute_2;
+    wire [11:0] setup_out_attribute_0;
+    wire [11:0] setup_out_attribute_1;
+    wire [11:0] setup_out_attribute_2;
     wire [8:0] setup_out_left;
     wire [8:0] setup_out_right;
     wire [8:0] setup_out_top;
@@ -122,21 +123,22 @@ module splat_top (
     wire splitter_in_ready;
     wire splitter_out_valid;
     wire splitter_out_end;
-    wire [23:0] splitter_out_center_x;
-    wire [23:0] splitter_out_center_y;
-    wire [23:0] splitter_out_ax;
-    wire [23:0] splitter_out_bx;
-    wire [23:0] splitter_out_ay;
-    wire [23:0] splitter_out_by;
-    wire [23:0] splitter_out_delta;
-    wire [23:0] splitter_out_mx;
-    wire [23:0] splitter_out_my;
+    wire [25:0] splitter_out_center_x;
+    wire [25:0] splitter_out_center_y;
+    wire [15:0] splitter_out_ax;
+    wire [15:0] splitter_out_bx;
+    wire [15:0] splitter_out_ay;
+    wire [15:0] splitter_out_by;
+    wire [19:0] splitter_out_delta;
+    wire [15:0] splitter_out_mx;
+    wire [15:0] splitter_out_my;
+    wire [3:0] splitter_out_shift;
     wire [23:0] splitter_out_depth;
     wire [23:0] splitter_out_depth_low;
     wire [23:0] splitter_out_depth_high;
-    wire [15:0] splitter_out_attribute_0;
-    wire [15:0] splitter_out_attribute_1;
-    wire [15:0] splitter_out_attribute_2;
+    wire [11:0] splitter_out_attribute_0;
+    wire [11:0] splitter_out_attribute_1;
+    wire [11:0] splitter_out_attribute_2;
     wire [2:0] splitter_out_left;
     wire [2:0] splitter_out_right;
     wire [2:0] splitter_out_top;
@@ -145,21 +147,22 @@ module splat_top (
     wire reorder_in_ready;
     wire reorder_out_valid;
     wire reorder_out_end;
-    wire [23:0] reorder_out_center_x;
-    wire [23:0] reorder_out_center_y;
-    wire [23:0] reorder_out_ax;
-    wire [23:0] reorder_out_bx;
-    wire [23:0] reorder_out_ay;
-    wire [23:0] reorder_out_by;
-    wire [23:0] reorder_out_delta;
-    wire [23:0] reorder_out_mx;
-    wire [23:0] reorder_out_my;
+    wire [25:0] reorder_out_center_x;
+    wire [25:0] reorder_out_center_y;
+    wire [15:0] reorder_out_ax;
+    wire [15:0] reorder_out_bx;
+    wire [15:0] reorder_out_ay;
+    wire [15:0] reorder_out_by;
+    wire [19:0] reorder_out_delta;
+    wire [15:0] reorder_out_mx;
+    wire [15:0] reorder_out_my;
+    wire [3:0] reorder_out_shift;
     wire [23:0] reorder_out_depth;
     wire [23:0] reorder_out_depth_low;
     wire [23:0] reorder_out_depth_high;
-    wire [15:0] reorder_out_attribute_0;
-    wire [15:0] reorder_out_attribute_1;
-    wire [15:0] reorder_out_attribute_2;
+    wire [11:0] reorder_out_attribute_0;
+    wire [11:0] reorder_out_attribute_1;
+    wire [11:0] reorder_out_attribute_2;
     wire [2:0] reorder_out_left;
     wire [2:0] reorder_out_right;
     wire [2:0] reorder_out_top;
@@ -168,21 +171,22 @@ module splat_top (
     wire tile_cache_in_ready;
     wire tile_cache_out_valid;
     wire tile_cache_out_end;
-    wire [23:0] tile_cache_out_center_x;
-    wire [23:0] tile_cache_out_center_y;
-    wire [23:0] tile_cache_out_ax;
-    wire [23:0] tile_cache_out_bx;
-    wire [23:0] tile_cache_out_ay;
-    wire [23:0] tile_cache_out_by;
-    wire [23:0] tile_cache_out_delta;
-    wire [23:0] tile_cache_out_mx;
-    wire [23:0] tile_cache_out_my;
+    wire [25:0] tile_cache_out_center_x;
+    wire [25:0] tile_cache_out_center_y;
+    wire [15:0] tile_cache_out_ax;
+    wire [15:0] tile_cache_out_bx;
+    wire [15:0] tile_cache_out_ay;
+    wire [15:0] tile_cache_out_by;
+    wire [19:0] tile_cache_out_delta;
+    wire [15:0] tile_cache_out_mx;
+    wire [15:0] tile_cache_out_my;
+    wire [3:0] tile_cache_out_shift;
     wire [23:0] tile_cache_out_depth;
     wire [23:0] tile_cache_out_depth_low;
     wire [23:0] tile_cache_out_depth_high;
-    wire [15:0] tile_cache_out_attribute_0;
-    wire [15:0] tile_cache_out_attribute_1;
-    wire [15:0] tile_cache_out_attribute_2;
+    wire [11:0] tile_cache_out_attribute_0;
+    wire [11:0] tile_cache_out_attribute_1;
+    wire [11:0] tile_cache_out_attribute_2;
     wire [2:0] tile_cache_out_left;
     wire [2:0] tile_cache_out_right;
     wire [2:0] tile_cache_out_top;
@@ -197,27 +201,27 @@ module splat_top (
     wire [5:0] tile_cache_write_pixel;
     wire [27:0] tile_cache_write_weight;
     wire [51:0] tile_cache_write_depth;
-    wire [15:0] tile_cache_write_attribute_0;
-    wire [15:0] tile_cache_write_attribute_1;
-    wire [15:0] tile_cache_write_attribute_2;
+    wire [39:0] tile_cache_write_attribute_0;
+    wire [39:0] tile_cache_write_attribute_1;
+    wire [39:0] tile_cache_write_attribute_2;
     wire tile_cache_pixel_valid;
     wire tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
     wire [27:0] tile_cache_pixel_weight;
     wire [51:0] tile_cache_pixel_depth;
-    wire [15:0] tile_cache_pixel_attribute_0;
-    wire [15:0] tile_cache_pixel_attribute_1;
-    wire [15:0] tile_cache_pixel_attribute_2;
+    wire [39:0] tile_cache_pixel_attribute_0;
+    wire [39:0] tile_cache_pixel_attribute_1;
+    wire [39:0] tile_cache_pixel_attribute_2;
     wire [1:0] tile_cache_slot_ready;
     wire tile_cache_fill_valid;
     wire tile_cache_fill_slot;
     wire [5:0] tile_cache_fill_pixel;
     wire [27:0] tile_cache_fill_weight;
     wire [51:0] tile_cache_fill_depth;
-    wire [15:0] tile_cache_fill_attribute_0;
-    wire [15:0] tile_cache_fill_attribute_1;
-    wire [15:0] tile_cache_fill_attribute_2;
+    wire [39:0] tile_cache_fill_attribute_0;
+    wire [39:0] tile_cache_fill_attribute_1;
+    wire [39:0] tile_cache_fill_attribute_2;
     wire tile_cache_drain_enable;
     wire tile_cache_drain_slot;
     wire [5:0] tile_cache_drain_pixel;
@@ -232,9 +236,9 @@ module splat_top (
     wire [23:0] rasterizer_out_depth;
     wire [23:0] rasterizer_out_depth_low;
     wire [23:0] rasterizer_out_depth_high;
-    wire [15:0] rasterizer_out_attribute_0;
-    wire [15:0] rasterizer_out_attribute_1;
-    wire [15:0] rasterizer_out_attribute_2;
+    wire [11:0] rasterizer_out_attribute_0;
+    wire [11:0] rasterizer_out_attribute_1;
+    wire [11:0] rasterizer_out_attribute_2;
     wire rasterizer_event_sample;
     wire rasterizer_event_starved;
     wire rasterizer_event_blocked;
@@ -249,18 +253,18 @@ module splat_top (
     wire [39:0] weighting_out_weighted_depth;
     wire [23:0] weighting_out_depth_low;
     wire [23:0] weighting_out_depth_high;
-    wire [15:0] weighting_out_attribute_0;
-    wire [15:0] weighting_out_attribute_1;
-    wire [15:0] weighting_out_attribute_2;
+    wire [27:0] weighting_out_attribute_0;
+    wire [27:0] weighting_out_attribute_1;
+    wire [27:0] weighting_out_attribute_2;
     wire accumulator_in_ready;
     wire accumulator_retire_valid;
     wire accumulator_retire_slot;
     wire accumulator_frame_end;
     wire [27:0] accumulator_drain_weight;
     wire [51:0] accumulator_drain_depth;
-    wire [15:0] accumulator_drain_attribute_0;
-    wire [15:0] accumulator_drain_attribute_1;
-    wire [15:0] accumulator_drain_attribute_2;
+    wire [39:0] accumulator_drain_attribute_0;
+    wire [39:0] accumulator_drain_attribute_1;
+    wire [39:0] accumulator_drain_attribute_2;
     wire accumulator_event_accumulate;
     wire accumulator_event_hazard;
     wire accumulator_event_slot_wait;
@@ -270,9 +274,9 @@ module splat_top (
     wire [8:0] normalizer_out_column;
     wire [8:0] normalizer_out_row;
     wire [23:0] normalizer_out_depth;
-    wire [15:0] normalizer_out_attribute_0;
-    wire [15:0] normalizer_out_attribute_1;
-    wire [15:0] normalizer_out_attribute_2;
+    wire [11:0] normalizer_out_attribute_0;
+    wire [11:0] normalizer_out_attribute_1;
+    wire [11:0] normalizer_out_attribute_2;
 
     assign splat_ready = transform_in_ready;
     assign data_ready = tile_cache_data_ready;
@@ -400,6 +404,7 @@ module splat_top (
         .out_delta(setup_out_delta),
         .out_mx(setup_out_mx),
         .out_my(setup_out_my),
+        .out_shift(setup_out_shift),
         .out_depth(setup_out_depth),
         .out_depth_low(setup_out_depth_low),
         .out_depth_high(setup_out_depth_high),
@@ -427,6 +432,7 @@ module splat_top (
         .in_delta(setup_out_delta),
         .in_mx(setup_out_mx),
         .in_my(setup_out_my),
+        .in_shift(setup_out_shift),
         .in_depth(setup_out_depth),
         .in_depth_low(setup_out_depth_low),
         .in_depth_high(setup_out_depth_high),
@@ -449,6 +455,7 @@ module splat_top (
         .out_delta(splitter_out_delta),
         .out_mx(splitter_out_mx),
         .out_my(splitter_out_my),
+        .out_shift(splitter_out_shift),
         .out_depth(splitter_out_depth),
         .out_depth_low(splitter_out_depth_low),
         .out_depth_high(splitter_out_depth_high),
@@ -477,6 +484,7 @@ module splat_top (
         .in_delta(splitter_out_delta),
         .in_mx(splitter_out_mx),
         .in_my(splitter_out_my),
+        .in_shift(splitter_out_shift),
         .in_depth(splitter_out_depth),
         .in_depth_low(splitter_out_depth_low),
         .in_depth_high(splitter_out_depth_high),
@@ -500,6 +508,7 @@ module splat_top (
         .out_delta(reorder_out_delta),
         .out_mx(reorder_out_mx),
         .out_my(reorder_out_my),
+        .out_shift(reorder_out_shift),
         .out_depth(reorder_out_depth),
         .out_depth_low(reorder_out_depth_low),
         .out_depth_high(reorder_out_depth_high),
@@ -528,6 +537,7 @@ module splat_top (
         .in_delta(reorder_out_delta),
         .in_mx(reorder_out_mx),
         .in_my(reorder_out_my),
+        .in_shift(reorder_out_shift),
         .in_depth(reorder_out_depth),
         .in_depth_low(reorder_out_depth_low),
         .in_depth_high(reorder_out_depth_high),
@@ -551,6 +561,7 @@ module splat_top (
         .out_delta(tile_cache_out_delta),
         .out_mx(tile_cache_out_mx),
         .out_my(tile_cache_out_my),
+        .out_shift(tile_cache_out_shift),
         .out_depth(tile_cache_out_depth),
         .out_depth_low(tile_cache_out_depth_low),
         .out_depth_high(tile_cache_out_depth_high),
@@ -629,6 +640,7 @@ module splat_top (
         .in_delta(tile_cache_out_delta),
         .in_mx(tile_cache_out_mx),
         .in_my(tile_cache_out_my),
+        .in_shift(tile_cache_out_shift),
         .in_depth(tile_cache_out_depth),
         .in_depth_low(tile_cache_out_depth_low),
         .in_depth_high(tile_cache_out_depth_high),
@@ -828,13 +840,13 @@ module splat_top (
             uniform_filter_radius <= uniform_data;
         end
         if (uniform_valid & (uniform_address == 5'd22)) begin
-            uniform_filter_scale <= uniform_data;
+            uniform_filter_scale <= uniform_data[15:0];
         end
     end
 endmodule
 
 // A finished pixel's sums divided by its weight.
-// latency = 30
+// latency = 31
 // initiation_interval = 1
 module splat_normalizer (
     input  wire clk,
@@ -846,30 +858,38 @@ module splat_normalizer (
     input  wire [5:0] in_pixel,
     input  wire [27:0] in_weight,
     input  wire [51:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [39:0] in_attribute_0,
+    input  wire [39:0] in_attribute_1,
+    input  wire [39:0] in_attribute_2,
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [8:0] out_column,
     output wire [8:0] out_row,
     output wire [23:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2
 );
     (* ram_style = "distributed" *)
-    reg [71:0] delay_20_from_0 [0:18];
+    reg [71:0] delay_19_from_0 [0:17];
     (* ram_style = "distributed" *)
-    reg [18:0] delay_30_from_0 [0:28];
+    reg [23:0] delay_20_from_0 [0:18];
+    (* ram_style = "distributed" *)
+    reg [18:0] delay_31_from_0 [0:29];
+    reg [4:0] delay_19_from_0_pointer;
+    reg [71:0] delay_19_from_0_out;
     reg [4:0] delay_20_from_0_pointer;
-    reg [71:0] delay_20_from_0_out;
-    reg [4:0] delay_30_from_0_pointer;
-    reg [18:0] delay_30_from_0_out;
+    reg [23:0] delay_20_from_0_out;
+    reg [4:0] delay_31_from_0_pointer;
+    reg [18:0] delay_31_from_0_out;
     reg [23:0] mul_11_d1;
     reg [23:0] mul_11_d2;
     reg [23:0] mul_11_d3;
+    reg [23:0] mul_11_d4;
+    reg [13:0] shr_28_d1;
+    reg [13:0] shr_42_d1;
+    reg [13:0] shr_55_d1;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
@@ -900,6 +920,7 @@ module splat_normalizer (
     reg valid_d28;
     reg valid_d29;
     reg valid_d30;
+    reg valid_d31;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -907,9 +928,9 @@ module splat_normalizer (
     wire [8:0] queue_out_column;
     wire [8:0] queue_out_row;
     wire [23:0] queue_out_depth;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
+    wire [11:0] queue_out_attribute_0;
+    wire [11:0] queue_out_attribute_1;
+    wire [11:0] queue_out_attribute_2;
     wire [23:0] to_float_u28q16_f24_ftz_unit_y;
     wire [23:0] recip_f24_ftz_unit_y;
     wire [23:0] to_float_u52q40_f24_ftz_unit_y;
@@ -917,15 +938,27 @@ module splat_normalizer (
     wire [23:0] mul_f24_ftz_unit_copy2_y;
     wire [23:0] mul_f24_ftz_unit_copy3_y;
     wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] convert_f16_f24_ftz_unit_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy2_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy3_y;
-    wire [15:0] convert_f24_ftz_f16_unit_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy2_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy3_y;
+    wire [23:0] to_float_s40q27_f24_ftz_unit_y;
+    wire [23:0] to_float_s40q27_f24_ftz_unit_copy2_y;
+    wire [23:0] to_float_s40q27_f24_ftz_unit_copy3_y;
+    wire [12:0] to_fixed_f24_ftz_s13q12_unit_y;
+    wire [12:0] to_fixed_f24_ftz_s13q12_unit_copy2_y;
+    wire [12:0] to_fixed_f24_ftz_s13q12_unit_copy3_y;
 
     assign in_ready = queue_in_ready;
+    wire [13:0] min_30 = ($signed(14'h7ff) < $signed(shr_28_d1)) ? 14'h7ff : shr_28_d1;
+    wire [13:0] min_43 = ($signed(shr_42_d1) < $signed(14'h7ff)) ? shr_42_d1 : 14'h7ff;
+    wire [13:0] min_56 = ($signed(shr_55_d1) < $signed(14'h7ff)) ? shr_55_d1 : 14'h7ff;
     wire queue_out_ready = out_ready;
+    wire not_23 = ~to_fixed_f24_ftz_s13q12_unit_y[12];
+    wire [13:0] joined_1 = {to_fixed_f24_ftz_s13q12_unit_y[12], to_fixed_f24_ftz_s13q12_unit_y};
+    wire [13:0] add_27 = {13'd0, not_23} + joined_1;
+    wire not_37 = ~to_fixed_f24_ftz_s13q12_unit_copy2_y[12];
+    wire [13:0] joined_2 = {to_fixed_f24_ftz_s13q12_unit_copy2_y[12], to_fixed_f24_ftz_s13q12_unit_copy2_y};
+    wire [13:0] add_41 = {13'd0, not_37} + joined_2;
+    wire not_50 = ~to_fixed_f24_ftz_s13q12_unit_copy3_y[12];
+    wire [13:0] joined_3 = {to_fixed_f24_ftz_s13q12_unit_copy3_y[12], to_fixed_f24_ftz_s13q12_unit_copy3_y};
+    wire [13:0] add_54 = {13'd0, not_50} + joined_3;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -936,18 +969,18 @@ module splat_normalizer (
     assign out_attribute_1 = queue_out_attribute_1;
     assign out_attribute_2 = queue_out_attribute_2;
 
-    stream_skid_w91 queue (
+    stream_skid_w79 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d30),
+        .in_valid(valid_d31),
         .in_ready(queue_in_ready),
-        .in_end(delay_30_from_0_out[0]),
-        .in_column(delay_30_from_0_out[9:1]),
-        .in_row(delay_30_from_0_out[18:10]),
-        .in_depth(mul_11_d3),
-        .in_attribute_0(convert_f24_ftz_f16_unit_y),
-        .in_attribute_1(convert_f24_ftz_f16_unit_copy2_y),
-        .in_attribute_2(convert_f24_ftz_f16_unit_copy3_y),
+        .in_end(delay_31_from_0_out[0]),
+        .in_column(delay_31_from_0_out[9:1]),
+        .in_row(delay_31_from_0_out[18:10]),
+        .in_depth(mul_11_d4),
+        .in_attribute_0(min_30[11:0]),
+        .in_attribute_1(min_43[11:0]),
+        .in_attribute_2(min_56[11:0]),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -959,7 +992,7 @@ module splat_normalizer (
         .out_attribute_2(queue_out_attribute_2)
     );
 
-    float_from_fixed_s3_formatf24ftz_w28_fraction16 to_float_u28q16_f24_ftz_unit (
+    float_from_fixed_s3_w28_fraction16_iunsigned to_float_u28q16_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -975,7 +1008,7 @@ module splat_normalizer (
         .y(recip_f24_ftz_unit_y)
     );
 
-    float_from_fixed_s3_formatf24ftz_w52_fraction40 to_float_u52q40_f24_ftz_unit (
+    float_from_fixed_s3_w52_fraction40_iunsigned to_float_u52q40_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -983,94 +1016,95 @@ module splat_normalizer (
         .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s4 mul_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(recip_f24_ftz_unit_y),
-        .b(delay_20_from_0_out[23:0]),
+        .b(delay_20_from_0_out),
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s4 mul_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_y),
+        .b(delay_19_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s4 mul_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy2_y),
+        .b(delay_19_from_0_out[47:24]),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s4 mul_f24_ftz_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy3_y),
+        .b(delay_19_from_0_out[71:48]),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit (
+    float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(delay_20_from_0_out[39:24]),
-        .y(convert_f16_f24_ftz_unit_y)
+        .a(in_attribute_0),
+        .y(to_float_s40q27_f24_ftz_unit_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy2 (
+    float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(delay_20_from_0_out[55:40]),
-        .y(convert_f16_f24_ftz_unit_copy2_y)
+        .a(in_attribute_1),
+        .y(to_float_s40q27_f24_ftz_unit_copy2_y)
     );
 
-    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy3 (
+    float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(delay_20_from_0_out[71:56]),
-        .y(convert_f16_f24_ftz_unit_copy3_y)
+        .a(in_attribute_2),
+        .y(to_float_s40q27_f24_ftz_unit_copy3_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit (
+    float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(mul_f24_ftz_unit_copy2_y),
-        .y(convert_f24_ftz_f16_unit_y)
+        .y(to_fixed_f24_ftz_s13q12_unit_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy2 (
+    float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(mul_f24_ftz_unit_copy3_y),
-        .y(convert_f24_ftz_f16_unit_copy2_y)
+        .y(to_fixed_f24_ftz_s13q12_unit_copy2_y)
     );
 
-    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy3 (
+    float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(mul_f24_ftz_unit_copy4_y),
-        .y(convert_f24_ftz_f16_unit_copy3_y)
+        .y(to_fixed_f24_ftz_s13q12_unit_copy3_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
+            delay_19_from_0_pointer <= 5'd0;
             delay_20_from_0_pointer <= 5'd0;
-            delay_30_from_0_pointer <= 5'd0;
+            delay_31_from_0_pointer <= 5'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -1101,9 +1135,11 @@ module splat_normalizer (
             valid_d28 <= 1'd0;
             valid_d29 <= 1'd0;
             valid_d30 <= 1'd0;
+            valid_d31 <= 1'd0;
         end else if (queue_in_ready) begin
+            delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
-            delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
+            delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
             valid_d3 <= valid_d2;
@@ -1134,6 +1170,7 @@ module splat_normalizer (
             valid_d28 <= valid_d27;
             valid_d29 <= valid_d28;
             valid_d30 <= valid_d29;
+            valid_d31 <= valid_d30;
         end
     end
     always @(posedge clk) begin
@@ -1141,11 +1178,27 @@ module splat_normalizer (
             mul_11_d1 <= mul_f24_ftz_unit_y;
             mul_11_d2 <= mul_11_d1;
             mul_11_d3 <= mul_11_d2;
+            mul_11_d4 <= mul_11_d3;
+            shr_28_d1 <= {add_27[13], add_27[13:1]};
+            shr_42_d1 <= {add_41[13], add_41[13:1]};
+            shr_55_d1 <= {add_54[13], add_54[13:1]};
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_20_from_0[delay_20_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, to_float_u52q40_f24_ftz_unit_y};
+            delay_19_from_0[delay_19_from_0_pointer] <= {
+                to_float_s40q27_f24_ftz_unit_copy3_y,
+                to_float_s40q27_f24_ftz_unit_copy2_y,
+                to_float_s40q27_f24_ftz_unit_y
+            };
+        end
+        if (queue_in_ready) begin
+            delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_20_from_0[delay_20_from_0_pointer] <= to_float_u52q40_f24_ftz_unit_y;
         end
         if (queue_in_ready) begin
             delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
@@ -1153,140 +1206,153 @@ module splat_normalizer (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_end};
+            delay_31_from_0[delay_31_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_end};
         end
         if (queue_in_ready) begin
-            delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+            delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
         end
     end
+
+    wire _unused = &{1'b0, add_27[0], add_41[0], add_54[0], min_30[13:12], min_43[13:12], min_56[13:12]};
 endmodule
 
-// Floating-point format conversion.
+// Floating to fixed point.
 // stages = 3
-// from = f24-ftz
-// to = f16
-module float_convert_ff24ftz_tf16 (
+// format = f24-ftz
+// width = 13
+// fraction = 12
+// integer = signed
+module float_to_fixed_w13_fraction12_isigned (
     input  wire clk,
     input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
-    output reg  [15:0] y
+    output reg  [12:0] y
 );
-    reg [9:0] distance_s1;
-    reg [12:0] significand_s1;
-    reg [12:0] significand_s2;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
+    reg [3:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [12:0] magnitude_s2;
     reg sign_s1;
     reg sign_s2;
     reg nan_s1;
     reg nan_s2;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
 
     wire [7:0] a_field = a[22:15];
-    wire [9:0] sum_1 = {2'd0, a_field} + 10'd912;
-    wire term_2 = sum_1[9] | (sum_1 == 10'd0);
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78e;
+    wire [10:0] difference_2 = 11'd16 - sum_1;
     wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_3 = a_fraction & {15{|a_field}};
-    wire [12:0] choice_4 = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
-    wire [12:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
-    wire [12:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
-    wire [12:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
-    wire term_8 = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |choice_4[3:0]);
-    wire term_9 = term_8 | (distance_s1[1] & |choice_5[1:0]) | (distance_s1[0] & choice_6[0]);
-    wire term_10 = infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2));
-    wire [14:0] joined_11 = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
-    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [14:0] rounded = joined_11 + {14'd0, round_up};
-    wire [15:0] joined_12 = {sign_s2, zero_s2 ? 15'd0 : term_10 ? 15'h7c00 : rounded};
+    wire [15:0] shifted_3 = significand_s1 >> distance_s1;
+    wire term_4 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_5 = &a_field & (a_fraction == 15'd0);
+    wire [12:0] choice_6 = saturates_s2 ? (sign_s2 ? 13'h1000 : 13'hfff) : sign_s2 ? (~magnitude_s2 + 13'd1) : magnitude_s2;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= (10'd1 - sum_1) & {10{term_2}};
-            significand_s1 <= {|a_field, term_3[14:4], |term_3[3:0]};
-            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : {choice_7[12:1], choice_7[0] | term_9};
-            exponent_s1 <= term_2 ? 10'd1 : sum_1;
-            exponent_s2 <= exponent_s1;
+            distance_s1 <= difference_2[3:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= shifted_3[12:0];
             sign_s1 <= a[23];
             sign_s2 <= sign_s1;
             nan_s1 <= &a_field & |a_fraction;
             nan_s2 <= nan_s1;
-            infinite_s1 <= &a_field & (a_fraction == 15'd0);
-            infinite_s2 <= infinite_s1;
-            zero_s1 <= ~(|a_field);
-            zero_s2 <= zero_s1;
-            y <= nan_s2 ? 16'h7e00 : joined_12;
+            vanishes_s1 <= (term_4 & ~term_5) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_4 & (11'd13 <= sum_1) & |a_field) | term_5;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 13'd0 : choice_6;
         end
     end
 
-    wire _unused = &{1'b0, rst};
+    wire _unused = &{1'b0, difference_2[10:4], rst, shifted_3[15:13]};
 endmodule
 
-// Floating-point format conversion.
-// stages = 3
-// from = f16
-// to = f24-ftz
-module float_convert_ff16_tf24ftz (
+// Fixed to floating point.
+// stages = 4
+// format = f24-ftz
+// width = 40
+// fraction = 27
+// integer = signed
+module float_from_fixed_s4_w40_fraction27_isigned (
     input  wire clk,
     input  wire rst,
     input  wire enable,
-    input  wire [15:0] a,
+    input  wire [39:0] a,
     output reg  [23:0] y
 );
-    reg [3:0] a_zeros_s1;
-    reg [7:0] a_exponent_s1;
-    reg [10:0] a_significand_s1;
-    reg [9:0] exponent_s2;
-    reg [17:0] significand_s2;
+    reg [39:0] magnitude_s1;
+    reg [39:0] magnitude_s2;
+    reg [5:0] zeros_s2;
+    reg [8:0] exponent_s3;
+    reg [17:0] significand_s3;
     reg sign_s1;
     reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg infinite_s1;
-    reg infinite_s2;
+    reg sign_s3;
     reg zero_s1;
     reg zero_s2;
+    reg zero_s3;
 
-    wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
-    wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
-    wire [7:0] difference_9 = a_exponent_s1 - {4'd0, a_zeros_s1};
-    wire term_10 = (exponent_s2 == 10'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire term_11 = infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2));
-    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_12 = (zero_s2 | ((exponent_s2[9] | term_10) & ~infinite_s2)) ? 23'd0 : term_11 ? 23'h7f8000 : rounded;
+    wire [39:0] choice_1 = a[39] ? (~a + 40'd1) : a;
+    wire term_2 = ~magnitude_s1[39] & ~magnitude_s1[38];
+    wire term_3 = term_2 & (~magnitude_s1[37] & ~magnitude_s1[36]);
+    wire term_4 = ~magnitude_s1[35] & ~magnitude_s1[34];
+    wire term_5 = term_3 & (term_4 & (~magnitude_s1[33] & ~magnitude_s1[32]));
+    wire term_6 = ~magnitude_s1[31] & ~magnitude_s1[30];
+    wire term_7 = term_6 & (~magnitude_s1[29] & ~magnitude_s1[28]);
+    wire term_8 = ~magnitude_s1[27] & ~magnitude_s1[26];
+    wire term_9 = term_7 & (term_8 & (~magnitude_s1[25] & ~magnitude_s1[24]));
+    wire term_10 = term_5 & term_9;
+    wire term_11 = ~magnitude_s1[23] & ~magnitude_s1[22];
+    wire term_12 = term_11 & (~magnitude_s1[21] & ~magnitude_s1[20]);
+    wire term_13 = ~magnitude_s1[19] & ~magnitude_s1[18];
+    wire term_14 = term_12 & (term_13 & (~magnitude_s1[17] & ~magnitude_s1[16]));
+    wire term_15 = ~magnitude_s1[15] & ~magnitude_s1[14];
+    wire term_16 = term_15 & (~magnitude_s1[13] & ~magnitude_s1[12]);
+    wire term_17 = ~magnitude_s1[11] & ~magnitude_s1[10];
+    wire term_18 = term_16 & (term_17 & (~magnitude_s1[9] & ~magnitude_s1[8]));
+    wire term_19 = term_10 & (term_14 & term_18);
+    wire term_20 = ~magnitude_s1[7] & ~magnitude_s1[6];
+    wire term_21 = term_20 & (~magnitude_s1[5] & ~magnitude_s1[4]);
+    wire term_22 = ~magnitude_s1[3] & ~magnitude_s1[2];
+    wire term_23 = term_21 & (term_22 & (~magnitude_s1[1] & ~magnitude_s1[0]));
+    wire [1:0] choice_24 = term_21 ? {term_22, term_22 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_20, term_20 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
+    wire [1:0] joined_25 = {term_17, term_17 ? ~magnitude_s1[9] : ~magnitude_s1[11]};
+    wire [1:0] joined_26 = {term_15, term_15 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
+    wire [1:0] joined_27 = {term_13, term_13 ? ~magnitude_s1[17] : ~magnitude_s1[19]};
+    wire [1:0] joined_28 = {term_11, term_11 ? ~magnitude_s1[21] : ~magnitude_s1[23]};
+    wire [2:0] choice_29 = term_14 ? {term_16, term_16 ? joined_25 : joined_26} : {term_12, term_12 ? joined_27 : joined_28};
+    wire [1:0] choice_30 = term_7 ? {term_8, term_8 ? ~magnitude_s1[25] : ~magnitude_s1[27]} : {term_6, term_6 ? ~magnitude_s1[29] : ~magnitude_s1[31]};
+    wire [1:0] choice_31 = term_3 ? {term_4, term_4 ? ~magnitude_s1[33] : ~magnitude_s1[35]} : {term_2, term_2 ? ~magnitude_s1[37] : ~magnitude_s1[39]};
+    wire [3:0] joined_32 = {term_5, term_5 ? {term_7, choice_30} : {term_3, choice_31}};
+    wire [4:0] choice_33 = term_19 ? {1'd0, term_23, term_23 ? 3'd0 : {term_21, choice_24}} : {term_10, term_10 ? {term_14, choice_29} : joined_32};
+    wire [39:0] shifted_34 = magnitude_s2 << zeros_s2;
+    wire term_35 = (exponent_s3 == 9'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [22:0] choice_36 = (~exponent_s3[8] & (9'd255 <= exponent_s3)) ? 23'h7f8000 : rounded;
+    wire [22:0] choice_37 = (zero_s3 | (exponent_s3[8] | term_35)) ? 23'd0 : choice_36;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
-            a_significand_s1 <= {|a_field, a_fraction};
-            exponent_s2 <= {{2{difference_9[7]}}, difference_9} + 10'd112;
-            significand_s2 <= {a_significand_s1 << a_zeros_s1, 7'd0};
-            sign_s1 <= a[15];
+            magnitude_s1 <= choice_1;
+            magnitude_s2 <= magnitude_s1;
+            zeros_s2 <= {term_19, choice_33};
+            exponent_s3 <= 9'd139 - {3'd0, zeros_s2};
+            significand_s3 <= {shifted_34[39:23], |shifted_34[22:0]};
+            sign_s1 <= a[39];
             sign_s2 <= sign_s1;
-            nan_s1 <= &a_field & |a_fraction;
-            nan_s2 <= nan_s1;
-            infinite_s1 <= &a_field & (a_fraction == 10'd0);
-            infinite_s2 <= infinite_s1;
-            zero_s1 <= ~(|a_field | |a_fraction);
+            sign_s3 <= sign_s2;
+            zero_s1 <= choice_1 == 40'd0;
             zero_s2 <= zero_s1;
-            y <= nan_s2 ? 24'h7fc000 : {sign_s2, choice_12};
+            zero_s3 <= zero_s2;
+            y <= {sign_s3, choice_37};
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, rst, significand_s3[17]};
 endmodule
 
 // Fixed to floating point.
@@ -1295,7 +1361,7 @@ endmodule
 // width = 52
 // fraction = 40
 // integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w52_fraction40 (
+module float_from_fixed_s3_w52_fraction40_iunsigned (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -1374,7 +1440,7 @@ endmodule
 // width = 28
 // fraction = 16
 // integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
+module float_from_fixed_s3_w28_fraction16_iunsigned (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -1431,8 +1497,8 @@ module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
 endmodule
 
 // Queue of two in registers.
-// width = 91
-module stream_skid_w91 (
+// width = 79
+module stream_skid_w79 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -1441,35 +1507,35 @@ module stream_skid_w91 (
     input  wire [8:0] in_column,
     input  wire [8:0] in_row,
     input  wire [23:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
     output wire out_end,
     output wire [8:0] out_column,
     output wire [8:0] out_row,
     output wire [23:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2
 );
     reg second_valid;
-    reg [90:0] head;
-    reg [90:0] second;
+    reg [78:0] head;
+    reg [78:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [90:0] in_item = {in_end, in_column, in_row, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
+    wire [78:0] in_item = {in_end, in_column, in_row, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
 
-    assign out_end = head[90];
-    assign out_column = head[89:81];
-    assign out_row = head[80:72];
-    assign out_depth = head[71:48];
-    assign out_attribute_0 = head[47:32];
-    assign out_attribute_1 = head[31:16];
-    assign out_attribute_2 = head[15:0];
+    assign out_end = head[78];
+    assign out_column = head[77:69];
+    assign out_row = head[68:60];
+    assign out_depth = head[59:36];
+    assign out_attribute_0 = head[35:24];
+    assign out_attribute_1 = head[23:12];
+    assign out_attribute_2 = head[11:0];
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1524,9 +1590,9 @@ module splat_accumulator (
     input  wire [39:0] in_weighted_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [27:0] in_attribute_0,
+    input  wire [27:0] in_attribute_1,
+    input  wire [27:0] in_attribute_2,
     input  wire [1:0] slot_ready,
     output reg  retire_valid,
     output reg  retire_slot,
@@ -1536,25 +1602,25 @@ module splat_accumulator (
     input  wire [5:0] fill_pixel,
     input  wire [27:0] fill_weight,
     input  wire [51:0] fill_depth,
-    input  wire [15:0] fill_attribute_0,
-    input  wire [15:0] fill_attribute_1,
-    input  wire [15:0] fill_attribute_2,
+    input  wire [39:0] fill_attribute_0,
+    input  wire [39:0] fill_attribute_1,
+    input  wire [39:0] fill_attribute_2,
     input  wire drain_enable,
     input  wire drain_slot,
     input  wire [5:0] drain_pixel,
     output wire [27:0] drain_weight,
     output wire [51:0] drain_depth,
-    output wire [15:0] drain_attribute_0,
-    output wire [15:0] drain_attribute_1,
-    output wire [15:0] drain_attribute_2,
+    output wire [39:0] drain_attribute_0,
+    output wire [39:0] drain_attribute_1,
+    output wire [39:0] drain_attribute_2,
     output reg  event_accumulate,
     output reg  event_hazard,
     output reg  event_slot_wait
 );
     (* no_rw_check *)
-    reg [127:0] slot_0_pixels [0:63];
+    reg [199:0] slot_0_pixels [0:63];
     (* no_rw_check *)
-    reg [127:0] slot_1_pixels [0:63];
+    reg [199:0] slot_1_pixels [0:63];
     reg valid_1;
     reg inside_1;
     reg last_1;
@@ -1605,38 +1671,38 @@ module splat_accumulator (
     reg [39:0] head_weighted_depth;
     reg [23:0] head_depth_low;
     reg [23:0] head_depth_high;
-    reg [15:0] head_attribute_0;
-    reg [15:0] head_attribute_1;
-    reg [15:0] head_attribute_2;
+    reg [27:0] head_attribute_0;
+    reg [27:0] head_attribute_1;
+    reg [27:0] head_attribute_2;
     reg [7:0] collisions;
     reg arrived;
-    reg [127:0] slot_0_read;
-    reg [127:0] slot_0_pixel;
-    reg [127:0] slot_1_read;
-    reg [127:0] slot_1_pixel;
-    reg [127:0] stored;
+    reg [199:0] slot_0_read;
+    reg [199:0] slot_0_pixel;
+    reg [199:0] slot_1_read;
+    reg [199:0] slot_1_pixel;
+    reg [199:0] stored;
     reg drained_slot;
     reg [15:0] sample_1_weight;
     reg [39:0] sample_1_weighted_depth;
     reg [23:0] sample_1_depth_low;
     reg [23:0] sample_1_depth_high;
-    reg [15:0] sample_1_attribute_0;
-    reg [15:0] sample_1_attribute_1;
-    reg [15:0] sample_1_attribute_2;
+    reg [27:0] sample_1_attribute_0;
+    reg [27:0] sample_1_attribute_1;
+    reg [27:0] sample_1_attribute_2;
     reg [15:0] sample_2_weight;
     reg [39:0] sample_2_weighted_depth;
     reg [23:0] sample_2_depth_low;
     reg [23:0] sample_2_depth_high;
-    reg [15:0] sample_2_attribute_0;
-    reg [15:0] sample_2_attribute_1;
-    reg [15:0] sample_2_attribute_2;
+    reg [27:0] sample_2_attribute_0;
+    reg [27:0] sample_2_attribute_1;
+    reg [27:0] sample_2_attribute_2;
     reg [15:0] sample_3_weight;
     reg [39:0] sample_3_weighted_depth;
     reg [23:0] sample_3_depth_low;
     reg [23:0] sample_3_depth_high;
-    reg [15:0] sample_3_attribute_0;
-    reg [15:0] sample_3_attribute_1;
-    reg [15:0] sample_3_attribute_2;
+    reg [27:0] sample_3_attribute_0;
+    reg [27:0] sample_3_attribute_1;
+    reg [27:0] sample_3_attribute_2;
     reg late_fail_4;
     reg late_fail_5;
     reg late_pass_4;
@@ -1661,21 +1727,36 @@ module splat_accumulator (
     reg [39:0] depth_6;
     reg [39:0] depth_7;
     reg [39:0] depth_8;
-    reg [15:0] attribute_0_4;
-    reg [15:0] attribute_0_5;
-    reg [15:0] attribute_0_6;
-    reg [15:0] attribute_0_7;
-    reg [15:0] attribute_0_8;
-    reg [15:0] attribute_1_4;
-    reg [15:0] attribute_1_5;
-    reg [15:0] attribute_1_6;
-    reg [15:0] attribute_1_7;
-    reg [15:0] attribute_1_8;
-    reg [15:0] attribute_2_4;
-    reg [15:0] attribute_2_5;
-    reg [15:0] attribute_2_6;
-    reg [15:0] attribute_2_7;
-    reg [15:0] attribute_2_8;
+    reg [27:0] attribute_0_4;
+    reg [27:0] attribute_0_5;
+    reg [27:0] attribute_0_6;
+    reg [27:0] attribute_0_7;
+    reg [27:0] attribute_0_8;
+    reg [39:0] sum_of_attribute_0_4;
+    reg [39:0] sum_of_attribute_0_5;
+    reg [39:0] sum_of_attribute_0_6;
+    reg [39:0] sum_of_attribute_0_7;
+    reg [39:0] sum_of_attribute_0_8;
+    reg [27:0] attribute_1_4;
+    reg [27:0] attribute_1_5;
+    reg [27:0] attribute_1_6;
+    reg [27:0] attribute_1_7;
+    reg [27:0] attribute_1_8;
+    reg [39:0] sum_of_attribute_1_4;
+    reg [39:0] sum_of_attribute_1_5;
+    reg [39:0] sum_of_attribute_1_6;
+    reg [39:0] sum_of_attribute_1_7;
+    reg [39:0] sum_of_attribute_1_8;
+    reg [27:0] attribute_2_4;
+    reg [27:0] attribute_2_5;
+    reg [27:0] attribute_2_6;
+    reg [27:0] attribute_2_7;
+    reg [27:0] attribute_2_8;
+    reg [39:0] sum_of_attribute_2_4;
+    reg [39:0] sum_of_attribute_2_5;
+    reg [39:0] sum_of_attribute_2_6;
+    reg [39:0] sum_of_attribute_2_7;
+    reg [39:0] sum_of_attribute_2_8;
 
     wire places_in_ready;
     wire places_out_valid;
@@ -1690,17 +1771,14 @@ module splat_accumulator (
     wire [39:0] samples_out_weighted_depth;
     wire [23:0] samples_out_depth_low;
     wire [23:0] samples_out_depth_high;
-    wire [15:0] samples_out_attribute_0;
-    wire [15:0] samples_out_attribute_1;
-    wire [15:0] samples_out_attribute_2;
+    wire [27:0] samples_out_attribute_0;
+    wire [27:0] samples_out_attribute_1;
+    wire [27:0] samples_out_attribute_2;
     wire depth_test_fail;
     wire depth_test_pass;
-    wire [15:0] add_attribute_0_y;
-    wire [15:0] add_attribute_1_y;
-    wire [15:0] add_attribute_2_y;
 
     assign in_ready = places_in_ready;
-    wire [127:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
+    wire [199:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
     wire term_1 = head_valid & ~head_end;
     wire may_issue_inside = term_1 & head_inside;
     wire slot_wait = may_issue_inside & ~arrived;
@@ -1738,30 +1816,24 @@ module splat_accumulator (
     wire term_15 = drain_enable & drain_slot;
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [127:0] joined_16 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
-    wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_17 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_18 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_17};
-    wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_19 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_20 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_19};
-    wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_21 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_22 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_21};
-    wire [127:0] result = {
+    wire [199:0] joined_16 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire [39:0] choice_17 = late_pass_5 ? {{12{attribute_0_8[27]}}, attribute_0_8} : sum_of_attribute_0_8;
+    wire [39:0] choice_18 = late_pass_5 ? {{12{attribute_1_8[27]}}, attribute_1_8} : sum_of_attribute_1_8;
+    wire [39:0] choice_19 = late_pass_5 ? {{12{attribute_2_8[27]}}, attribute_2_8} : sum_of_attribute_2_8;
+    wire [199:0] result = {
         late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
         late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
+        choice_17,
         choice_18,
-        choice_20,
-        choice_22
+        choice_19
     };
     wire filling_1 = fill_valid & fill_slot;
 
-    assign drain_weight = drained[127:100];
-    assign drain_depth = drained[99:48];
-    assign drain_attribute_0 = drained[47:32];
-    assign drain_attribute_1 = drained[31:16];
-    assign drain_attribute_2 = drained[15:0];
+    assign drain_weight = drained[199:172];
+    assign drain_depth = drained[171:120];
+    assign drain_attribute_0 = drained[119:80];
+    assign drain_attribute_1 = drained[79:40];
+    assign drain_attribute_2 = drained[39:0];
 
     stream_fifo_d64_w10 places (
         .clk(clk),
@@ -1782,7 +1854,7 @@ module splat_accumulator (
         .out_pixel(places_out_pixel)
     );
 
-    stream_fifo_d64_w152 samples (
+    stream_fifo_d64_w188 samples (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -1808,39 +1880,12 @@ module splat_accumulator (
     splat_depth_test depth_test (
         .clk(clk),
         .rst(rst),
-        .weight(stored[127:100]),
-        .depth(stored[99:48]),
+        .weight(stored[199:172]),
+        .depth(stored[171:120]),
         .depth_low(sample_3_depth_low),
         .depth_high(sample_3_depth_high),
         .fail(depth_test_fail),
         .pass(depth_test_pass)
-    );
-
-    float_add_s5_ff16 add_attribute_0 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[47:32]),
-        .b(sample_3_attribute_0),
-        .y(add_attribute_0_y)
-    );
-
-    float_add_s5_ff16 add_attribute_1 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[31:16]),
-        .b(sample_3_attribute_1),
-        .y(add_attribute_1_y)
-    );
-
-    float_add_s5_ff16 add_attribute_2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[15:0]),
-        .b(sample_3_attribute_2),
-        .y(add_attribute_2_y)
     );
 
     always @(posedge clk) begin
@@ -1948,7 +1993,7 @@ module splat_accumulator (
         late_fail_5 <= late_fail_4;
         late_pass_4 <= depth_test_pass;
         late_pass_5 <= late_pass_4;
-        weight_sum_4 <= {1'd0, stored[127:100]} + {13'd0, sample_3_weight};
+        weight_sum_4 <= {1'd0, stored[199:172]} + {13'd0, sample_3_weight};
         weight_sum_5 <= weight_sum_4;
         weight_sum_6 <= weight_sum_5;
         weight_sum_7 <= weight_sum_6;
@@ -1958,7 +2003,7 @@ module splat_accumulator (
         weight_6 <= weight_5;
         weight_7 <= weight_6;
         weight_8 <= weight_7;
-        depth_sum_4 <= stored[99:48] + {12'd0, sample_3_weighted_depth};
+        depth_sum_4 <= stored[171:120] + {12'd0, sample_3_weighted_depth};
         depth_sum_5 <= depth_sum_4;
         depth_sum_6 <= depth_sum_5;
         depth_sum_7 <= depth_sum_6;
@@ -1973,16 +2018,31 @@ module splat_accumulator (
         attribute_0_6 <= attribute_0_5;
         attribute_0_7 <= attribute_0_6;
         attribute_0_8 <= attribute_0_7;
+        sum_of_attribute_0_4 <= stored[119:80] + {{12{sample_3_attribute_0[27]}}, sample_3_attribute_0};
+        sum_of_attribute_0_5 <= sum_of_attribute_0_4;
+        sum_of_attribute_0_6 <= sum_of_attribute_0_5;
+        sum_of_attribute_0_7 <= sum_of_attribute_0_6;
+        sum_of_attribute_0_8 <= sum_of_attribute_0_7;
         attribute_1_4 <= sample_3_attribute_1;
         attribute_1_5 <= attribute_1_4;
         attribute_1_6 <= attribute_1_5;
         attribute_1_7 <= attribute_1_6;
         attribute_1_8 <= attribute_1_7;
+        sum_of_attribute_1_4 <= stored[79:40] + {{12{sample_3_attribute_1[27]}}, sample_3_attribute_1};
+        sum_of_attribute_1_5 <= sum_of_attribute_1_4;
+        sum_of_attribute_1_6 <= sum_of_attribute_1_5;
+        sum_of_attribute_1_7 <= sum_of_attribute_1_6;
+        sum_of_attribute_1_8 <= sum_of_attribute_1_7;
         attribute_2_4 <= sample_3_attribute_2;
         attribute_2_5 <= attribute_2_4;
         attribute_2_6 <= attribute_2_5;
         attribute_2_7 <= attribute_2_6;
         attribute_2_8 <= attribute_2_7;
+        sum_of_attribute_2_4 <= stored[39:0] + {{12{sample_3_attribute_2[27]}}, sample_3_attribute_2};
+        sum_of_attribute_2_5 <= sum_of_attribute_2_4;
+        sum_of_attribute_2_6 <= sum_of_attribute_2_5;
+        sum_of_attribute_2_7 <= sum_of_attribute_2_6;
+        sum_of_attribute_2_8 <= sum_of_attribute_2_7;
         if (head_takes) begin
             head_end <= places_out_end;
             head_last <= places_out_last;
@@ -2052,120 +2112,6 @@ module splat_accumulator (
 `endif
 endmodule
 
-// Floating-point sum.
-// stages = 5
-// format = f16
-module float_add_s5_ff16 (
-    input  wire clk,
-    input  wire rst,
-    input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
-    output reg  [15:0] y
-);
-    reg [7:0] distance_s1;
-    reg [10:0] large_s1;
-    reg [10:0] small_s1;
-    reg [7:0] limit_s1;
-    reg subtract_s1;
-    reg [14:0] sum_s2;
-    reg [14:0] stop_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg subtract_s2;
-    reg [14:0] value_s3;
-    reg [3:0] zeros_s3;
-    reg [7:0] limit_s2;
-    reg [7:0] limit_s3;
-    reg [7:0] exponent_s4;
-    reg [12:0] significand_s4;
-    reg sign_s3;
-    reg sign_s4;
-    reg nan_s3;
-    reg nan_s4;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg zero_s3;
-    reg zero_s4;
-
-    wire swap = a[14:0] < b[14:0];
-    wire [4:0] b_field = b[14:10];
-    wire [7:0] joined_1 = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
-    wire [4:0] a_field = a[14:10];
-    wire [7:0] joined_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
-    wire [9:0] b_fraction = b[9:0];
-    wire [10:0] joined_3 = {|b_field, b_fraction};
-    wire [9:0] a_fraction = a[9:0];
-    wire [10:0] joined_4 = {|a_field, a_fraction};
-    wire term_5 = a[15] ^ b[15];
-    wire [13:0] choice_6 = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
-    wire [13:0] choice_7 = distance_s1[2] ? (choice_6 >> 4) : choice_6;
-    wire [13:0] choice_8 = distance_s1[1] ? (choice_7 >> 2) : choice_7;
-    wire [13:0] choice_9 = distance_s1[0] ? (choice_8 >> 1) : choice_8;
-    wire term_10 = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |choice_6[3:0]);
-    wire term_11 = term_10 | (distance_s1[1] & |choice_7[1:0]) | (distance_s1[0] & choice_8[0]);
-    wire [13:0] choice_12 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {choice_9[13:1], choice_9[0] | term_11};
-    wire [15:0] sum_13 = {1'd0, large_s1, 4'd1} + {{1'd0, choice_12} ^ {15{subtract_s1}}, subtract_s1};
-    wire term_14 = &a_field & (a_fraction == 10'd0);
-    wire term_15 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] term_16 = sum_s2 | stop_s2;
-    wire term_17 = ~term_16[14] & ~term_16[13];
-    wire term_18 = term_17 & (~term_16[12] & ~term_16[11]);
-    wire term_19 = ~term_16[10] & ~term_16[9];
-    wire term_20 = term_18 & (term_19 & (~term_16[8] & ~term_16[7]));
-    wire term_21 = ~term_16[6] & ~term_16[5];
-    wire term_22 = term_21 & (~term_16[4] & ~term_16[3]);
-    wire term_23 = ~term_16[2] & ~term_16[1];
-    wire [1:0] choice_24 = term_22 ? {term_23, term_23 ? ~term_16[0] : ~term_16[2]} : {term_21, term_21 ? ~term_16[4] : ~term_16[6]};
-    wire [1:0] choice_25 = term_18 ? {term_19, term_19 ? ~term_16[8] : ~term_16[10]} : {term_17, term_17 ? ~term_16[12] : ~term_16[14]};
-    wire [14:0] shifted_26 = value_s3 << zeros_s3;
-    wire term_27 = sum_s2 == 15'd0;
-    wire [14:0] joined_28 = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
-    wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
-    wire [14:0] rounded = joined_28 + {14'd0, round_up};
-    wire [14:0] choice_29 = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
-
-    always @(posedge clk) begin
-        if (enable) begin
-            distance_s1 <= swap ? (joined_1 - joined_2) : (joined_2 - joined_1);
-            large_s1 <= swap ? joined_3 : joined_4;
-            small_s1 <= swap ? joined_4 : joined_3;
-            limit_s1 <= swap ? joined_1 : joined_2;
-            subtract_s1 <= term_5;
-            sum_s2 <= sum_13[15:1];
-            stop_s2 <= 15'h4000 >> limit_s1;
-            sign_s1 <= swap ? b[15] : a[15];
-            sign_s2 <= sign_s1;
-            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_14 & term_15 & term_5);
-            nan_s2 <= nan_s1;
-            infinite_s1 <= term_14 | term_15;
-            infinite_s2 <= infinite_s1;
-            subtract_s2 <= subtract_s1;
-            value_s3 <= sum_s2;
-            zeros_s3 <= {term_20, term_20 ? {term_22, choice_24} : {term_18, choice_25}};
-            limit_s2 <= limit_s1;
-            limit_s3 <= limit_s2;
-            exponent_s4 <= (limit_s3 + 8'd1) - {4'd0, zeros_s3};
-            significand_s4 <= {shifted_26[14:3], |shifted_26[2:0]};
-            sign_s3 <= sign_s2 & ~(term_27 & subtract_s2);
-            sign_s4 <= sign_s3;
-            nan_s3 <= nan_s2;
-            nan_s4 <= nan_s3;
-            infinite_s3 <= infinite_s2;
-            infinite_s4 <= infinite_s3;
-            zero_s3 <= term_27 & ~infinite_s2;
-            zero_s4 <= zero_s3;
-            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : choice_29};
-        end
-    end
-
-    wire _unused = &{1'b0, distance_s1[7:5], rst, sum_13[0]};
-endmodule
-
 // Compares a pixel's normalized depth with a splat's depth band.
 module splat_depth_test (
     input  wire clk,
@@ -2220,8 +2166,8 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 152
-module stream_fifo_d64_w152 (
+// width = 188
+module stream_fifo_d64_w188 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -2230,26 +2176,26 @@ module stream_fifo_d64_w152 (
     input  wire [39:0] in_weighted_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [27:0] in_attribute_0,
+    input  wire [27:0] in_attribute_1,
+    input  wire [27:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
     output wire [15:0] out_weight,
     output wire [39:0] out_weighted_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [27:0] out_attribute_0,
+    output wire [27:0] out_attribute_1,
+    output wire [27:0] out_attribute_2
 );
     (* no_rw_check *)
-    reg [151:0] entries [0:63];
+    reg [187:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
     reg [5:0] write_address;
     reg [5:0] read_address;
-    reg [151:0] item;
+    reg [187:0] item;
 
     wire has_room = ~held[6];
     assign in_ready = has_room;
@@ -2258,13 +2204,13 @@ module stream_fifo_d64_w152 (
     wire pop = out_valid & out_taken;
     wire fetch = |waiting & (~out_valid | out_taken);
 
-    assign out_weight = item[151:136];
-    assign out_weighted_depth = item[135:96];
-    assign out_depth_low = item[95:72];
-    assign out_depth_high = item[71:48];
-    assign out_attribute_0 = item[47:32];
-    assign out_attribute_1 = item[31:16];
-    assign out_attribute_2 = item[15:0];
+    assign out_weight = item[187:172];
+    assign out_weighted_depth = item[171:132];
+    assign out_depth_low = item[131:108];
+    assign out_depth_high = item[107:84];
+    assign out_attribute_0 = item[83:56];
+    assign out_attribute_1 = item[55:28];
+    assign out_attribute_2 = item[27:0];
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2426,7 +2372,7 @@ module stream_fifo_d64_w10 (
 endmodule
 
 // Weighted depth and attributes of a sample.
-// latency = 10
+// latency = 3
 // initiation_interval = 1
 module splat_weighting (
     input  wire clk,
@@ -2442,9 +2388,9 @@ module splat_weighting (
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
@@ -2456,43 +2402,40 @@ module splat_weighting (
     output wire [39:0] out_weighted_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [27:0] out_attribute_0,
+    output wire [27:0] out_attribute_1,
+    output wire [27:0] out_attribute_2
 );
-    (* ram_style = "distributed" *)
-    reg [39:0] delay_7_from_0 [0:5];
-    (* ram_style = "distributed" *)
-    reg [57:0] delay_10_from_0 [0:8];
-    reg [2:0] delay_7_from_0_pointer;
-    reg [39:0] delay_7_from_0_out;
-    reg [3:0] delay_10_from_0_pointer;
-    reg [57:0] delay_10_from_0_out;
-    reg [15:0] weight_d8;
-    reg [15:0] weight_d9;
-    reg [15:0] weight_d10;
-    reg [15:0] reinterpret_14_d1;
-    reg [15:0] reinterpret_14_d2;
-    reg [15:0] reinterpret_14_d3;
-    reg [15:0] reinterpret_14_d4;
-    reg [15:0] reinterpret_16_d1;
-    reg [15:0] reinterpret_16_d2;
-    reg [15:0] reinterpret_16_d3;
-    reg [15:0] reinterpret_16_d4;
-    reg [15:0] reinterpret_18_d1;
-    reg [15:0] reinterpret_18_d2;
-    reg [15:0] reinterpret_18_d3;
-    reg [15:0] reinterpret_18_d4;
+    reg end_d1;
+    reg end_d2;
+    reg end_d3;
+    reg last_d1;
+    reg last_d2;
+    reg last_d3;
+    reg inside_d1;
+    reg inside_d2;
+    reg inside_d3;
+    reg slot_d1;
+    reg slot_d2;
+    reg slot_d3;
+    reg [5:0] pixel_d1;
+    reg [5:0] pixel_d2;
+    reg [5:0] pixel_d3;
+    reg [15:0] weight_d1;
+    reg [15:0] weight_d2;
+    reg [15:0] weight_d3;
+    reg [23:0] depth_low_d1;
+    reg [23:0] depth_low_d2;
+    reg [23:0] depth_low_d3;
+    reg [23:0] depth_high_d1;
+    reg [23:0] depth_high_d2;
+    reg [23:0] depth_high_d3;
+    reg [27:0] resize_17_d1;
+    reg [27:0] resize_20_d1;
+    reg [27:0] resize_23_d1;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -2505,14 +2448,13 @@ module splat_weighting (
     wire [39:0] queue_out_weighted_depth;
     wire [23:0] queue_out_depth_low;
     wire [23:0] queue_out_depth_high;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
-    wire [15:0] to_float_u16q16_f16_unit_y;
+    wire [27:0] queue_out_attribute_0;
+    wire [27:0] queue_out_attribute_1;
+    wire [27:0] queue_out_attribute_2;
     wire [39:0] mul_u16_u24_unit_y;
-    wire [15:0] mul_f16_unit_y;
-    wire [15:0] mul_f16_unit_copy2_y;
-    wire [15:0] mul_f16_unit_copy3_y;
+    wire [28:0] mul_s17_s12_unit_y;
+    wire [28:0] mul_s17_s12_unit_copy2_y;
+    wire [28:0] mul_s17_s12_unit_copy3_y;
 
     assign in_ready = queue_in_ready;
     wire queue_out_ready = out_ready;
@@ -2531,23 +2473,23 @@ module splat_weighting (
     assign out_attribute_1 = queue_out_attribute_1;
     assign out_attribute_2 = queue_out_attribute_2;
 
-    stream_skid_w162 queue (
+    stream_skid_w198 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d10),
+        .in_valid(valid_d3),
         .in_ready(queue_in_ready),
-        .in_end(delay_10_from_0_out[0]),
-        .in_last(delay_10_from_0_out[1]),
-        .in_inside(delay_10_from_0_out[2]),
-        .in_slot(delay_10_from_0_out[3]),
-        .in_pixel(delay_10_from_0_out[9:4]),
-        .in_weight(weight_d10),
+        .in_end(end_d3),
+        .in_last(last_d3),
+        .in_inside(inside_d3),
+        .in_slot(slot_d3),
+        .in_pixel(pixel_d3),
+        .in_weight(weight_d3),
         .in_weighted_depth(mul_u16_u24_unit_y),
-        .in_depth_low(delay_10_from_0_out[33:10]),
-        .in_depth_high(delay_10_from_0_out[57:34]),
-        .in_attribute_0(mul_f16_unit_y),
-        .in_attribute_1(mul_f16_unit_copy2_y),
-        .in_attribute_2(mul_f16_unit_copy3_y),
+        .in_depth_low(depth_low_d3),
+        .in_depth_high(depth_high_d3),
+        .in_attribute_0(resize_17_d1),
+        .in_attribute_1(resize_20_d1),
+        .in_attribute_2(resize_23_d1),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -2564,242 +2506,108 @@ module splat_weighting (
         .out_attribute_2(queue_out_attribute_2)
     );
 
-    float_from_fixed_s4_formatf16_w16_fraction16 to_float_u16q16_f16_unit (
+    integer_mul_s3_au16_bu24 mul_u16_u24_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
         .a(in_weight),
-        .y(to_float_u16q16_f16_unit_y)
-    );
-
-    integer_mul mul_u16_u24_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_7_from_0_out[15:0]),
-        .b(delay_7_from_0_out[39:16]),
+        .b(in_depth),
         .y(mul_u16_u24_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit (
+    integer_mul_s2_as17_bs12 mul_s17_s12_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_14_d4),
-        .y(mul_f16_unit_y)
+        .a({1'd0, in_weight}),
+        .b(in_attribute_0),
+        .y(mul_s17_s12_unit_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy2 (
+    integer_mul_s2_as17_bs12 mul_s17_s12_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_16_d4),
-        .y(mul_f16_unit_copy2_y)
+        .a({1'd0, in_weight}),
+        .b(in_attribute_1),
+        .y(mul_s17_s12_unit_copy2_y)
     );
 
-    float_mul_s6_ff16 mul_f16_unit_copy3 (
+    integer_mul_s2_as17_bs12 mul_s17_s12_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_18_d4),
-        .y(mul_f16_unit_copy3_y)
+        .a({1'd0, in_weight}),
+        .b(in_attribute_2),
+        .y(mul_s17_s12_unit_copy3_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            delay_7_from_0_pointer <= 3'd0;
-            delay_10_from_0_pointer <= 4'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
         end else if (queue_in_ready) begin
-            delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
-            delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
             valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            weight_d8 <= delay_7_from_0_out[15:0];
-            weight_d9 <= weight_d8;
-            weight_d10 <= weight_d9;
-            reinterpret_14_d1 <= in_attribute_0;
-            reinterpret_14_d2 <= reinterpret_14_d1;
-            reinterpret_14_d3 <= reinterpret_14_d2;
-            reinterpret_14_d4 <= reinterpret_14_d3;
-            reinterpret_16_d1 <= in_attribute_1;
-            reinterpret_16_d2 <= reinterpret_16_d1;
-            reinterpret_16_d3 <= reinterpret_16_d2;
-            reinterpret_16_d4 <= reinterpret_16_d3;
-            reinterpret_18_d1 <= in_attribute_2;
-            reinterpret_18_d2 <= reinterpret_18_d1;
-            reinterpret_18_d3 <= reinterpret_18_d2;
-            reinterpret_18_d4 <= reinterpret_18_d3;
+            end_d1 <= in_end;
+            end_d2 <= end_d1;
+            end_d3 <= end_d2;
+            last_d1 <= in_last;
+            last_d2 <= last_d1;
+            last_d3 <= last_d2;
+            inside_d1 <= in_inside;
+            inside_d2 <= inside_d1;
+            inside_d3 <= inside_d2;
+            slot_d1 <= in_slot;
+            slot_d2 <= slot_d1;
+            slot_d3 <= slot_d2;
+            pixel_d1 <= in_pixel;
+            pixel_d2 <= pixel_d1;
+            pixel_d3 <= pixel_d2;
+            weight_d1 <= in_weight;
+            weight_d2 <= weight_d1;
+            weight_d3 <= weight_d2;
+            depth_low_d1 <= in_depth_low;
+            depth_low_d2 <= depth_low_d1;
+            depth_low_d3 <= depth_low_d2;
+            depth_high_d1 <= in_depth_high;
+            depth_high_d2 <= depth_high_d1;
+            depth_high_d3 <= depth_high_d2;
+            resize_17_d1 <= mul_s17_s12_unit_y[27:0];
+            resize_20_d1 <= mul_s17_s12_unit_copy2_y[27:0];
+            resize_23_d1 <= mul_s17_s12_unit_copy3_y[27:0];
         end
     end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        end
-        if (queue_in_ready) begin
-            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= {in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
-        end
-        if (queue_in_ready) begin
-            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
-        end
-    end
+
+    wire _unused = &{1'b0, mul_s17_s12_unit_copy2_y[28], mul_s17_s12_unit_copy3_y[28], mul_s17_s12_unit_y[28]};
 endmodule
 
-// Floating-point product.
-// stages = 6
-// format = f16
-module float_mul_s6_ff16 (
+// Integer product, pipelined.
+// stages = 2
+// a = s17
+// b = s12
+module integer_mul_s2_as17_bs12 (
     input  wire clk,
     input  wire rst,
     input  wire enable,
-    input  wire [15:0] a,
-    input  wire [15:0] b,
-    output reg  [15:0] y
+    input  wire [16:0] a,
+    input  wire [11:0] b,
+    output reg  [28:0] y
 );
-    reg [3:0] a_zeros_s1;
-    reg [7:0] a_exponent_s1;
-    reg [10:0] a_significand_s1;
-    reg [3:0] b_zeros_s1;
-    reg [7:0] b_exponent_s1;
-    reg [10:0] b_significand_s1;
-    reg [10:0] left_s2;
-    reg [10:0] right_s2;
-    reg [7:0] exponent_s2;
-    reg [21:0] product_s3;
-    reg [7:0] exponent_s3;
-    reg [7:0] distance_s4;
-    reg [12:0] significand_s4;
-    reg [12:0] significand_s5;
-    reg [7:0] exponent_s4;
-    reg [7:0] exponent_s5;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-
-    wire [4:0] a_field = a[14:10];
-    wire term_1 = ~(|a_field);
-    wire [9:0] a_fraction = a[9:0];
-    wire term_2 = term_1 & ~a_fraction[9];
-    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
-    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
-    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
-    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
-    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
-    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
-    wire [4:0] b_field = b[14:10];
-    wire term_9 = ~(|b_field);
-    wire [9:0] b_fraction = b[9:0];
-    wire term_10 = term_9 & ~b_fraction[9];
-    wire term_11 = term_10 & (~b_fraction[8] & ~b_fraction[7]);
-    wire term_12 = ~b_fraction[6] & ~b_fraction[5];
-    wire term_13 = term_11 & (term_12 & (~b_fraction[4] & ~b_fraction[3]));
-    wire term_14 = ~b_fraction[2] & ~b_fraction[1];
-    wire [2:0] joined_15 = {1'd0, term_14, term_14 ? ~b_fraction[0] : ~b_fraction[2]};
-    wire [1:0] choice_16 = term_11 ? {term_12, term_12 ? ~b_fraction[4] : ~b_fraction[6]} : {term_10, term_10 ? ~b_fraction[8] : term_9};
-    wire [7:0] sum_17 = exponent_s3 + {7'd0, product_s3[21]};
-    wire term_18 = sum_17[7] | (sum_17 == 8'd0);
-    wire [21:0] choice_19 = product_s3[21] ? product_s3 : (product_s3 << 1);
-    wire [12:0] choice_20 = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
-    wire [12:0] choice_21 = distance_s4[2] ? (choice_20 >> 4) : choice_20;
-    wire [12:0] choice_22 = distance_s4[1] ? (choice_21 >> 2) : choice_21;
-    wire [12:0] choice_23 = distance_s4[0] ? (choice_22 >> 1) : choice_22;
-    wire term_24 = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |choice_20[3:0]);
-    wire term_25 = term_24 | (distance_s4[1] & |choice_21[1:0]) | (distance_s4[0] & choice_22[0]);
-    wire term_26 = &a_field & (a_fraction == 10'd0);
-    wire term_27 = ~(|b_field | |b_fraction);
-    wire term_28 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_26 & term_27);
-    wire term_29 = ~(|a_field | |a_fraction);
-    wire term_30 = &b_field & (b_fraction == 10'd0);
-    wire [14:0] joined_31 = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
-    wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
-    wire [14:0] rounded = joined_31 + {14'd0, round_up};
-    wire [14:0] choice_32 = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
+    reg [16:0] a_s1;
+    reg [11:0] b_s1;
 
     always @(posedge clk) begin
         if (enable) begin
-            a_zeros_s1 <= {term_5, choice_8};
-            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
-            a_significand_s1 <= {|a_field, a_fraction};
-            b_zeros_s1 <= {term_13, term_13 ? joined_15 : {term_11, choice_16}};
-            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | term_9};
-            b_significand_s1 <= {|b_field, b_fraction};
-            left_s2 <= a_significand_s1 << a_zeros_s1;
-            right_s2 <= b_significand_s1 << b_zeros_s1;
-            exponent_s2 <= (a_exponent_s1 - {4'd0, a_zeros_s1}) + (b_exponent_s1 - {4'd0, b_zeros_s1});
-            product_s3 <= {11'd0, left_s2} * {11'd0, right_s2};
-            exponent_s3 <= exponent_s2 - 8'd15;
-            distance_s4 <= (8'd1 - sum_17) & {8{term_18}};
-            significand_s4 <= {choice_19[21:10], |choice_19[9:0]};
-            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : {choice_23[12:1], choice_23[0] | term_25};
-            exponent_s4 <= term_18 ? 8'd1 : sum_17;
-            exponent_s5 <= exponent_s4;
-            sign_s1 <= a[15] ^ b[15];
-            sign_s2 <= sign_s1;
-            sign_s3 <= sign_s2;
-            sign_s4 <= sign_s3;
-            sign_s5 <= sign_s4;
-            nan_s1 <= term_28 | (term_29 & term_30);
-            nan_s2 <= nan_s1;
-            nan_s3 <= nan_s2;
-            nan_s4 <= nan_s3;
-            nan_s5 <= nan_s4;
-            infinite_s1 <= term_26 | term_30;
-            infinite_s2 <= infinite_s1;
-            infinite_s3 <= infinite_s2;
-            infinite_s4 <= infinite_s3;
-            infinite_s5 <= infinite_s4;
-            zero_s1 <= term_29 | term_27;
-            zero_s2 <= zero_s1;
-            zero_s3 <= zero_s2;
-            zero_s4 <= zero_s3;
-            zero_s5 <= zero_s4;
-            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : choice_32};
+            a_s1 <= a;
+            b_s1 <= b;
+            y <= $signed({{12{a_s1[16]}}, a_s1}) * $signed({{17{b_s1[11]}}, b_s1});
         end
     end
 
@@ -2810,7 +2618,7 @@ endmodule
 // stages = 3
 // a = u16
 // b = u24
-module integer_mul (
+module integer_mul_s3_au16_bu24 (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -2836,73 +2644,9 @@ module integer_mul (
     wire _unused = &{1'b0, rst};
 endmodule
 
-// Fixed to floating point.
-// stages = 4
-// format = f16
-// width = 16
-// fraction = 16
-// integer = unsigned
-module float_from_fixed_s4_formatf16_w16_fraction16 (
-    input  wire clk,
-    input  wire rst,
-    input  wire enable,
-    input  wire [15:0] a,
-    output reg  [15:0] y
-);
-    reg [15:0] magnitude_s1;
-    reg [15:0] magnitude_s2;
-    reg [3:0] zeros_s2;
-    reg [5:0] distance_s3;
-    reg [12:0] significand_s3;
-    reg [5:0] exponent_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-
-    wire term_1 = ~magnitude_s1[15] & ~magnitude_s1[14];
-    wire term_2 = term_1 & (~magnitude_s1[13] & ~magnitude_s1[12]);
-    wire term_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
-    wire term_4 = term_2 & (term_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
-    wire term_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
-    wire term_6 = term_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
-    wire term_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
-    wire [1:0] choice_8 = term_6 ? {term_7, term_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_5, term_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
-    wire [1:0] choice_9 = term_2 ? {term_3, term_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]} : {term_1, term_1 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
-    wire [5:0] difference_10 = 6'd14 - {2'd0, zeros_s2};
-    wire term_11 = difference_10[5] | (difference_10 == 6'd0);
-    wire [15:0] shifted_12 = magnitude_s2 << zeros_s2;
-    wire [12:0] choice_13 = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
-    wire [12:0] choice_14 = distance_s3[2] ? (choice_13 >> 4) : choice_13;
-    wire [12:0] choice_15 = distance_s3[1] ? (choice_14 >> 2) : choice_14;
-    wire [12:0] choice_16 = distance_s3[0] ? (choice_15 >> 1) : choice_15;
-    wire term_17 = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |choice_13[3:0]);
-    wire term_18 = term_17 | (distance_s3[1] & |choice_14[1:0]) | (distance_s3[0] & choice_15[0]);
-    wire [12:0] choice_19 = |distance_s3[5:4] ? {12'd0, |significand_s3} : {choice_16[12:1], choice_16[0] | term_18};
-    wire round_up = choice_19[1] & (choice_19[0] | choice_19[2]);
-    wire [14:0] rounded = {exponent_s3[4:0] & {5{choice_19[12]}}, choice_19[11:2]} + {14'd0, round_up};
-    wire [14:0] choice_20 = (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
-
-    always @(posedge clk) begin
-        if (enable) begin
-            magnitude_s1 <= a;
-            magnitude_s2 <= magnitude_s1;
-            zeros_s2 <= {term_4, term_4 ? {term_6, choice_8} : {term_2, choice_9}};
-            distance_s3 <= (6'd1 - difference_10) & {6{term_11}};
-            significand_s3 <= {shifted_12[15:4], |shifted_12[3:0]};
-            exponent_s3 <= term_11 ? 6'd1 : difference_10;
-            zero_s1 <= a == 16'd0;
-            zero_s2 <= zero_s1;
-            zero_s3 <= zero_s2;
-            y <= {1'd0, zero_s3 ? 15'd0 : choice_20};
-        end
-    end
-
-    wire _unused = &{1'b0, rst};
-endmodule
-
 // Queue of two in registers.
-// width = 162
-module stream_skid_w162 (
+// width = 198
+module stream_skid_w198 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -2916,9 +2660,9 @@ module stream_skid_w162 (
     input  wire [39:0] in_weighted_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [27:0] in_attribute_0,
+    input  wire [27:0] in_attribute_1,
+    input  wire [27:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
     output wire out_end,
@@ -2930,18 +2674,18 @@ module stream_skid_w162 (
     output wire [39:0] out_weighted_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [27:0] out_attribute_0,
+    output wire [27:0] out_attribute_1,
+    output wire [27:0] out_attribute_2
 );
     reg second_valid;
-    reg [161:0] head;
-    reg [161:0] second;
+    reg [197:0] head;
+    reg [197:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [161:0] in_item = {
+    wire [197:0] in_item = {
         in_end,
         in_last,
         in_inside,
@@ -2956,18 +2700,18 @@ module stream_skid_w162 (
         in_attribute_2
     };
 
-    assign out_end = head[161];
-    assign out_last = head[160];
-    assign out_inside = head[159];
-    assign out_slot = head[158];
-    assign out_pixel = head[157:152];
-    assign out_weight = head[151:136];
-    assign out_weighted_depth = head[135:96];
-    assign out_depth_low = head[95:72];
-    assign out_depth_high = head[71:48];
-    assign out_attribute_0 = head[47:32];
-    assign out_attribute_1 = head[31:16];
-    assign out_attribute_2 = head[15:0];
+    assign out_end = head[197];
+    assign out_last = head[196];
+    assign out_inside = head[195];
+    assign out_slot = head[194];
+    assign out_pixel = head[193:188];
+    assign out_weight = head[187:172];
+    assign out_weighted_depth = head[171:132];
+    assign out_depth_low = head[131:108];
+    assign out_depth_high = head[107:84];
+    assign out_attribute_0 = head[83:56];
+    assign out_attribute_1 = head[55:28];
+    assign out_attribute_2 = head[27:0];
 
     always @(posedge clk) begin
         if (rst) begin
@@ -3012,21 +2756,22 @@ module splat_rasterizer (
     input  wire in_valid,
     output wire in_ready,
     input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [2:0] in_left,
     input  wire [2:0] in_right,
     input  wire [2:0] in_top,
@@ -3044,10 +2789,10 @@ module splat_rasterizer (
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    input  wire [23:0] filter_scale,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
+    input  wire [15:0] filter_scale,
     output reg  event_sample,
     output reg  event_starved,
     output reg  event_blocked
@@ -3063,15 +2808,16 @@ module splat_rasterizer (
     reg [2:0] left;
     reg [2:0] right;
     reg [2:0] bottom;
-    reg [23:0] center_x;
-    reg [23:0] center_y;
-    reg [23:0] ax;
-    reg [23:0] bx;
-    reg [23:0] ay;
-    reg [23:0] by;
-    reg [23:0] delta;
-    reg [23:0] mx;
-    reg [23:0] my;
+    reg [25:0] center_x;
+    reg [25:0] center_y;
+    reg [15:0] ax;
+    reg [15:0] bx;
+    reg [15:0] ay;
+    reg [15:0] by;
+    reg [19:0] delta;
+    reg [15:0] mx;
+    reg [15:0] my;
+    reg [3:0] shift;
 
     wire evaluation_in_ready;
     wire evaluation_out_valid;
@@ -3086,9 +2832,9 @@ module splat_rasterizer (
     wire [23:0] shared_out_depth;
     wire [23:0] shared_out_depth_low;
     wire [23:0] shared_out_depth_high;
-    wire [15:0] shared_out_attribute_0;
-    wire [15:0] shared_out_attribute_1;
-    wire [15:0] shared_out_attribute_2;
+    wire [11:0] shared_out_attribute_0;
+    wire [11:0] shared_out_attribute_1;
+    wire [11:0] shared_out_attribute_2;
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
     assign in_ready = take;
@@ -3132,6 +2878,7 @@ module splat_rasterizer (
         .in_delta(delta),
         .in_mx(mx),
         .in_my(my),
+        .in_shift(shift),
         .filter_scale(filter_scale),
         .out_valid(evaluation_out_valid),
         .out_ready(out_ready),
@@ -3143,7 +2890,7 @@ module splat_rasterizer (
         .out_weight(evaluation_out_weight)
     );
 
-    stream_fifo_d64_w120 shared (
+    stream_fifo_d64_w108 shared (
         .clk(clk),
         .rst(rst),
         .in_valid(load & ~in_end),
@@ -3198,6 +2945,7 @@ module splat_rasterizer (
             delta <= in_delta;
             mx <= in_mx;
             my <= in_my;
+            shift <= in_shift;
         end
         if (evaluation_in_ready) begin
             is_last <= load ? term_1 : term_5;
@@ -3211,8 +2959,8 @@ endmodule
 
 // Queue in a memory with a registered output.
 // depth = 64
-// width = 120
-module stream_fifo_d64_w120 (
+// width = 108
+module stream_fifo_d64_w108 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -3220,25 +2968,25 @@ module stream_fifo_d64_w120 (
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2
 );
     (* no_rw_check *)
-    reg [119:0] entries [0:63];
+    reg [107:0] entries [0:63];
     reg [6:0] held;
     reg [6:0] waiting;
     reg [5:0] write_address;
     reg [5:0] read_address;
-    reg [119:0] item;
+    reg [107:0] item;
 
     wire has_room = ~held[6];
     assign in_ready = has_room;
@@ -3247,12 +2995,12 @@ module stream_fifo_d64_w120 (
     wire pop = out_valid & out_taken;
     wire fetch = |waiting & (~out_valid | out_taken);
 
-    assign out_depth = item[119:96];
-    assign out_depth_low = item[95:72];
-    assign out_depth_high = item[71:48];
-    assign out_attribute_0 = item[47:32];
-    assign out_attribute_1 = item[31:16];
-    assign out_attribute_2 = item[15:0];
+    assign out_depth = item[107:84];
+    assign out_depth_low = item[83:60];
+    assign out_depth_high = item[59:36];
+    assign out_attribute_0 = item[35:24];
+    assign out_attribute_1 = item[23:12];
+    assign out_attribute_2 = item[11:0];
 
     always @(posedge clk) begin
         if (rst) begin
@@ -3312,7 +3060,7 @@ module stream_fifo_d64_w120 (
 endmodule
 
 // Distance of a sample from its splat's centre, and its kernel weight.
-// latency = 58
+// latency = 37
 // initiation_interval = 1
 module splat_evaluation (
     input  wire clk,
@@ -3324,16 +3072,17 @@ module splat_evaluation (
     input  wire in_slot,
     input  wire [8:0] in_column,
     input  wire [8:0] in_row,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] filter_scale,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [15:0] filter_scale,
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
@@ -3344,53 +3093,183 @@ module splat_evaluation (
     output wire [15:0] out_weight
 );
     (* ram_style = "distributed" *)
-    reg [3:0] delay_5_from_0 [0:3];
+    reg delay_6_from_0 [0:4];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_6_from_0 [0:4];
+    reg delay_9_from_0 [0:7];
     (* ram_style = "distributed" *)
-    reg [143:0] delay_9_from_0 [0:7];
+    reg delay_10_from_0 [0:8];
     (* ram_style = "distributed" *)
-    reg delay_12_from_0 [0:10];
+    reg delay_15_from_0 [0:13];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_13_from_0 [0:11];
+    reg delay_16_from_0 [0:14];
     (* ram_style = "distributed" *)
-    reg delay_24_from_0 [0:22];
+    reg delay_17_from_0 [0:15];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_26_from_0 [0:24];
+    reg [3:0] delay_20_from_0 [0:18];
     (* ram_style = "distributed" *)
-    reg delay_52_from_0 [0:50];
+    reg [15:0] delay_25_from_0 [0:23];
     (* ram_style = "distributed" *)
-    reg delay_53_from_0 [0:51];
-    (* ram_style = "distributed" *)
-    reg [6:0] delay_58_from_0 [0:56];
-    reg [1:0] delay_5_from_0_pointer;
-    reg [3:0] delay_5_from_0_out;
+    reg [6:0] delay_37_from_0 [0:35];
     reg [2:0] delay_6_from_0_pointer;
-    reg [23:0] delay_6_from_0_out;
+    reg delay_6_from_0_out;
     reg [2:0] delay_9_from_0_pointer;
-    reg [143:0] delay_9_from_0_out;
-    reg [3:0] delay_12_from_0_pointer;
-    reg delay_12_from_0_out;
-    reg [3:0] delay_13_from_0_pointer;
-    reg [23:0] delay_13_from_0_out;
-    reg [4:0] delay_24_from_0_pointer;
-    reg delay_24_from_0_out;
-    reg [4:0] delay_26_from_0_pointer;
-    reg [23:0] delay_26_from_0_out;
-    reg [5:0] delay_52_from_0_pointer;
-    reg delay_52_from_0_out;
-    reg [5:0] delay_53_from_0_pointer;
-    reg delay_53_from_0_out;
-    reg [5:0] delay_58_from_0_pointer;
-    reg [6:0] delay_58_from_0_out;
-    reg end_d53;
-    reg [23:0] neg_18_d1;
-    reg [23:0] neg_18_d2;
-    reg [23:0] neg_18_d3;
-    reg [23:0] neg_23_d1;
-    reg [23:0] neg_23_d2;
-    reg [23:0] neg_23_d3;
-    reg not_62_d1;
+    reg delay_9_from_0_out;
+    reg [3:0] delay_10_from_0_pointer;
+    reg delay_10_from_0_out;
+    reg [3:0] delay_15_from_0_pointer;
+    reg delay_15_from_0_out;
+    reg [3:0] delay_16_from_0_pointer;
+    reg delay_16_from_0_out;
+    reg [3:0] delay_17_from_0_pointer;
+    reg delay_17_from_0_out;
+    reg [4:0] delay_20_from_0_pointer;
+    reg [3:0] delay_20_from_0_out;
+    reg [4:0] delay_25_from_0_pointer;
+    reg [15:0] delay_25_from_0_out;
+    reg [5:0] delay_37_from_0_pointer;
+    reg [6:0] delay_37_from_0_out;
+    reg end_d17;
+    reg [22:0] resize_33_d1;
+    reg bits_34_d1;
+    reg bits_38_d1;
+    reg bits_42_d1;
+    reg [15:0] resize_45_d1;
+    reg [22:0] resize_48_d1;
+    reg [15:0] resize_57_d1;
+    reg [15:0] reinterpret_58_d1;
+    reg [15:0] reinterpret_58_d2;
+    reg [15:0] reinterpret_60_d1;
+    reg [15:0] reinterpret_60_d2;
+    reg [31:0] sub_62_d1;
+    reg [15:0] reinterpret_63_d1;
+    reg [15:0] reinterpret_63_d2;
+    reg [15:0] reinterpret_65_d1;
+    reg [15:0] reinterpret_65_d2;
+    reg [31:0] sub_67_d1;
+    reg [15:0] reinterpret_69_d1;
+    reg [15:0] reinterpret_69_d2;
+    reg [15:0] reinterpret_71_d1;
+    reg [15:0] reinterpret_71_d2;
+    reg [31:0] mul_72_d1;
+    reg [32:0] shl_76_d1;
+    reg [32:0] shl_76_d2;
+    reg [32:0] shl_76_d3;
+    reg [32:0] shl_76_d4;
+    reg [32:0] add_77_d1;
+    reg [32:0] add_78_d1;
+    reg [31:0] bits_82_d1;
+    reg [31:0] bits_82_d2;
+    reg [30:0] bits_86_d1;
+    reg [31:0] resize_87_d1;
+    reg [31:0] resize_87_d2;
+    reg [30:0] bits_91_d1;
+    reg [31:0] resize_92_d1;
+    reg [31:0] resize_92_d2;
+    reg equal_96_d1;
+    reg equal_98_d1;
+    reg equal_100_d1;
+    reg not_102_d1;
+    reg and_103_d1;
+    reg and_103_d2;
+    reg [31:0] select_105_d1;
+    reg [31:0] select_107_d1;
+    reg [31:0] select_109_d1;
+    reg equal_112_d1;
+    reg equal_114_d1;
+    reg equal_116_d1;
+    reg and_119_d1;
+    reg or_120_d1;
+    reg [24:0] bits_123_d1;
+    reg [24:0] bits_126_d1;
+    reg [24:0] bits_129_d1;
+    reg equal_132_d1;
+    reg equal_134_d1;
+    reg equal_136_d1;
+    reg and_139_d1;
+    reg equal_152_d1;
+    reg and_157_d1;
+    reg or_160_d1;
+    reg [18:0] bits_163_d1;
+    reg [18:0] bits_166_d1;
+    reg [18:0] bits_169_d1;
+    reg equal_171_d1;
+    reg not_177_d1;
+    reg [17:0] bits_182_d1;
+    reg [17:0] bits_185_d1;
+    reg [17:0] bits_188_d1;
+    reg [35:0] mul_189_d1;
+    reg [36:0] add_194_d1;
+    reg lt_196_d1;
+    reg not_197_d1;
+    reg not_197_d2;
+    reg not_197_d3;
+    reg not_197_d4;
+    reg [23:0] resize_205_d1;
+    reg [23:0] resize_205_d2;
+    reg [23:0] resize_205_d3;
+    reg [23:0] resize_205_d4;
+    reg [23:0] resize_205_d5;
+    reg [23:0] resize_205_d6;
+    reg [23:0] resize_205_d7;
+    reg [23:0] resize_205_d8;
+    reg [23:0] resize_205_d9;
+    reg [23:0] resize_205_d10;
+    reg [23:0] resize_205_d11;
+    reg [23:0] resize_205_d12;
+    reg [23:0] resize_205_d13;
+    reg [23:0] resize_205_d14;
+    reg [23:0] resize_205_d15;
+    reg [23:0] resize_205_d16;
+    reg [23:0] shl_207_d1;
+    reg not_212_d1;
+    reg [23:0] shl_214_d1;
+    reg [1:0] concat_220_d1;
+    reg [23:0] shl_222_d1;
+    reg [2:0] concat_228_d1;
+    reg [23:0] shl_230_d1;
+    reg [3:0] concat_236_d1;
+    reg [23:0] shl_238_d1;
+    reg [4:0] concat_244_d1;
+    reg [23:0] shl_246_d1;
+    reg [5:0] concat_252_d1;
+    reg [23:0] shl_254_d1;
+    reg [6:0] concat_260_d1;
+    reg [23:0] shl_262_d1;
+    reg [7:0] concat_268_d1;
+    reg [23:0] shl_270_d1;
+    reg [8:0] concat_276_d1;
+    reg [23:0] shl_278_d1;
+    reg [9:0] concat_284_d1;
+    reg [23:0] shl_286_d1;
+    reg [10:0] concat_292_d1;
+    reg [23:0] shl_294_d1;
+    reg [11:0] concat_300_d1;
+    reg [23:0] shl_302_d1;
+    reg [12:0] concat_308_d1;
+    reg [23:0] shl_310_d1;
+    reg [13:0] concat_316_d1;
+    reg [23:0] shl_318_d1;
+    reg [14:0] concat_324_d1;
+    reg [23:0] shl_326_d1;
+    reg [15:0] concat_330_d1;
+    reg [15:0] select_332_d1;
+    reg [11:0] bits_333_d1;
+    reg or_338_d1;
+    reg [15:0] reinterpret_340_d1;
+    reg [11:0] bits_343_d1;
+    reg or_346_d1;
+    reg [15:0] reinterpret_348_d1;
+    reg and_352_d1;
+    reg and_352_d2;
+    reg [3:0] bits_353_d1;
+    reg and_355_d1;
+    reg and_355_d2;
+    reg [17:0] bits_356_d1;
+    reg and_361_d1;
+    reg [15:0] bits_362_d1;
+    reg or_364_d1;
+    reg [15:0] min_365_d1;
+    reg not_366_d1;
     reg valid_d1;
     reg valid_d2;
     reg valid_d3;
@@ -3428,27 +3307,6 @@ module splat_evaluation (
     reg valid_d35;
     reg valid_d36;
     reg valid_d37;
-    reg valid_d38;
-    reg valid_d39;
-    reg valid_d40;
-    reg valid_d41;
-    reg valid_d42;
-    reg valid_d43;
-    reg valid_d44;
-    reg valid_d45;
-    reg valid_d46;
-    reg valid_d47;
-    reg valid_d48;
-    reg valid_d49;
-    reg valid_d50;
-    reg valid_d51;
-    reg valid_d52;
-    reg valid_d53;
-    reg valid_d54;
-    reg valid_d55;
-    reg valid_d56;
-    reg valid_d57;
-    reg valid_d58;
 
     wire queue_in_ready;
     wire queue_out_valid;
@@ -3458,42 +3316,165 @@ module splat_evaluation (
     wire queue_out_slot;
     wire [5:0] queue_out_pixel;
     wire [15:0] queue_out_weight;
-    wire [23:0] to_float_u10q1_f24_ftz_unit_y;
-    wire [23:0] to_float_u10q1_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy8_y;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_y;
-    wire [23:0] mul_f24_ftz_unit_copy9_y;
-    wire [23:0] mul_f24_ftz_unit_copy10_y;
-    wire [23:0] mul_f24_ftz_unit_copy11_y;
-    wire [23:0] mul_f24_ftz_unit_copy12_y;
-    wire [23:0] div_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_y;
-    wire lt_f24_ftz_unit_y;
-    wire [15:0] to_fixed_f24_ftz_u16q16_unit_y;
+    wire [31:0] mul_s16_s16_unit_y;
+    wire [31:0] mul_s16_s16_unit_copy2_y;
+    wire [31:0] mul_s16_s16_unit_copy3_y;
+    wire [31:0] mul_s16_s16_unit_copy4_y;
+    wire [31:0] mul_s16_s16_unit_copy5_y;
+    wire [31:0] mul_s16_s16_unit_copy6_y;
+    wire [31:0] mul_s16_s16_unit_copy7_y;
+    wire [31:0] mul_s16_s16_unit_copy8_y;
+    wire [35:0] mul_u18_u18_unit_y;
+    wire [35:0] mul_u18_u18_unit_copy2_y;
+    wire [35:0] mul_u18_u18_unit_copy3_y;
+    wire [33:0] mul_u18_u16_unit_y;
     wire [15:0] interpolate_8_8_16_unit_y;
 
     assign in_ready = queue_in_ready;
     wire queue_out_ready = out_ready;
-    wire [23:0] select_53 = delay_24_from_0_out ? 24'h7f8000 : div_f24_ftz_unit_y;
-    wire not_62 = ~delay_52_from_0_out;
-    wire and_63 = lt_f24_ftz_unit_y & not_62_d1;
-    wire or_64 = delay_53_from_0_out | and_63;
-    wire or_65 = end_d53 | or_64;
-    wire xor_51 = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
+    wire [26:0] sub_23 = ({17'd0, in_column, 1'd1} << 11) - {in_center_x[25], in_center_x};
+    wire [26:0] select_32 = in_shift[3] ? {{8{sub_23[26]}}, sub_23[26:8]} : sub_23;
+    wire [22:0] select_36 = bits_34_d1 ? {{4{resize_33_d1[22]}}, resize_33_d1[22:4]} : resize_33_d1;
+    wire [18:0] select_40 = bits_38_d1 ? {{2{select_36[18]}}, select_36[18:2]} : select_36[18:0];
+    wire [16:0] select_44 = bits_42_d1 ? {select_40[16], select_40[16:1]} : select_40[16:0];
+    wire [26:0] sub_29 = ({17'd0, in_row, 1'd1} << 11) - {in_center_y[25], in_center_y};
+    wire [26:0] select_47 = in_shift[3] ? {{8{sub_29[26]}}, sub_29[26:8]} : sub_29;
+    wire [22:0] select_50 = bits_34_d1 ? {{4{resize_48_d1[22]}}, resize_48_d1[22:4]} : resize_48_d1;
+    wire [18:0] select_53 = bits_38_d1 ? {{2{select_50[18]}}, select_50[18:2]} : select_50[18:0];
+    wire [16:0] select_56 = bits_42_d1 ? {select_53[16], select_53[16:1]} : select_53[16:0];
+    wire [31:0] sub_62 = mul_s16_s16_unit_y - mul_s16_s16_unit_copy2_y;
+    wire [31:0] sub_67 = mul_s16_s16_unit_copy3_y - mul_s16_s16_unit_copy4_y;
+    wire [32:0] add_77 = {mul_s16_s16_unit_copy5_y[31], mul_s16_s16_unit_copy5_y} + shl_76_d4;
+    wire [32:0] add_78 = {mul_72_d1[31], mul_72_d1} + add_77_d1;
+    wire [32:0] not_80 = ~add_78_d1;
+    wire [32:0] select_81 = add_78_d1[32] ? not_80 : add_78_d1;
+    wire [31:0] not_84 = ~sub_62_d1;
+    wire [31:0] select_85 = sub_62_d1[31] ? not_84 : sub_62_d1;
+    wire [31:0] not_89 = ~sub_67_d1;
+    wire [31:0] select_90 = sub_67_d1[31] ? not_89 : sub_67_d1;
+    wire equal_96 = bits_82_d1[31:16] == 16'd0;
+    wire equal_98 = 16'd0 == {1'd0, bits_86_d1[30:16]};
+    wire equal_100 = 16'd0 == {1'd0, bits_91_d1[30:16]};
+    wire and_101 = equal_98_d1 & equal_100_d1;
+    wire not_102 = ~and_101;
+    wire and_103 = equal_96_d1 & not_102_d1;
+    wire [31:0] select_105 = equal_96_d1 ? (bits_82_d2 << 16) : bits_82_d2;
+    wire [31:0] select_107 = equal_96_d1 ? (resize_87_d2 << 16) : resize_87_d2;
+    wire [31:0] select_109 = equal_96_d1 ? (resize_92_d2 << 16) : resize_92_d2;
+    wire equal_112 = select_105[31:24] == 8'd0;
+    wire equal_114 = 8'd0 == select_107[31:24];
+    wire equal_116 = 8'd0 == select_109[31:24];
+    wire and_117 = equal_114_d1 & equal_116_d1;
+    wire not_118 = ~and_117;
+    wire and_119 = equal_112_d1 & not_118;
+    wire or_120 = and_103_d2 | and_119_d1;
+    wire [31:0] select_122 = equal_112_d1 ? (select_105_d1 << 8) : select_105_d1;
+    wire [31:0] select_125 = equal_112_d1 ? (select_107_d1 << 8) : select_107_d1;
+    wire [31:0] select_128 = equal_112_d1 ? (select_109_d1 << 8) : select_109_d1;
+    wire equal_132 = select_122[31:28] == 4'd0;
+    wire equal_134 = 4'd0 == select_125[31:28];
+    wire equal_136 = 4'd0 == select_128[31:28];
+    wire and_137 = equal_134_d1 & equal_136_d1;
+    wire not_138 = ~and_137;
+    wire and_139 = equal_132_d1 & not_138;
+    wire [24:0] select_142 = equal_132_d1 ? (bits_123_d1 << 4) : bits_123_d1;
+    wire equal_152 = select_142[24:23] == 2'd0;
+    wire [24:0] select_145 = equal_132_d1 ? (bits_126_d1 << 4) : bits_126_d1;
+    wire equal_154 = 2'd0 == select_145[24:23];
+    wire [24:0] select_148 = equal_132_d1 ? (bits_129_d1 << 4) : bits_129_d1;
+    wire equal_156 = 2'd0 == select_148[24:23];
+    wire and_157 = equal_154 & equal_156;
+    wire or_140 = or_120_d1 | and_139_d1;
+    wire not_158 = ~and_157_d1;
+    wire and_159 = equal_152_d1 & not_158;
+    wire or_160 = or_140 | and_159;
+    wire [20:0] select_162 = equal_152 ? (select_142[24:4] << 2) : select_142[24:4];
+    wire [20:0] select_165 = equal_152 ? (select_145[24:4] << 2) : select_145[24:4];
+    wire [20:0] select_168 = equal_152 ? (select_148[24:4] << 2) : select_148[24:4];
+    wire equal_171 = ~bits_163_d1[18];
+    wire equal_173 = ~bits_166_d1[18];
+    wire equal_175 = ~bits_169_d1[18];
+    wire and_176 = equal_173 & equal_175;
+    wire not_177 = ~and_176;
+    wire [18:0] select_181 = equal_171 ? (bits_163_d1 << 1) : bits_163_d1;
+    wire [18:0] select_184 = equal_171 ? (bits_166_d1 << 1) : bits_166_d1;
+    wire [18:0] select_187 = equal_171 ? (bits_169_d1 << 1) : bits_169_d1;
+    wire [36:0] add_194 = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
+    wire lt_196 = add_194_d1 < {1'd0, mul_189_d1};
+    wire and_178 = equal_171_d1 & not_177_d1;
+    wire or_179 = or_160_d1 | and_178;
+    wire not_197 = ~or_179;
+    wire [23:0] sub_208 = shl_207_d1 - resize_205_d1;
+    wire not_212 = ~sub_208[23];
+    wire [23:0] select_210 = sub_208[23] ? shl_207_d1 : sub_208;
+    wire [23:0] sub_215 = shl_214_d1 - resize_205_d2;
+    wire not_219 = ~sub_215[23];
+    wire [23:0] select_217 = sub_215[23] ? shl_214_d1 : sub_215;
+    wire [23:0] sub_223 = shl_222_d1 - resize_205_d3;
+    wire not_227 = ~sub_223[23];
+    wire [23:0] select_225 = sub_223[23] ? shl_222_d1 : sub_223;
+    wire [23:0] sub_231 = shl_230_d1 - resize_205_d4;
+    wire not_235 = ~sub_231[23];
+    wire [23:0] select_233 = sub_231[23] ? shl_230_d1 : sub_231;
+    wire [23:0] sub_239 = shl_238_d1 - resize_205_d5;
+    wire not_243 = ~sub_239[23];
+    wire [23:0] select_241 = sub_239[23] ? shl_238_d1 : sub_239;
+    wire [23:0] sub_247 = shl_246_d1 - resize_205_d6;
+    wire not_251 = ~sub_247[23];
+    wire [23:0] select_249 = sub_247[23] ? shl_246_d1 : sub_247;
+    wire [23:0] sub_255 = shl_254_d1 - resize_205_d7;
+    wire not_259 = ~sub_255[23];
+    wire [23:0] select_257 = sub_255[23] ? shl_254_d1 : sub_255;
+    wire [23:0] sub_263 = shl_262_d1 - resize_205_d8;
+    wire not_267 = ~sub_263[23];
+    wire [23:0] select_265 = sub_263[23] ? shl_262_d1 : sub_263;
+    wire [23:0] sub_271 = shl_270_d1 - resize_205_d9;
+    wire not_275 = ~sub_271[23];
+    wire [23:0] select_273 = sub_271[23] ? shl_270_d1 : sub_271;
+    wire [23:0] sub_279 = shl_278_d1 - resize_205_d10;
+    wire not_283 = ~sub_279[23];
+    wire [23:0] select_281 = sub_279[23] ? shl_278_d1 : sub_279;
+    wire [23:0] sub_287 = shl_286_d1 - resize_205_d11;
+    wire not_291 = ~sub_287[23];
+    wire [23:0] select_289 = sub_287[23] ? shl_286_d1 : sub_287;
+    wire [23:0] sub_295 = shl_294_d1 - resize_205_d12;
+    wire not_299 = ~sub_295[23];
+    wire [23:0] select_297 = sub_295[23] ? shl_294_d1 : sub_295;
+    wire [23:0] sub_303 = shl_302_d1 - resize_205_d13;
+    wire not_307 = ~sub_303[23];
+    wire [23:0] select_305 = sub_303[23] ? shl_302_d1 : sub_303;
+    wire [23:0] sub_311 = shl_310_d1 - resize_205_d14;
+    wire not_315 = ~sub_311[23];
+    wire [23:0] select_313 = sub_311[23] ? shl_310_d1 : sub_311;
+    wire [23:0] sub_319 = shl_318_d1 - resize_205_d15;
+    wire not_323 = ~sub_319[23];
+    wire [23:0] select_321 = sub_319[23] ? shl_318_d1 : sub_319;
+    wire [23:0] sub_327 = shl_326_d1 - resize_205_d16;
+    wire not_329 = ~sub_327[23];
+    wire [15:0] select_332 = delay_15_from_0_out ? concat_330_d1 : 16'hffff;
+    wire equal_336 = bits_333_d1 == 12'd0;
+    wire equal_337 = bits_333_d1 == 12'hfff;
+    wire or_338 = equal_336 | equal_337;
+    wire equal_344 = 12'd0 == bits_343_d1;
+    wire equal_345 = 12'hfff == bits_343_d1;
+    wire or_346 = equal_344 | equal_345;
+    wire and_352 = or_338_d1 & or_346_d1;
+    wire [31:0] add_351 = mul_s16_s16_unit_copy7_y + mul_s16_s16_unit_copy8_y;
+    wire equal_354 = 4'd0 == bits_353_d1;
+    wire and_355 = and_352_d2 & equal_354;
+    wire equal_360 = 8'd0 == mul_u18_u16_unit_y[33:26];
+    wire and_361 = and_355_d2 & equal_360;
+    wire and_198 = lt_196_d1 & not_197_d4;
+    wire and_202 = and_198 & delay_10_from_0_out;
+    wire or_364 = and_202 | delay_9_from_0_out;
+    wire [15:0] min_365 = (delay_25_from_0_out < select_332_d1) ? delay_25_from_0_out : select_332_d1;
+    wire not_366 = ~delay_16_from_0_out;
+    wire xor_200 = add_78_d1[32] ^ delay_6_from_0_out;
+    wire not_201 = ~xor_200;
+    wire and_367 = or_364_d1 & not_366_d1;
+    wire or_368 = delay_17_from_0_out | and_367;
+    wire or_369 = end_d17 | or_368;
+    wire [15:0] select_363 = and_361_d1 ? bits_362_d1 : 16'hffff;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -3506,13 +3487,13 @@ module splat_evaluation (
     stream_skid_w26 queue (
         .clk(clk),
         .rst(rst),
-        .in_valid(valid_d58 & delay_5_from_0_out[3]),
+        .in_valid(valid_d37 & delay_20_from_0_out[3]),
         .in_ready(queue_in_ready),
-        .in_end(delay_5_from_0_out[0]),
-        .in_last(delay_5_from_0_out[1]),
-        .in_inside(delay_5_from_0_out[2]),
-        .in_slot(delay_58_from_0_out[0]),
-        .in_pixel(delay_58_from_0_out[6:1]),
+        .in_end(delay_20_from_0_out[0]),
+        .in_last(delay_20_from_0_out[1]),
+        .in_inside(delay_20_from_0_out[2]),
+        .in_slot(delay_37_from_0_out[0]),
+        .in_pixel(delay_37_from_0_out[6:1]),
         .in_weight(interpolate_8_8_16_unit_y),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
@@ -3524,257 +3505,133 @@ module splat_evaluation (
         .out_weight(queue_out_weight)
     );
 
-    float_from_fixed_s3_formatf24ftz_w10_fraction1 to_float_u10q1_f24_ftz_unit (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a({in_column, 1'd1}),
-        .y(to_float_u10q1_f24_ftz_unit_y)
+        .a(resize_45_d1),
+        .b(reinterpret_58_d2),
+        .y(mul_s16_s16_unit_y)
     );
 
-    float_from_fixed_s3_formatf24ftz_w10_fraction1 to_float_u10q1_f24_ftz_unit_copy2 (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a({in_row, 1'd1}),
-        .y(to_float_u10q1_f24_ftz_unit_copy2_y)
+        .a(resize_57_d1),
+        .b(reinterpret_60_d2),
+        .y(mul_s16_s16_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(to_float_u10q1_f24_ftz_unit_y),
-        .b(neg_18_d3),
-        .y(add_f24_ftz_unit_y)
+        .a(resize_45_d1),
+        .b(reinterpret_63_d2),
+        .y(mul_s16_s16_unit_copy3_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(to_float_u10q1_f24_ftz_unit_copy2_y),
-        .b(neg_23_d3),
-        .y(add_f24_ftz_unit_copy2_y)
+        .a(resize_57_d1),
+        .b(reinterpret_65_d2),
+        .y(mul_s16_s16_unit_copy4_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy5 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_y),
-        .b({~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]}),
-        .y(add_f24_ftz_unit_copy3_y)
+        .a(resize_45_d1),
+        .b(reinterpret_69_d2),
+        .y(mul_s16_s16_unit_copy5_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy6 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_y),
-        .b({~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]}),
-        .y(add_f24_ftz_unit_copy4_y)
+        .a(resize_57_d1),
+        .b(reinterpret_71_d2),
+        .y(mul_s16_s16_unit_copy6_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy5 (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy7 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(delay_13_from_0_out),
-        .b(mul_f24_ftz_unit_copy5_y),
-        .y(add_f24_ftz_unit_copy5_y)
+        .a(reinterpret_340_d1),
+        .b(reinterpret_340_d1),
+        .y(mul_s16_s16_unit_copy7_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy6 (
+    integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy8 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy5_y),
-        .b(delay_6_from_0_out),
-        .y(add_f24_ftz_unit_copy6_y)
+        .a(reinterpret_348_d1),
+        .b(reinterpret_348_d1),
+        .y(mul_s16_s16_unit_copy8_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy7 (
+    integer_mul_s2_au18_bu18 mul_u18_u18_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy7_y),
-        .b(mul_f24_ftz_unit_copy8_y),
-        .y(add_f24_ftz_unit_copy7_y)
+        .a(bits_182_d1),
+        .b(bits_182_d1),
+        .y(mul_u18_u18_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy8 (
+    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy10_y),
-        .b(mul_f24_ftz_unit_copy11_y),
-        .y(add_f24_ftz_unit_copy8_y)
+        .a(bits_185_d1),
+        .b(bits_185_d1),
+        .y(mul_u18_u18_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(delay_9_from_0_out[23:0]),
-        .y(mul_f24_ftz_unit_y)
+        .a(bits_188_d1),
+        .b(bits_188_d1),
+        .y(mul_u18_u18_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    integer_mul_s2_au18_bu16 mul_u18_u16_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(delay_9_from_0_out[47:24]),
-        .y(mul_f24_ftz_unit_copy2_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(delay_9_from_0_out[71:48]),
-        .y(mul_f24_ftz_unit_copy3_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(delay_9_from_0_out[95:72]),
-        .y(mul_f24_ftz_unit_copy4_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(delay_9_from_0_out[119:96]),
-        .y(mul_f24_ftz_unit_copy5_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(delay_9_from_0_out[143:120]),
-        .y(mul_f24_ftz_unit_copy6_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy3_y),
-        .b(add_f24_ftz_unit_copy3_y),
-        .y(mul_f24_ftz_unit_copy7_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy4_y),
-        .b(add_f24_ftz_unit_copy4_y),
-        .y(mul_f24_ftz_unit_copy8_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy6_y),
-        .b(add_f24_ftz_unit_copy6_y),
-        .y(mul_f24_ftz_unit_copy9_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(add_f24_ftz_unit_y),
-        .y(mul_f24_ftz_unit_copy10_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(add_f24_ftz_unit_copy2_y),
-        .y(mul_f24_ftz_unit_copy11_y)
-    );
-
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy8_y),
+        .a(bits_356_d1),
         .b(filter_scale),
-        .y(mul_f24_ftz_unit_copy12_y)
-    );
-
-    float_div div_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy7_y),
-        .b(mul_f24_ftz_unit_copy9_y),
-        .y(div_f24_ftz_unit_y)
-    );
-
-    float_min min_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(select_53),
-        .b(delay_26_from_0_out),
-        .y(min_f24_ftz_unit_y)
-    );
-
-    float_lt lt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_f24_ftz_unit_y),
-        .b(24'h3f8000),
-        .y(lt_f24_ftz_unit_y)
-    );
-
-    float_to_fixed_w16_fraction16 to_fixed_f24_ftz_u16q16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_f24_ftz_unit_y),
-        .y(to_fixed_f24_ftz_u16q16_unit_y)
+        .y(mul_u18_u16_unit_y)
     );
 
     float_table interpolate_8_8_16_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_u16q16_unit_y),
+        .a(min_365_d1),
         .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            delay_5_from_0_pointer <= 2'd0;
             delay_6_from_0_pointer <= 3'd0;
             delay_9_from_0_pointer <= 3'd0;
-            delay_12_from_0_pointer <= 4'd0;
-            delay_13_from_0_pointer <= 4'd0;
-            delay_24_from_0_pointer <= 5'd0;
-            delay_26_from_0_pointer <= 5'd0;
-            delay_52_from_0_pointer <= 6'd0;
-            delay_53_from_0_pointer <= 6'd0;
-            delay_58_from_0_pointer <= 6'd0;
+            delay_10_from_0_pointer <= 4'd0;
+            delay_15_from_0_pointer <= 4'd0;
+            delay_16_from_0_pointer <= 4'd0;
+            delay_17_from_0_pointer <= 4'd0;
+            delay_20_from_0_pointer <= 5'd0;
+            delay_25_from_0_pointer <= 5'd0;
+            delay_37_from_0_pointer <= 6'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -3812,38 +3669,16 @@ module splat_evaluation (
             valid_d35 <= 1'd0;
             valid_d36 <= 1'd0;
             valid_d37 <= 1'd0;
-            valid_d38 <= 1'd0;
-            valid_d39 <= 1'd0;
-            valid_d40 <= 1'd0;
-            valid_d41 <= 1'd0;
-            valid_d42 <= 1'd0;
-            valid_d43 <= 1'd0;
-            valid_d44 <= 1'd0;
-            valid_d45 <= 1'd0;
-            valid_d46 <= 1'd0;
-            valid_d47 <= 1'd0;
-            valid_d48 <= 1'd0;
-            valid_d49 <= 1'd0;
-            valid_d50 <= 1'd0;
-            valid_d51 <= 1'd0;
-            valid_d52 <= 1'd0;
-            valid_d53 <= 1'd0;
-            valid_d54 <= 1'd0;
-            valid_d55 <= 1'd0;
-            valid_d56 <= 1'd0;
-            valid_d57 <= 1'd0;
-            valid_d58 <= 1'd0;
         end else if (queue_in_ready) begin
-            delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
-            delay_12_from_0_pointer <= (delay_12_from_0_pointer == 4'd10) ? (delay_12_from_0_pointer - 4'd10) : (delay_12_from_0_pointer + 4'd1);
-            delay_13_from_0_pointer <= (delay_13_from_0_pointer == 4'd11) ? (delay_13_from_0_pointer - 4'd11) : (delay_13_from_0_pointer + 4'd1);
-            delay_24_from_0_pointer <= (delay_24_from_0_pointer == 5'd22) ? (delay_24_from_0_pointer - 5'd22) : (delay_24_from_0_pointer + 5'd1);
-            delay_26_from_0_pointer <= (delay_26_from_0_pointer == 5'd24) ? (delay_26_from_0_pointer - 5'd24) : (delay_26_from_0_pointer + 5'd1);
-            delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
-            delay_53_from_0_pointer <= (delay_53_from_0_pointer == 6'd51) ? (delay_53_from_0_pointer - 6'd51) : (delay_53_from_0_pointer + 6'd1);
-            delay_58_from_0_pointer <= (delay_58_from_0_pointer == 6'd56) ? (delay_58_from_0_pointer - 6'd56) : (delay_58_from_0_pointer + 6'd1);
+            delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+            delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
+            delay_16_from_0_pointer <= (delay_16_from_0_pointer == 4'd14) ? (delay_16_from_0_pointer - 4'd14) : (delay_16_from_0_pointer + 4'd1);
+            delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
+            delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+            delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
+            delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
             valid_d1 <= in_valid;
             valid_d2 <= valid_d1;
             valid_d3 <= valid_d2;
@@ -3881,52 +3716,157 @@ module splat_evaluation (
             valid_d35 <= valid_d34;
             valid_d36 <= valid_d35;
             valid_d37 <= valid_d36;
-            valid_d38 <= valid_d37;
-            valid_d39 <= valid_d38;
-            valid_d40 <= valid_d39;
-            valid_d41 <= valid_d40;
-            valid_d42 <= valid_d41;
-            valid_d43 <= valid_d42;
-            valid_d44 <= valid_d43;
-            valid_d45 <= valid_d44;
-            valid_d46 <= valid_d45;
-            valid_d47 <= valid_d46;
-            valid_d48 <= valid_d47;
-            valid_d49 <= valid_d48;
-            valid_d50 <= valid_d49;
-            valid_d51 <= valid_d50;
-            valid_d52 <= valid_d51;
-            valid_d53 <= valid_d52;
-            valid_d54 <= valid_d53;
-            valid_d55 <= valid_d54;
-            valid_d56 <= valid_d55;
-            valid_d57 <= valid_d56;
-            valid_d58 <= valid_d57;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            end_d53 <= delay_52_from_0_out;
-            neg_18_d1 <= {~in_center_x[23], in_center_x[22:0]};
-            neg_18_d2 <= neg_18_d1;
-            neg_18_d3 <= neg_18_d2;
-            neg_23_d1 <= {~in_center_y[23], in_center_y[22:0]};
-            neg_23_d2 <= neg_23_d1;
-            neg_23_d3 <= neg_23_d2;
-            not_62_d1 <= not_62;
+            end_d17 <= delay_16_from_0_out;
+            resize_33_d1 <= select_32[22:0];
+            bits_34_d1 <= in_shift[2];
+            bits_38_d1 <= in_shift[1];
+            bits_42_d1 <= in_shift[0];
+            resize_45_d1 <= select_44[15:0];
+            resize_48_d1 <= select_47[22:0];
+            resize_57_d1 <= select_56[15:0];
+            reinterpret_58_d1 <= in_ay;
+            reinterpret_58_d2 <= reinterpret_58_d1;
+            reinterpret_60_d1 <= in_ax;
+            reinterpret_60_d2 <= reinterpret_60_d1;
+            sub_62_d1 <= sub_62;
+            reinterpret_63_d1 <= in_by;
+            reinterpret_63_d2 <= reinterpret_63_d1;
+            reinterpret_65_d1 <= in_bx;
+            reinterpret_65_d2 <= reinterpret_65_d1;
+            sub_67_d1 <= sub_67;
+            reinterpret_69_d1 <= in_mx;
+            reinterpret_69_d2 <= reinterpret_69_d1;
+            reinterpret_71_d1 <= in_my;
+            reinterpret_71_d2 <= reinterpret_71_d1;
+            mul_72_d1 <= mul_s16_s16_unit_copy6_y;
+            shl_76_d1 <= {{13{in_delta[19]}}, in_delta} << 12;
+            shl_76_d2 <= shl_76_d1;
+            shl_76_d3 <= shl_76_d2;
+            shl_76_d4 <= shl_76_d3;
+            add_77_d1 <= add_77;
+            add_78_d1 <= add_78;
+            bits_82_d1 <= select_81[31:0];
+            bits_82_d2 <= bits_82_d1;
+            bits_86_d1 <= select_85[30:0];
+            resize_87_d1 <= {1'd0, bits_86_d1};
+            resize_87_d2 <= resize_87_d1;
+            bits_91_d1 <= select_90[30:0];
+            resize_92_d1 <= {1'd0, bits_91_d1};
+            resize_92_d2 <= resize_92_d1;
+            equal_96_d1 <= equal_96;
+            equal_98_d1 <= equal_98;
+            equal_100_d1 <= equal_100;
+            not_102_d1 <= not_102;
+            and_103_d1 <= and_103;
+            and_103_d2 <= and_103_d1;
+            select_105_d1 <= select_105;
+            select_107_d1 <= select_107;
+            select_109_d1 <= select_109;
+            equal_112_d1 <= equal_112;
+            equal_114_d1 <= equal_114;
+            equal_116_d1 <= equal_116;
+            and_119_d1 <= and_119;
+            or_120_d1 <= or_120;
+            bits_123_d1 <= select_122[31:7];
+            bits_126_d1 <= select_125[31:7];
+            bits_129_d1 <= select_128[31:7];
+            equal_132_d1 <= equal_132;
+            equal_134_d1 <= equal_134;
+            equal_136_d1 <= equal_136;
+            and_139_d1 <= and_139;
+            equal_152_d1 <= equal_152;
+            and_157_d1 <= and_157;
+            or_160_d1 <= or_160;
+            bits_163_d1 <= select_162[20:2];
+            bits_166_d1 <= select_165[20:2];
+            bits_169_d1 <= select_168[20:2];
+            equal_171_d1 <= equal_171;
+            not_177_d1 <= not_177;
+            bits_182_d1 <= select_181[18:1];
+            bits_185_d1 <= select_184[18:1];
+            bits_188_d1 <= select_187[18:1];
+            mul_189_d1 <= mul_u18_u18_unit_y;
+            add_194_d1 <= add_194;
+            lt_196_d1 <= lt_196;
+            not_197_d1 <= not_197;
+            not_197_d2 <= not_197_d1;
+            not_197_d3 <= not_197_d2;
+            not_197_d4 <= not_197_d3;
+            resize_205_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
+            resize_205_d2 <= resize_205_d1;
+            resize_205_d3 <= resize_205_d2;
+            resize_205_d4 <= resize_205_d3;
+            resize_205_d5 <= resize_205_d4;
+            resize_205_d6 <= resize_205_d5;
+            resize_205_d7 <= resize_205_d6;
+            resize_205_d8 <= resize_205_d7;
+            resize_205_d9 <= resize_205_d8;
+            resize_205_d10 <= resize_205_d9;
+            resize_205_d11 <= resize_205_d10;
+            resize_205_d12 <= resize_205_d11;
+            resize_205_d13 <= resize_205_d12;
+            resize_205_d14 <= resize_205_d13;
+            resize_205_d15 <= resize_205_d14;
+            resize_205_d16 <= resize_205_d15;
+            shl_207_d1 <= {2'd0, add_194[35:14]} << 1;
+            not_212_d1 <= not_212;
+            shl_214_d1 <= {2'd0, select_210[21:0]} << 1;
+            concat_220_d1 <= {not_212_d1, not_219};
+            shl_222_d1 <= {2'd0, select_217[21:0]} << 1;
+            concat_228_d1 <= {concat_220_d1, not_227};
+            shl_230_d1 <= {2'd0, select_225[21:0]} << 1;
+            concat_236_d1 <= {concat_228_d1, not_235};
+            shl_238_d1 <= {2'd0, select_233[21:0]} << 1;
+            concat_244_d1 <= {concat_236_d1, not_243};
+            shl_246_d1 <= {2'd0, select_241[21:0]} << 1;
+            concat_252_d1 <= {concat_244_d1, not_251};
+            shl_254_d1 <= {2'd0, select_249[21:0]} << 1;
+            concat_260_d1 <= {concat_252_d1, not_259};
+            shl_262_d1 <= {2'd0, select_257[21:0]} << 1;
+            concat_268_d1 <= {concat_260_d1, not_267};
+            shl_270_d1 <= {2'd0, select_265[21:0]} << 1;
+            concat_276_d1 <= {concat_268_d1, not_275};
+            shl_278_d1 <= {2'd0, select_273[21:0]} << 1;
+            concat_284_d1 <= {concat_276_d1, not_283};
+            shl_286_d1 <= {2'd0, select_281[21:0]} << 1;
+            concat_292_d1 <= {concat_284_d1, not_291};
+            shl_294_d1 <= {2'd0, select_289[21:0]} << 1;
+            concat_300_d1 <= {concat_292_d1, not_299};
+            shl_302_d1 <= {2'd0, select_297[21:0]} << 1;
+            concat_308_d1 <= {concat_300_d1, not_307};
+            shl_310_d1 <= {2'd0, select_305[21:0]} << 1;
+            concat_316_d1 <= {concat_308_d1, not_315};
+            shl_318_d1 <= {2'd0, select_313[21:0]} << 1;
+            concat_324_d1 <= {concat_316_d1, not_323};
+            shl_326_d1 <= {2'd0, select_321[21:0]} << 1;
+            concat_330_d1 <= {concat_324_d1, not_329};
+            select_332_d1 <= select_332;
+            bits_333_d1 <= sub_23[26:15];
+            or_338_d1 <= or_338;
+            reinterpret_340_d1 <= sub_23[15:0];
+            bits_343_d1 <= sub_29[26:15];
+            or_346_d1 <= or_346;
+            reinterpret_348_d1 <= sub_29[15:0];
+            and_352_d1 <= and_352;
+            and_352_d2 <= and_352_d1;
+            bits_353_d1 <= add_351[31:28];
+            and_355_d1 <= and_355;
+            and_355_d2 <= and_355_d1;
+            bits_356_d1 <= add_351[27:10];
+            and_361_d1 <= and_361;
+            bits_362_d1 <= mul_u18_u16_unit_y[25:10];
+            or_364_d1 <= or_364;
+            min_365_d1 <= min_365;
+            not_366_d1 <= not_366;
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_53_from_0_out, end_d53};
-        end
-        if (queue_in_ready) begin
-            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-        end
-    end
-    always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy6_y;
+            delay_6_from_0[delay_6_from_0_pointer] <= in_delta[19];
         end
         if (queue_in_ready) begin
             delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
@@ -3934,7 +3874,7 @@ module splat_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_9_from_0[delay_9_from_0_pointer] <= {in_my, in_mx, in_bx, in_by, in_ax, in_ay};
+            delay_9_from_0[delay_9_from_0_pointer] <= and_361_d1;
         end
         if (queue_in_ready) begin
             delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
@@ -3942,60 +3882,105 @@ module splat_evaluation (
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_12_from_0[delay_12_from_0_pointer] <= delay_13_from_0_out[23];
+            delay_10_from_0[delay_10_from_0_pointer] <= not_201;
         end
         if (queue_in_ready) begin
-            delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
+            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
+            delay_15_from_0[delay_15_from_0_pointer] <= and_202;
         end
         if (queue_in_ready) begin
-            delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
+            delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_24_from_0[delay_24_from_0_pointer] <= xor_51;
+            delay_16_from_0[delay_16_from_0_pointer] <= in_end;
         end
         if (queue_in_ready) begin
-            delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
+            delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_26_from_0[delay_26_from_0_pointer] <= mul_f24_ftz_unit_copy12_y;
+            delay_17_from_0[delay_17_from_0_pointer] <= in_last;
         end
         if (queue_in_ready) begin
-            delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
+            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_52_from_0[delay_52_from_0_pointer] <= in_end;
+            delay_20_from_0[delay_20_from_0_pointer] <= {or_369, and_367, delay_17_from_0_out, end_d17};
         end
         if (queue_in_ready) begin
-            delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
+            delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_53_from_0[delay_53_from_0_pointer] <= in_last;
+            delay_25_from_0[delay_25_from_0_pointer] <= select_363;
         end
         if (queue_in_ready) begin
-            delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
+            delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
-            delay_58_from_0[delay_58_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+            delay_37_from_0[delay_37_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
         end
         if (queue_in_ready) begin
-            delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
+            delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
         end
     end
+
+    wire _unused = &{
+        1'b0,
+        add_351[9:0],
+        mul_u18_u16_unit_y[9:0],
+        select_122[6:0],
+        select_125[6:0],
+        select_128[6:0],
+        select_142[3:0],
+        select_145[3:0],
+        select_148[3:0],
+        select_162[1:0],
+        select_165[1:0],
+        select_168[1:0],
+        select_181[0],
+        select_184[0],
+        select_187[0],
+        select_210[23:22],
+        select_217[23:22],
+        select_225[23:22],
+        select_233[23:22],
+        select_241[23:22],
+        select_249[23:22],
+        select_257[23:22],
+        select_265[23:22],
+        select_273[23:22],
+        select_281[23:22],
+        select_289[23:22],
+        select_297[23:22],
+        select_305[23:22],
+        select_313[23:22],
+        select_32[26:23],
+        select_321[23:22],
+        select_36[22:19],
+        select_40[18:17],
+        select_44[16],
+        select_47[26:23],
+        select_50[22:19],
+        select_53[18:17],
+        select_56[16],
+        select_81[32],
+        select_85[31],
+        select_90[31],
+        sub_327[22:0]
+    };
 endmodule
 
 // Sampled function, interpolated linearly.
@@ -4297,499 +4282,82 @@ module float_table (
     wire _unused = &{1'b0, product_2[7:0], product_2[25:24], rst};
 endmodule
 
-// Floating to fixed point.
-// stages = 3
-// format = f24-ftz
-// width = 16
-// fraction = 16
-// integer = unsigned
-module float_to_fixed_w16_fraction16 (
+// Integer product, pipelined.
+// stages = 2
+// a = u18
+// b = u16
+module integer_mul_s2_au18_bu16 (
     input  wire clk,
     input  wire rst,
     input  wire enable,
-    input  wire [23:0] a,
-    output reg  [15:0] y
+    input  wire [17:0] a,
+    input  wire [15:0] b,
+    output reg  [33:0] y
 );
-    reg [3:0] distance_s1;
-    reg [15:0] significand_s1;
-    reg [15:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
-
-    wire [7:0] a_field = a[22:15];
-    wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
-    wire [10:0] difference_2 = 11'd16 - sum_1;
-    wire [14:0] a_fraction = a[14:0];
-    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
-    wire term_4 = &a_field & (a_fraction == 15'd0);
+    reg [17:0] a_s1;
+    reg [15:0] b_s1;
 
     always @(posedge clk) begin
         if (enable) begin
-            distance_s1 <= difference_2[3:0];
-            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
-            magnitude_s2 <= significand_s1 >> distance_s1;
-            sign_s1 <= a[23];
-            sign_s2 <= sign_s1;
-            nan_s1 <= &a_field & |a_fraction;
-            nan_s2 <= nan_s1;
-            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
-            vanishes_s2 <= vanishes_s1;
-            saturates_s1 <= (~term_3 & (11'd17 <= sum_1) & |a_field) | term_4;
-            saturates_s2 <= saturates_s1;
-            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 16'd0 : saturates_s2 ? 16'hffff : magnitude_s2;
+            a_s1 <= a;
+            b_s1 <= b;
+            y <= {16'd0, a_s1} * {18'd0, b_s1};
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:4], rst};
+    wire _unused = &{1'b0, rst};
 endmodule
 
-// Floating-point quotient, correctly rounded.
-// stages = 20
-// format = f24-ftz
-module float_div (
+// Integer product, pipelined.
+// stages = 2
+// a = u18
+// b = u18
+module integer_mul_s2_au18_bu18 (
     input  wire clk,
     input  wire rst,
     input  wire enable,
-    input  wire [23:0] a,
-    input  wire [23:0] b,
-    output reg  [23:0] y
+    input  wire [17:0] a,
+    input  wire [17:0] b,
+    output reg  [35:0] y
 );
-    reg [16:0] remainder_s1;
-    reg quotient_s1;
-    reg [15:0] divisor_s1;
-    reg [16:0] remainder_s2;
-    reg [1:0] quotient_s2;
-    reg [15:0] divisor_s2;
-    reg [16:0] remainder_s3;
-    reg [2:0] quotient_s3;
-    reg [15:0] divisor_s3;
-    reg [16:0] remainder_s4;
-    reg [3:0] quotient_s4;
-    reg [15:0] divisor_s4;
-    reg [16:0] remainder_s5;
-    reg [4:0] quotient_s5;
-    reg [15:0] divisor_s5;
-    reg [16:0] remainder_s6;
-    reg [5:0] quotient_s6;
-    reg [15:0] divisor_s6;
-    reg [16:0] remainder_s7;
-    reg [6:0] quotient_s7;
-    reg [15:0] divisor_s7;
-    reg [16:0] remainder_s8;
-    reg [7:0] quotient_s8;
-    reg [15:0] divisor_s8;
-    reg [16:0] remainder_s9;
-    reg [8:0] quotient_s9;
-    reg [15:0] divisor_s9;
-    reg [16:0] remainder_s10;
-    reg [9:0] quotient_s10;
-    reg [15:0] divisor_s10;
-    reg [16:0] remainder_s11;
-    reg [10:0] quotient_s11;
-    reg [15:0] divisor_s11;
-    reg [16:0] remainder_s12;
-    reg [11:0] quotient_s12;
-    reg [15:0] divisor_s12;
-    reg [16:0] remainder_s13;
-    reg [12:0] quotient_s13;
-    reg [15:0] divisor_s13;
-    reg [16:0] remainder_s14;
-    reg [13:0] quotient_s14;
-    reg [15:0] divisor_s14;
-    reg [16:0] remainder_s15;
-    reg [14:0] quotient_s15;
-    reg [15:0] divisor_s15;
-    reg [16:0] remainder_s16;
-    reg [15:0] quotient_s16;
-    reg [15:0] divisor_s16;
-    reg [16:0] remainder_s17;
-    reg [16:0] quotient_s17;
-    reg [15:0] divisor_s17;
-    reg [16:0] remainder_s18;
-    reg [17:0] quotient_s18;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
-    reg [9:0] exponent_s5;
-    reg [9:0] exponent_s6;
-    reg [9:0] exponent_s7;
-    reg [9:0] exponent_s8;
-    reg [9:0] exponent_s9;
-    reg [9:0] exponent_s10;
-    reg [9:0] exponent_s11;
-    reg [9:0] exponent_s12;
-    reg [9:0] exponent_s13;
-    reg [9:0] exponent_s14;
-    reg [9:0] exponent_s15;
-    reg [9:0] exponent_s16;
-    reg [9:0] exponent_s17;
-    reg [9:0] exponent_s18;
-    reg [9:0] exponent_s19;
-    reg [17:0] significand_s19;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg sign_s6;
-    reg sign_s7;
-    reg sign_s8;
-    reg sign_s9;
-    reg sign_s10;
-    reg sign_s11;
-    reg sign_s12;
-    reg sign_s13;
-    reg sign_s14;
-    reg sign_s15;
-    reg sign_s16;
-    reg sign_s17;
-    reg sign_s18;
-    reg sign_s19;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg nan_s6;
-    reg nan_s7;
-    reg nan_s8;
-    reg nan_s9;
-    reg nan_s10;
-    reg nan_s11;
-    reg nan_s12;
-    reg nan_s13;
-    reg nan_s14;
-    reg nan_s15;
-    reg nan_s16;
-    reg nan_s17;
-    reg nan_s18;
-    reg nan_s19;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg infinite_s6;
-    reg infinite_s7;
-    reg infinite_s8;
-    reg infinite_s9;
-    reg infinite_s10;
-    reg infinite_s11;
-    reg infinite_s12;
-    reg infinite_s13;
-    reg infinite_s14;
-    reg infinite_s15;
-    reg infinite_s16;
-    reg infinite_s17;
-    reg infinite_s18;
-    reg infinite_s19;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-    reg zero_s6;
-    reg zero_s7;
-    reg zero_s8;
-    reg zero_s9;
-    reg zero_s10;
-    reg zero_s11;
-    reg zero_s12;
-    reg zero_s13;
-    reg zero_s14;
-    reg zero_s15;
-    reg zero_s16;
-    reg zero_s17;
-    reg zero_s18;
-    reg zero_s19;
-
-    wire [7:0] a_field = a[22:15];
-    wire [14:0] a_fraction = a[14:0];
-    wire [14:0] term_1 = a_fraction & {15{|a_field}};
-    wire [7:0] b_field = b[22:15];
-    wire [14:0] b_fraction = b[14:0];
-    wire [14:0] term_2 = b_fraction & {15{|b_field}};
-    wire [17:0] difference_3 = {2'd0, |a_field, term_1} - {2'd0, |b_field, term_2};
-    wire [15:0] choice_4 = ~difference_3[17] ? difference_3[15:0] : {|a_field, term_1};
-    wire [17:0] difference_5 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
-    wire [15:0] choice_6 = ~difference_5[17] ? difference_5[15:0] : remainder_s1[15:0];
-    wire [17:0] difference_7 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
-    wire [15:0] choice_8 = ~difference_7[17] ? difference_7[15:0] : remainder_s2[15:0];
-    wire [17:0] difference_9 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
-    wire [15:0] choice_10 = ~difference_9[17] ? difference_9[15:0] : remainder_s3[15:0];
-    wire [17:0] difference_11 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
-    wire [15:0] choice_12 = ~difference_11[17] ? difference_11[15:0] : remainder_s4[15:0];
-    wire [17:0] difference_13 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
-    wire [15:0] choice_14 = ~difference_13[17] ? difference_13[15:0] : remainder_s5[15:0];
-    wire [17:0] difference_15 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
-    wire [15:0] choice_16 = ~difference_15[17] ? difference_15[15:0] : remainder_s6[15:0];
-    wire [17:0] difference_17 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
-    wire [15:0] choice_18 = ~difference_17[17] ? difference_17[15:0] : remainder_s7[15:0];
-    wire [17:0] difference_19 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
-    wire [15:0] choice_20 = ~difference_19[17] ? difference_19[15:0] : remainder_s8[15:0];
-    wire [17:0] difference_21 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
-    wire [15:0] choice_22 = ~difference_21[17] ? difference_21[15:0] : remainder_s9[15:0];
-    wire [17:0] difference_23 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
-    wire [15:0] choice_24 = ~difference_23[17] ? difference_23[15:0] : remainder_s10[15:0];
-    wire [17:0] difference_25 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
-    wire [15:0] choice_26 = ~difference_25[17] ? difference_25[15:0] : remainder_s11[15:0];
-    wire [17:0] difference_27 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
-    wire [15:0] choice_28 = ~difference_27[17] ? difference_27[15:0] : remainder_s12[15:0];
-    wire [17:0] difference_29 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
-    wire [15:0] choice_30 = ~difference_29[17] ? difference_29[15:0] : remainder_s13[15:0];
-    wire [17:0] difference_31 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
-    wire [15:0] choice_32 = ~difference_31[17] ? difference_31[15:0] : remainder_s14[15:0];
-    wire [17:0] difference_33 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
-    wire [15:0] choice_34 = ~difference_33[17] ? difference_33[15:0] : remainder_s15[15:0];
-    wire [17:0] difference_35 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
-    wire [15:0] choice_36 = ~difference_35[17] ? difference_35[15:0] : remainder_s16[15:0];
-    wire [17:0] difference_37 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
-    wire [15:0] choice_38 = ~difference_37[17] ? difference_37[15:0] : remainder_s17[15:0];
-    wire [18:0] joined_39 = {quotient_s18, |remainder_s18};
-    wire [18:0] choice_40 = ~quotient_s18[17] ? (joined_39 << 1) : joined_39;
-    wire term_41 = ~(|a_field);
-    wire term_42 = ~(|b_field);
-    wire term_43 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_41 & term_42);
-    wire term_44 = &a_field & (a_fraction == 15'd0);
-    wire term_45 = &b_field & (b_fraction == 15'd0);
-    wire term_46 = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
-    wire term_47 = infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19));
-    wire round_up = significand_s19[1] & (significand_s19[0] | significand_s19[2]);
-    wire [22:0] rounded = {exponent_s19[7:0], significand_s19[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_48 = (zero_s19 | ((exponent_s19[9] | term_46) & ~infinite_s19)) ? 23'd0 : term_47 ? 23'h7f8000 : rounded;
+    reg [17:0] a_s1;
+    reg [17:0] b_s1;
 
     always @(posedge clk) begin
         if (enable) begin
-            remainder_s1 <= {choice_4, 1'd0};
-            quotient_s1 <= ~difference_3[17];
-            divisor_s1 <= {|b_field, term_2};
-            remainder_s2 <= {choice_6, 1'd0};
-            quotient_s2 <= {quotient_s1, ~difference_5[17]};
-            divisor_s2 <= divisor_s1;
-            remainder_s3 <= {choice_8, 1'd0};
-            quotient_s3 <= {quotient_s2, ~difference_7[17]};
-            divisor_s3 <= divisor_s2;
-            remainder_s4 <= {choice_10, 1'd0};
-            quotient_s4 <= {quotient_s3, ~difference_9[17]};
-            divisor_s4 <= divisor_s3;
-            remainder_s5 <= {choice_12, 1'd0};
-            quotient_s5 <= {quotient_s4, ~difference_11[17]};
-            divisor_s5 <= divisor_s4;
-            remainder_s6 <= {choice_14, 1'd0};
-            quotient_s6 <= {quotient_s5, ~difference_13[17]};
-            divisor_s6 <= divisor_s5;
-            remainder_s7 <= {choice_16, 1'd0};
-            quotient_s7 <= {quotient_s6, ~difference_15[17]};
-            divisor_s7 <= divisor_s6;
-            remainder_s8 <= {choice_18, 1'd0};
-            quotient_s8 <= {quotient_s7, ~difference_17[17]};
-            divisor_s8 <= divisor_s7;
-            remainder_s9 <= {choice_20, 1'd0};
-            quotient_s9 <= {quotient_s8, ~difference_19[17]};
-            divisor_s9 <= divisor_s8;
-            remainder_s10 <= {choice_22, 1'd0};
-            quotient_s10 <= {quotient_s9, ~difference_21[17]};
-            divisor_s10 <= divisor_s9;
-            remainder_s11 <= {choice_24, 1'd0};
-            quotient_s11 <= {quotient_s10, ~difference_23[17]};
-            divisor_s11 <= divisor_s10;
-            remainder_s12 <= {choice_26, 1'd0};
-            quotient_s12 <= {quotient_s11, ~difference_25[17]};
-            divisor_s12 <= divisor_s11;
-            remainder_s13 <= {choice_28, 1'd0};
-            quotient_s13 <= {quotient_s12, ~difference_27[17]};
-            divisor_s13 <= divisor_s12;
-            remainder_s14 <= {choice_30, 1'd0};
-            quotient_s14 <= {quotient_s13, ~difference_29[17]};
-            divisor_s14 <= divisor_s13;
-            remainder_s15 <= {choice_32, 1'd0};
-            quotient_s15 <= {quotient_s14, ~difference_31[17]};
-            divisor_s15 <= divisor_s14;
-            remainder_s16 <= {choice_34, 1'd0};
-            quotient_s16 <= {quotient_s15, ~difference_33[17]};
-            divisor_s16 <= divisor_s15;
-            remainder_s17 <= {choice_36, 1'd0};
-            quotient_s17 <= {quotient_s16, ~difference_35[17]};
-            divisor_s17 <= divisor_s16;
-            remainder_s18 <= {choice_38, 1'd0};
-            quotient_s18 <= {quotient_s17, ~difference_37[17]};
-            exponent_s1 <= ({2'd0, a_field} - {2'd0, b_field}) + 10'd127;
-            exponent_s2 <= exponent_s1;
-            exponent_s3 <= exponent_s2;
-            exponent_s4 <= exponent_s3;
-            exponent_s5 <= exponent_s4;
-            exponent_s6 <= exponent_s5;
-            exponent_s7 <= exponent_s6;
-            exponent_s8 <= exponent_s7;
-            exponent_s9 <= exponent_s8;
-            exponent_s10 <= exponent_s9;
-            exponent_s11 <= exponent_s10;
-            exponent_s12 <= exponent_s11;
-            exponent_s13 <= exponent_s12;
-            exponent_s14 <= exponent_s13;
-            exponent_s15 <= exponent_s14;
-            exponent_s16 <= exponent_s15;
-            exponent_s17 <= exponent_s16;
-            exponent_s18 <= exponent_s17;
-            exponent_s19 <= exponent_s18 - {9'd0, ~quotient_s18[17]};
-            significand_s19 <= {choice_40[18:2], |choice_40[1:0]};
-            sign_s1 <= a[23] ^ b[23];
-            sign_s2 <= sign_s1;
-            sign_s3 <= sign_s2;
-            sign_s4 <= sign_s3;
-            sign_s5 <= sign_s4;
-            sign_s6 <= sign_s5;
-            sign_s7 <= sign_s6;
-            sign_s8 <= sign_s7;
-            sign_s9 <= sign_s8;
-            sign_s10 <= sign_s9;
-            sign_s11 <= sign_s10;
-            sign_s12 <= sign_s11;
-            sign_s13 <= sign_s12;
-            sign_s14 <= sign_s13;
-            sign_s15 <= sign_s14;
-            sign_s16 <= sign_s15;
-            sign_s17 <= sign_s16;
-            sign_s18 <= sign_s17;
-            sign_s19 <= sign_s18;
-            nan_s1 <= term_43 | (term_44 & term_45);
-            nan_s2 <= nan_s1;
-            nan_s3 <= nan_s2;
-            nan_s4 <= nan_s3;
-            nan_s5 <= nan_s4;
-            nan_s6 <= nan_s5;
-            nan_s7 <= nan_s6;
-            nan_s8 <= nan_s7;
-            nan_s9 <= nan_s8;
-            nan_s10 <= nan_s9;
-            nan_s11 <= nan_s10;
-            nan_s12 <= nan_s11;
-            nan_s13 <= nan_s12;
-            nan_s14 <= nan_s13;
-            nan_s15 <= nan_s14;
-            nan_s16 <= nan_s15;
-            nan_s17 <= nan_s16;
-            nan_s18 <= nan_s17;
-            nan_s19 <= nan_s18;
-            infinite_s1 <= term_44 | term_42;
-            infinite_s2 <= infinite_s1;
-            infinite_s3 <= infinite_s2;
-            infinite_s4 <= infinite_s3;
-            infinite_s5 <= infinite_s4;
-            infinite_s6 <= infinite_s5;
-            infinite_s7 <= infinite_s6;
-            infinite_s8 <= infinite_s7;
-            infinite_s9 <= infinite_s8;
-            infinite_s10 <= infinite_s9;
-            infinite_s11 <= infinite_s10;
-            infinite_s12 <= infinite_s11;
-            infinite_s13 <= infinite_s12;
-            infinite_s14 <= infinite_s13;
-            infinite_s15 <= infinite_s14;
-            infinite_s16 <= infinite_s15;
-            infinite_s17 <= infinite_s16;
-            infinite_s18 <= infinite_s17;
-            infinite_s19 <= infinite_s18;
-            zero_s1 <= term_41 | term_45;
-            zero_s2 <= zero_s1;
-            zero_s3 <= zero_s2;
-            zero_s4 <= zero_s3;
-            zero_s5 <= zero_s4;
-            zero_s6 <= zero_s5;
-            zero_s7 <= zero_s6;
-            zero_s8 <= zero_s7;
-            zero_s9 <= zero_s8;
-            zero_s10 <= zero_s9;
-            zero_s11 <= zero_s10;
-            zero_s12 <= zero_s11;
-            zero_s13 <= zero_s12;
-            zero_s14 <= zero_s13;
-            zero_s15 <= zero_s14;
-            zero_s16 <= zero_s15;
-            zero_s17 <= zero_s16;
-            zero_s18 <= zero_s17;
-            zero_s19 <= zero_s18;
-            y <= nan_s19 ? 24'h7fc000 : {sign_s19, choice_48};
+            a_s1 <= a;
+            b_s1 <= b;
+            y <= {18'd0, a_s1} * {18'd0, b_s1};
         end
     end
 
-    wire _unused = &{
-        1'b0,
-        difference_11[16],
-        difference_13[16],
-        difference_15[16],
-        difference_17[16],
-        difference_19[16],
-        difference_21[16],
-        difference_23[16],
-        difference_25[16],
-        difference_27[16],
-        difference_29[16],
-        difference_3[16],
-        difference_31[16],
-        difference_33[16],
-        difference_35[16],
-        difference_37[16],
-        difference_5[16],
-        difference_7[16],
-        difference_9[16],
-        rst,
-        significand_s19[17]
-    };
+    wire _unused = &{1'b0, rst};
 endmodule
 
-// Fixed to floating point.
-// stages = 3
-// format = f24-ftz
-// width = 10
-// fraction = 1
-// integer = unsigned
-module float_from_fixed_s3_formatf24ftz_w10_fraction1 (
+// Integer product, pipelined.
+// stages = 2
+// a = s16
+// b = s16
+module integer_mul_s2_as16_bs16 (
     input  wire clk,
     input  wire rst,
     input  wire enable,
-    input  wire [9:0] a,
-    output reg  [23:0] y
+    input  wire [15:0] a,
+    input  wire [15:0] b,
+    output reg  [31:0] y
 );
-    reg [9:0] magnitude_s1;
-    reg [3:0] zeros_s1;
-    reg [8:0] exponent_s2;
-    reg [17:0] significand_s2;
-    reg zero_s1;
-    reg zero_s2;
-
-    wire term_1 = ~a[9] & ~a[8];
-    wire term_2 = term_1 & (~a[7] & ~a[6]);
-    wire term_3 = ~a[5] & ~a[4];
-    wire term_4 = term_2 & (term_3 & (~a[3] & ~a[2]));
-    wire term_5 = ~a[1] & ~a[0];
-    wire [1:0] choice_6 = term_2 ? {term_3, term_3 ? ~a[3] : ~a[5]} : {term_1, term_1 ? ~a[7] : ~a[9]};
-    wire [2:0] choice_7 = term_4 ? {1'd0, term_5, term_5 ? 1'd0 : ~a[1]} : {term_2, choice_6};
-    wire term_8 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
-    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
-    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
-    wire [22:0] choice_9 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    reg [15:0] a_s1;
+    reg [15:0] b_s1;
 
     always @(posedge clk) begin
         if (enable) begin
-            magnitude_s1 <= a;
-            zeros_s1 <= {term_4, choice_7};
-            exponent_s2 <= 9'd135 - {5'd0, zeros_s1};
-            significand_s2 <= {magnitude_s1 << zeros_s1, 8'd0};
-            zero_s1 <= a == 10'd0;
-            zero_s2 <= zero_s1;
-            y <= {1'd0, (zero_s2 | (exponent_s2[8] | term_8)) ? 23'd0 : choice_9};
+            a_s1 <= a;
+            b_s1 <= b;
+            y <= $signed({{16{a_s1[15]}}, a_s1}) * $signed({{16{b_s1[15]}}, b_s1});
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, rst};
 endmodule
 
 // Queue of two in registers.
@@ -4874,21 +4442,22 @@ module splat_tile_cache (
     input  wire in_valid,
     output wire in_ready,
     input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [2:0] in_left,
     input  wire [2:0] in_right,
     input  wire [2:0] in_top,
@@ -4897,21 +4466,22 @@ module splat_tile_cache (
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
+    output wire [25:0] out_center_x,
+    output wire [25:0] out_center_y,
+    output wire [15:0] out_ax,
+    output wire [15:0] out_bx,
+    output wire [15:0] out_ay,
+    output wire [15:0] out_by,
+    output wire [19:0] out_delta,
+    output wire [15:0] out_mx,
+    output wire [15:0] out_my,
+    output wire [3:0] out_shift,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output wire [2:0] out_left,
     output wire [2:0] out_right,
     output wire [2:0] out_top,
@@ -4925,18 +4495,18 @@ module splat_tile_cache (
     output wire data_ready,
     input  wire [27:0] data_weight,
     input  wire [51:0] data_depth,
-    input  wire [15:0] data_attribute_0,
-    input  wire [15:0] data_attribute_1,
-    input  wire [15:0] data_attribute_2,
+    input  wire [39:0] data_attribute_0,
+    input  wire [39:0] data_attribute_1,
+    input  wire [39:0] data_attribute_2,
     output wire write_valid,
     input  wire write_ready,
     output wire [11:0] write_tile,
     output wire [5:0] write_pixel,
     output wire [27:0] write_weight,
     output wire [51:0] write_depth,
-    output wire [15:0] write_attribute_0,
-    output wire [15:0] write_attribute_1,
-    output wire [15:0] write_attribute_2,
+    output wire [39:0] write_attribute_0,
+    output wire [39:0] write_attribute_1,
+    output wire [39:0] write_attribute_2,
     output wire pixel_valid,
     input  wire pixel_ready,
     output wire pixel_end,
@@ -4944,9 +4514,9 @@ module splat_tile_cache (
     output wire [5:0] pixel_pixel,
     output wire [27:0] pixel_weight,
     output wire [51:0] pixel_depth,
-    output wire [15:0] pixel_attribute_0,
-    output wire [15:0] pixel_attribute_1,
-    output wire [15:0] pixel_attribute_2,
+    output wire [39:0] pixel_attribute_0,
+    output wire [39:0] pixel_attribute_1,
+    output wire [39:0] pixel_attribute_2,
     output wire [1:0] slot_ready,
     input  wire retire_valid,
     input  wire retire_slot,
@@ -4956,37 +4526,38 @@ module splat_tile_cache (
     output reg  [5:0] fill_pixel,
     output reg  [27:0] fill_weight,
     output reg  [51:0] fill_depth,
-    output reg  [15:0] fill_attribute_0,
-    output reg  [15:0] fill_attribute_1,
-    output reg  [15:0] fill_attribute_2,
+    output reg  [39:0] fill_attribute_0,
+    output reg  [39:0] fill_attribute_1,
+    output reg  [39:0] fill_attribute_2,
     output wire drain_enable,
     output wire drain_slot,
     output wire [5:0] drain_pixel,
     input  wire [27:0] drain_weight,
     input  wire [51:0] drain_depth,
-    input  wire [15:0] drain_attribute_0,
-    input  wire [15:0] drain_attribute_1,
-    input  wire [15:0] drain_attribute_2
+    input  wire [39:0] drain_attribute_0,
+    input  wire [39:0] drain_attribute_1,
+    input  wire [39:0] drain_attribute_2
 );
     (* no_rw_check *)
     reg touched_tiles [0:4095];
     reg head_valid;
     reg head_end;
-    reg [23:0] head_center_x;
-    reg [23:0] head_center_y;
-    reg [23:0] head_ax;
-    reg [23:0] head_bx;
-    reg [23:0] head_ay;
-    reg [23:0] head_by;
-    reg [23:0] head_delta;
-    reg [23:0] head_mx;
-    reg [23:0] head_my;
+    reg [25:0] head_center_x;
+    reg [25:0] head_center_y;
+    reg [15:0] head_ax;
+    reg [15:0] head_bx;
+    reg [15:0] head_ay;
+    reg [15:0] head_by;
+    reg [19:0] head_delta;
+    reg [15:0] head_mx;
+    reg [15:0] head_my;
+    reg [3:0] head_shift;
     reg [23:0] head_depth;
     reg [23:0] head_depth_low;
     reg [23:0] head_depth_high;
-    reg [15:0] head_attribute_0;
-    reg [15:0] head_attribute_1;
-    reg [15:0] head_attribute_2;
+    reg [11:0] head_attribute_0;
+    reg [11:0] head_attribute_1;
+    reg [11:0] head_attribute_2;
     reg [2:0] head_left;
     reg [2:0] head_right;
     reg [2:0] head_top;
@@ -5028,21 +4599,22 @@ module splat_tile_cache (
     wire in_queue_in_ready;
     wire in_queue_out_valid;
     wire in_queue_out_end;
-    wire [23:0] in_queue_out_center_x;
-    wire [23:0] in_queue_out_center_y;
-    wire [23:0] in_queue_out_ax;
-    wire [23:0] in_queue_out_bx;
-    wire [23:0] in_queue_out_ay;
-    wire [23:0] in_queue_out_by;
-    wire [23:0] in_queue_out_delta;
-    wire [23:0] in_queue_out_mx;
-    wire [23:0] in_queue_out_my;
+    wire [25:0] in_queue_out_center_x;
+    wire [25:0] in_queue_out_center_y;
+    wire [15:0] in_queue_out_ax;
+    wire [15:0] in_queue_out_bx;
+    wire [15:0] in_queue_out_ay;
+    wire [15:0] in_queue_out_by;
+    wire [19:0] in_queue_out_delta;
+    wire [15:0] in_queue_out_mx;
+    wire [15:0] in_queue_out_my;
+    wire [3:0] in_queue_out_shift;
     wire [23:0] in_queue_out_depth;
     wire [23:0] in_queue_out_depth_low;
     wire [23:0] in_queue_out_depth_high;
-    wire [15:0] in_queue_out_attribute_0;
-    wire [15:0] in_queue_out_attribute_1;
-    wire [15:0] in_queue_out_attribute_2;
+    wire [11:0] in_queue_out_attribute_0;
+    wire [11:0] in_queue_out_attribute_1;
+    wire [11:0] in_queue_out_attribute_2;
     wire [2:0] in_queue_out_left;
     wire [2:0] in_queue_out_right;
     wire [2:0] in_queue_out_top;
@@ -5051,21 +4623,22 @@ module splat_tile_cache (
     wire out_queue_in_ready;
     wire out_queue_out_valid;
     wire out_queue_out_end;
-    wire [23:0] out_queue_out_center_x;
-    wire [23:0] out_queue_out_center_y;
-    wire [23:0] out_queue_out_ax;
-    wire [23:0] out_queue_out_bx;
-    wire [23:0] out_queue_out_ay;
-    wire [23:0] out_queue_out_by;
-    wire [23:0] out_queue_out_delta;
-    wire [23:0] out_queue_out_mx;
-    wire [23:0] out_queue_out_my;
+    wire [25:0] out_queue_out_center_x;
+    wire [25:0] out_queue_out_center_y;
+    wire [15:0] out_queue_out_ax;
+    wire [15:0] out_queue_out_bx;
+    wire [15:0] out_queue_out_ay;
+    wire [15:0] out_queue_out_by;
+    wire [19:0] out_queue_out_delta;
+    wire [15:0] out_queue_out_mx;
+    wire [15:0] out_queue_out_my;
+    wire [3:0] out_queue_out_shift;
     wire [23:0] out_queue_out_depth;
     wire [23:0] out_queue_out_depth_low;
     wire [23:0] out_queue_out_depth_high;
-    wire [15:0] out_queue_out_attribute_0;
-    wire [15:0] out_queue_out_attribute_1;
-    wire [15:0] out_queue_out_attribute_2;
+    wire [11:0] out_queue_out_attribute_0;
+    wire [11:0] out_queue_out_attribute_1;
+    wire [11:0] out_queue_out_attribute_2;
     wire [2:0] out_queue_out_left;
     wire [2:0] out_queue_out_right;
     wire [2:0] out_queue_out_top;
@@ -5078,9 +4651,9 @@ module splat_tile_cache (
     wire [5:0] write_queue_out_pixel;
     wire [27:0] write_queue_out_weight;
     wire [51:0] write_queue_out_depth;
-    wire [15:0] write_queue_out_attribute_0;
-    wire [15:0] write_queue_out_attribute_1;
-    wire [15:0] write_queue_out_attribute_2;
+    wire [39:0] write_queue_out_attribute_0;
+    wire [39:0] write_queue_out_attribute_1;
+    wire [39:0] write_queue_out_attribute_2;
     wire pixel_queue_in_ready;
     wire pixel_queue_out_valid;
     wire pixel_queue_out_end;
@@ -5088,9 +4661,9 @@ module splat_tile_cache (
     wire [5:0] pixel_queue_out_pixel;
     wire [27:0] pixel_queue_out_weight;
     wire [51:0] pixel_queue_out_depth;
-    wire [15:0] pixel_queue_out_attribute_0;
-    wire [15:0] pixel_queue_out_attribute_1;
-    wire [15:0] pixel_queue_out_attribute_2;
+    wire [39:0] pixel_queue_out_attribute_0;
+    wire [39:0] pixel_queue_out_attribute_1;
+    wire [39:0] pixel_queue_out_attribute_2;
 
     assign in_ready = in_queue_in_ready;
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
@@ -5163,6 +4736,7 @@ module splat_tile_cache (
     assign out_delta = out_queue_out_delta;
     assign out_mx = out_queue_out_mx;
     assign out_my = out_queue_out_my;
+    assign out_shift = out_queue_out_shift;
     assign out_depth = out_queue_out_depth;
     assign out_depth_low = out_queue_out_depth_low;
     assign out_depth_high = out_queue_out_depth_high;
@@ -5198,7 +4772,7 @@ module splat_tile_cache (
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
-    stream_half_buffer_w361 in_queue (
+    stream_half_buffer_w305 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -5213,6 +4787,7 @@ module splat_tile_cache (
         .in_delta(in_delta),
         .in_mx(in_mx),
         .in_my(in_my),
+        .in_shift(in_shift),
         .in_depth(in_depth),
         .in_depth_low(in_depth_low),
         .in_depth_high(in_depth_high),
@@ -5236,6 +4811,7 @@ module splat_tile_cache (
         .out_delta(in_queue_out_delta),
         .out_mx(in_queue_out_mx),
         .out_my(in_queue_out_my),
+        .out_shift(in_queue_out_shift),
         .out_depth(in_queue_out_depth),
         .out_depth_low(in_queue_out_depth_low),
         .out_depth_high(in_queue_out_depth_high),
@@ -5249,7 +4825,7 @@ module splat_tile_cache (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_half_buffer_w362 out_queue (
+    stream_half_buffer_w306 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(term_7),
@@ -5264,6 +4840,7 @@ module splat_tile_cache (
         .in_delta(head_delta),
         .in_mx(head_mx),
         .in_my(head_my),
+        .in_shift(head_shift),
         .in_depth(head_depth),
         .in_depth_low(head_depth_low),
         .in_depth_high(head_depth_high),
@@ -5288,6 +4865,7 @@ module splat_tile_cache (
         .out_delta(out_queue_out_delta),
         .out_mx(out_queue_out_mx),
         .out_my(out_queue_out_my),
+        .out_shift(out_queue_out_shift),
         .out_depth(out_queue_out_depth),
         .out_depth_low(out_queue_out_depth_low),
         .out_depth_high(out_queue_out_depth_high),
@@ -5302,7 +4880,7 @@ module splat_tile_cache (
         .out_slot(out_queue_out_slot)
     );
 
-    stream_skid_w146 write_queue (
+    stream_skid_w218 write_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(moving & held_leaves),
@@ -5325,7 +4903,7 @@ module splat_tile_cache (
         .out_attribute_2(write_queue_out_attribute_2)
     );
 
-    stream_skid_w147 pixel_queue (
+    stream_skid_w219 pixel_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(close | (((term_2 & held_leaves) | term_8) & visible)),
@@ -5429,6 +5007,7 @@ module splat_tile_cache (
             head_delta <= in_queue_out_delta;
             head_mx <= in_queue_out_mx;
             head_my <= in_queue_out_my;
+            head_shift <= in_queue_out_shift;
             head_depth <= in_queue_out_depth;
             head_depth_low <= in_queue_out_depth_low;
             head_depth_high <= in_queue_out_depth_high;
@@ -5479,9 +5058,9 @@ module splat_tile_cache (
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
             fill_depth <= load ? data_depth : 52'd0;
-            fill_attribute_0 <= load ? data_attribute_0 : 16'd0;
-            fill_attribute_1 <= load ? data_attribute_1 : 16'd0;
-            fill_attribute_2 <= load ? data_attribute_2 : 16'd0;
+            fill_attribute_0 <= load ? data_attribute_0 : 40'd0;
+            fill_attribute_1 <= load ? data_attribute_1 : 40'd0;
+            fill_attribute_2 <= load ? data_attribute_2 : 40'd0;
         end
     end
     always @(posedge clk) begin
@@ -5521,8 +5100,8 @@ module splat_tile_cache (
 endmodule
 
 // Queue of two in registers.
-// width = 147
-module stream_skid_w147 (
+// width = 219
+module stream_skid_w219 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -5532,9 +5111,9 @@ module stream_skid_w147 (
     input  wire [5:0] in_pixel,
     input  wire [27:0] in_weight,
     input  wire [51:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [39:0] in_attribute_0,
+    input  wire [39:0] in_attribute_1,
+    input  wire [39:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
     output wire out_end,
@@ -5542,27 +5121,27 @@ module stream_skid_w147 (
     output wire [5:0] out_pixel,
     output wire [27:0] out_weight,
     output wire [51:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [39:0] out_attribute_0,
+    output wire [39:0] out_attribute_1,
+    output wire [39:0] out_attribute_2
 );
     reg second_valid;
-    reg [146:0] head;
-    reg [146:0] second;
+    reg [218:0] head;
+    reg [218:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [146:0] in_item = {in_end, in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
+    wire [218:0] in_item = {in_end, in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
 
-    assign out_end = head[146];
-    assign out_tile = head[145:134];
-    assign out_pixel = head[133:128];
-    assign out_weight = head[127:100];
-    assign out_depth = head[99:48];
-    assign out_attribute_0 = head[47:32];
-    assign out_attribute_1 = head[31:16];
-    assign out_attribute_2 = head[15:0];
+    assign out_end = head[218];
+    assign out_tile = head[217:206];
+    assign out_pixel = head[205:200];
+    assign out_weight = head[199:172];
+    assign out_depth = head[171:120];
+    assign out_attribute_0 = head[119:80];
+    assign out_attribute_1 = head[79:40];
+    assign out_attribute_2 = head[39:0];
 
     always @(posedge clk) begin
         if (rst) begin
@@ -5601,8 +5180,8 @@ module stream_skid_w147 (
 endmodule
 
 // Queue of two in registers.
-// width = 146
-module stream_skid_w146 (
+// width = 218
+module stream_skid_w218 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -5611,35 +5190,35 @@ module stream_skid_w146 (
     input  wire [5:0] in_pixel,
     input  wire [27:0] in_weight,
     input  wire [51:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [39:0] in_attribute_0,
+    input  wire [39:0] in_attribute_1,
+    input  wire [39:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
     output wire [11:0] out_tile,
     output wire [5:0] out_pixel,
     output wire [27:0] out_weight,
     output wire [51:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [39:0] out_attribute_0,
+    output wire [39:0] out_attribute_1,
+    output wire [39:0] out_attribute_2
 );
     reg second_valid;
-    reg [145:0] head;
-    reg [145:0] second;
+    reg [217:0] head;
+    reg [217:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [145:0] in_item = {in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
+    wire [217:0] in_item = {in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
 
-    assign out_tile = head[145:134];
-    assign out_pixel = head[133:128];
-    assign out_weight = head[127:100];
-    assign out_depth = head[99:48];
-    assign out_attribute_0 = head[47:32];
-    assign out_attribute_1 = head[31:16];
-    assign out_attribute_2 = head[15:0];
+    assign out_tile = head[217:206];
+    assign out_pixel = head[205:200];
+    assign out_weight = head[199:172];
+    assign out_depth = head[171:120];
+    assign out_attribute_0 = head[119:80];
+    assign out_attribute_1 = head[79:40];
+    assign out_attribute_2 = head[39:0];
 
     always @(posedge clk) begin
         if (rst) begin
@@ -5678,28 +5257,29 @@ module stream_skid_w146 (
 endmodule
 
 // One item in a register, at half rate.
-// width = 362
-module stream_half_buffer_w362 (
+// width = 306
+module stream_half_buffer_w306 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
     input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [2:0] in_left,
     input  wire [2:0] in_right,
     input  wire [2:0] in_top,
@@ -5709,21 +5289,22 @@ module stream_half_buffer_w362 (
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
+    output wire [25:0] out_center_x,
+    output wire [25:0] out_center_y,
+    output wire [15:0] out_ax,
+    output wire [15:0] out_bx,
+    output wire [15:0] out_ay,
+    output wire [15:0] out_by,
+    output wire [19:0] out_delta,
+    output wire [15:0] out_mx,
+    output wire [15:0] out_my,
+    output wire [3:0] out_shift,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output wire [2:0] out_left,
     output wire [2:0] out_right,
     output wire [2:0] out_top,
@@ -5732,27 +5313,28 @@ module stream_half_buffer_w362 (
     output wire out_slot
 );
     reg full;
-    reg [361:0] item;
+    reg [305:0] item;
 
     assign in_ready = ~full;
 
     assign out_valid = full;
-    assign out_end = item[361];
-    assign out_center_x = item[360:337];
-    assign out_center_y = item[336:313];
-    assign out_ax = item[312:289];
-    assign out_bx = item[288:265];
-    assign out_ay = item[264:241];
-    assign out_by = item[240:217];
-    assign out_delta = item[216:193];
-    assign out_mx = item[192:169];
-    assign out_my = item[168:145];
-    assign out_depth = item[144:121];
-    assign out_depth_low = item[120:97];
-    assign out_depth_high = item[96:73];
-    assign out_attribute_0 = item[72:57];
-    assign out_attribute_1 = item[56:41];
-    assign out_attribute_2 = item[40:25];
+    assign out_end = item[305];
+    assign out_center_x = item[304:279];
+    assign out_center_y = item[278:253];
+    assign out_ax = item[252:237];
+    assign out_bx = item[236:221];
+    assign out_ay = item[220:205];
+    assign out_by = item[204:189];
+    assign out_delta = item[188:169];
+    assign out_mx = item[168:153];
+    assign out_my = item[152:137];
+    assign out_shift = item[136:133];
+    assign out_depth = item[132:109];
+    assign out_depth_low = item[108:85];
+    assign out_depth_high = item[84:61];
+    assign out_attribute_0 = item[60:49];
+    assign out_attribute_1 = item[48:37];
+    assign out_attribute_2 = item[36:25];
     assign out_left = item[24:22];
     assign out_right = item[21:19];
     assign out_top = item[18:16];
@@ -5780,6 +5362,7 @@ module stream_half_buffer_w362 (
                 in_delta,
                 in_mx,
                 in_my,
+                in_shift,
                 in_depth,
                 in_depth_low,
                 in_depth_high,
@@ -5805,21 +5388,22 @@ module splat_reorder (
     input  wire in_valid,
     output wire in_ready,
     input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [2:0] in_left,
     input  wire [2:0] in_right,
     input  wire [2:0] in_top,
@@ -5828,21 +5412,22 @@ module splat_reorder (
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
+    output wire [25:0] out_center_x,
+    output wire [25:0] out_center_y,
+    output wire [15:0] out_ax,
+    output wire [15:0] out_bx,
+    output wire [15:0] out_ay,
+    output wire [15:0] out_by,
+    output wire [19:0] out_delta,
+    output wire [15:0] out_mx,
+    output wire [15:0] out_my,
+    output wire [3:0] out_shift,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output wire [2:0] out_left,
     output wire [2:0] out_right,
     output wire [2:0] out_top,
@@ -5882,13 +5467,7 @@ module splat_reorder (
     (* no_rw_check *)
     reg [17:0] payloads_270 [0:1023];
     (* no_rw_check *)
-    reg [17:0] payloads_288 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_306 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_324 [0:1023];
-    (* no_rw_check *)
-    reg [5:0] payloads_342 [0:1023];
+    reg [3:0] payloads_288 [0:1023];
     reg free_valid;
     reg [9:0] free;
     reg [10:0] fresh;
@@ -5911,29 +5490,27 @@ module splat_reorder (
     reg [17:0] stage_payload_234;
     reg [17:0] stage_payload_252;
     reg [17:0] stage_payload_270;
-    reg [17:0] stage_payload_288;
-    reg [17:0] stage_payload_306;
-    reg [17:0] stage_payload_324;
-    reg [5:0] stage_payload_342;
+    reg [3:0] stage_payload_288;
 
     wire in_queue_in_ready;
     wire in_queue_out_valid;
     wire in_queue_out_end;
-    wire [23:0] in_queue_out_center_x;
-    wire [23:0] in_queue_out_center_y;
-    wire [23:0] in_queue_out_ax;
-    wire [23:0] in_queue_out_bx;
-    wire [23:0] in_queue_out_ay;
-    wire [23:0] in_queue_out_by;
-    wire [23:0] in_queue_out_delta;
-    wire [23:0] in_queue_out_mx;
-    wire [23:0] in_queue_out_my;
+    wire [25:0] in_queue_out_center_x;
+    wire [25:0] in_queue_out_center_y;
+    wire [15:0] in_queue_out_ax;
+    wire [15:0] in_queue_out_bx;
+    wire [15:0] in_queue_out_ay;
+    wire [15:0] in_queue_out_by;
+    wire [19:0] in_queue_out_delta;
+    wire [15:0] in_queue_out_mx;
+    wire [15:0] in_queue_out_my;
+    wire [3:0] in_queue_out_shift;
     wire [23:0] in_queue_out_depth;
     wire [23:0] in_queue_out_depth_low;
     wire [23:0] in_queue_out_depth_high;
-    wire [15:0] in_queue_out_attribute_0;
-    wire [15:0] in_queue_out_attribute_1;
-    wire [15:0] in_queue_out_attribute_2;
+    wire [11:0] in_queue_out_attribute_0;
+    wire [11:0] in_queue_out_attribute_1;
+    wire [11:0] in_queue_out_attribute_2;
     wire [2:0] in_queue_out_left;
     wire [2:0] in_queue_out_right;
     wire [2:0] in_queue_out_top;
@@ -5942,21 +5519,22 @@ module splat_reorder (
     wire out_queue_in_ready;
     wire out_queue_out_valid;
     wire out_queue_out_end;
-    wire [23:0] out_queue_out_center_x;
-    wire [23:0] out_queue_out_center_y;
-    wire [23:0] out_queue_out_ax;
-    wire [23:0] out_queue_out_bx;
-    wire [23:0] out_queue_out_ay;
-    wire [23:0] out_queue_out_by;
-    wire [23:0] out_queue_out_delta;
-    wire [23:0] out_queue_out_mx;
-    wire [23:0] out_queue_out_my;
+    wire [25:0] out_queue_out_center_x;
+    wire [25:0] out_queue_out_center_y;
+    wire [15:0] out_queue_out_ax;
+    wire [15:0] out_queue_out_bx;
+    wire [15:0] out_queue_out_ay;
+    wire [15:0] out_queue_out_by;
+    wire [19:0] out_queue_out_delta;
+    wire [15:0] out_queue_out_mx;
+    wire [15:0] out_queue_out_my;
+    wire [3:0] out_queue_out_shift;
     wire [23:0] out_queue_out_depth;
     wire [23:0] out_queue_out_depth_low;
     wire [23:0] out_queue_out_depth_high;
-    wire [15:0] out_queue_out_attribute_0;
-    wire [15:0] out_queue_out_attribute_1;
-    wire [15:0] out_queue_out_attribute_2;
+    wire [11:0] out_queue_out_attribute_0;
+    wire [11:0] out_queue_out_attribute_1;
+    wire [11:0] out_queue_out_attribute_2;
     wire [2:0] out_queue_out_left;
     wire [2:0] out_queue_out_right;
     wire [2:0] out_queue_out_top;
@@ -5965,21 +5543,22 @@ module splat_reorder (
     wire caught_in_ready;
     wire caught_out_valid;
     wire caught_out_end;
-    wire [23:0] caught_out_center_x;
-    wire [23:0] caught_out_center_y;
-    wire [23:0] caught_out_ax;
-    wire [23:0] caught_out_bx;
-    wire [23:0] caught_out_ay;
-    wire [23:0] caught_out_by;
-    wire [23:0] caught_out_delta;
-    wire [23:0] caught_out_mx;
-    wire [23:0] caught_out_my;
+    wire [25:0] caught_out_center_x;
+    wire [25:0] caught_out_center_y;
+    wire [15:0] caught_out_ax;
+    wire [15:0] caught_out_bx;
+    wire [15:0] caught_out_ay;
+    wire [15:0] caught_out_by;
+    wire [19:0] caught_out_delta;
+    wire [15:0] caught_out_mx;
+    wire [15:0] caught_out_my;
+    wire [3:0] caught_out_shift;
     wire [23:0] caught_out_depth;
     wire [23:0] caught_out_depth_low;
     wire [23:0] caught_out_depth_high;
-    wire [15:0] caught_out_attribute_0;
-    wire [15:0] caught_out_attribute_1;
-    wire [15:0] caught_out_attribute_2;
+    wire [11:0] caught_out_attribute_0;
+    wire [11:0] caught_out_attribute_1;
+    wire [11:0] caught_out_attribute_2;
     wire [2:0] caught_out_left;
     wire [2:0] caught_out_right;
     wire [2:0] caught_out_top;
@@ -6020,6 +5599,7 @@ module splat_reorder (
     assign out_delta = out_queue_out_delta;
     assign out_mx = out_queue_out_mx;
     assign out_my = out_queue_out_my;
+    assign out_shift = out_queue_out_shift;
     assign out_depth = out_queue_out_depth;
     assign out_depth_low = out_queue_out_depth_low;
     assign out_depth_high = out_queue_out_depth_high;
@@ -6032,7 +5612,7 @@ module splat_reorder (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_half_buffer_w361 in_queue (
+    stream_half_buffer_w305 in_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(in_valid),
@@ -6047,6 +5627,7 @@ module splat_reorder (
         .in_delta(in_delta),
         .in_mx(in_mx),
         .in_my(in_my),
+        .in_shift(in_shift),
         .in_depth(in_depth),
         .in_depth_low(in_depth_low),
         .in_depth_high(in_depth_high),
@@ -6070,6 +5651,7 @@ module splat_reorder (
         .out_delta(in_queue_out_delta),
         .out_mx(in_queue_out_mx),
         .out_my(in_queue_out_my),
+        .out_shift(in_queue_out_shift),
         .out_depth(in_queue_out_depth),
         .out_depth_low(in_queue_out_depth_low),
         .out_depth_high(in_queue_out_depth_high),
@@ -6083,7 +5665,7 @@ module splat_reorder (
         .out_tile(in_queue_out_tile)
     );
 
-    stream_half_buffer_w361 out_queue (
+    stream_half_buffer_w305 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(caught_out_valid & caught_out_ready),
@@ -6098,6 +5680,7 @@ module splat_reorder (
         .in_delta(caught_out_delta),
         .in_mx(caught_out_mx),
         .in_my(caught_out_my),
+        .in_shift(caught_out_shift),
         .in_depth(caught_out_depth),
         .in_depth_low(caught_out_depth_low),
         .in_depth_high(caught_out_depth_high),
@@ -6121,6 +5704,7 @@ module splat_reorder (
         .out_delta(out_queue_out_delta),
         .out_mx(out_queue_out_mx),
         .out_my(out_queue_out_my),
+        .out_shift(out_queue_out_shift),
         .out_depth(out_queue_out_depth),
         .out_depth_low(out_queue_out_depth_low),
         .out_depth_high(out_queue_out_depth_high),
@@ -6134,27 +5718,28 @@ module splat_reorder (
         .out_tile(out_queue_out_tile)
     );
 
-    stream_half_buffer_w361 caught (
+    stream_half_buffer_w305 caught (
         .clk(clk),
         .rst(rst),
         .in_valid(close | (stage_valid & caught_in_ready)),
         .in_ready(caught_in_ready),
         .in_end(close),
-        .in_center_x({stage_payload_342, stage_payload_324}),
-        .in_center_y({stage_payload_306, stage_payload_288[17:12]}),
-        .in_ax({stage_payload_288[11:0], stage_payload_270[17:6]}),
-        .in_bx({stage_payload_270[5:0], stage_payload_252}),
-        .in_ay({stage_payload_234, stage_payload_216[17:12]}),
-        .in_by({stage_payload_216[11:0], stage_payload_198[17:6]}),
-        .in_delta({stage_payload_198[5:0], stage_payload_180}),
-        .in_mx({stage_payload_162, stage_payload_144[17:12]}),
-        .in_my({stage_payload_144[11:0], stage_payload_126[17:6]}),
-        .in_depth({stage_payload_126[5:0], stage_payload_108}),
-        .in_depth_low({stage_payload_90, stage_payload_72[17:12]}),
-        .in_depth_high({stage_payload_72[11:0], stage_payload_54[17:6]}),
-        .in_attribute_0({stage_payload_54[5:0], stage_payload_36[17:8]}),
-        .in_attribute_1({stage_payload_36[7:0], stage_payload_18[17:10]}),
-        .in_attribute_2({stage_payload_18[9:0], stage_payload_0[17:12]}),
+        .in_center_x({stage_payload_288, stage_payload_270, stage_payload_252[17:14]}),
+        .in_center_y({stage_payload_252[13:0], stage_payload_234[17:6]}),
+        .in_ax({stage_payload_234[5:0], stage_payload_216[17:8]}),
+        .in_bx({stage_payload_216[7:0], stage_payload_198[17:10]}),
+        .in_ay({stage_payload_198[9:0], stage_payload_180[17:12]}),
+        .in_by({stage_payload_180[11:0], stage_payload_162[17:14]}),
+        .in_delta({stage_payload_162[13:0], stage_payload_144[17:12]}),
+        .in_mx({stage_payload_144[11:0], stage_payload_126[17:14]}),
+        .in_my({stage_payload_126[13:0], stage_payload_108[17:16]}),
+        .in_shift(stage_payload_108[15:12]),
+        .in_depth({stage_payload_108[11:0], stage_payload_90[17:6]}),
+        .in_depth_low({stage_payload_90[5:0], stage_payload_72}),
+        .in_depth_high({stage_payload_54, stage_payload_36[17:12]}),
+        .in_attribute_0(stage_payload_36[11:0]),
+        .in_attribute_1(stage_payload_18[17:6]),
+        .in_attribute_2({stage_payload_18[5:0], stage_payload_0[17:12]}),
         .in_left(stage_payload_0[11:9]),
         .in_right(stage_payload_0[8:6]),
         .in_top(stage_payload_0[5:3]),
@@ -6172,6 +5757,7 @@ module splat_reorder (
         .out_delta(caught_out_delta),
         .out_mx(caught_out_mx),
         .out_my(caught_out_my),
+        .out_shift(caught_out_shift),
         .out_depth(caught_out_depth),
         .out_depth_low(caught_out_depth_low),
         .out_depth_high(caught_out_depth_high),
@@ -6258,7 +5844,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_18[free] <= {in_queue_out_attribute_1[7:0], in_queue_out_attribute_2[15:6]};
+            payloads_18[free] <= {in_queue_out_attribute_1, in_queue_out_attribute_2[11:6]};
         end
         if (advance) begin
             stage_payload_18 <= payloads_18[heap_out_pointer];
@@ -6271,7 +5857,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_36[free] <= {in_queue_out_attribute_0[9:0], in_queue_out_attribute_1[15:8]};
+            payloads_36[free] <= {in_queue_out_depth_high[5:0], in_queue_out_attribute_0};
         end
         if (advance) begin
             stage_payload_36 <= payloads_36[heap_out_pointer];
@@ -6284,7 +5870,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_54[free] <= {in_queue_out_depth_high[11:0], in_queue_out_attribute_0[15:10]};
+            payloads_54[free] <= in_queue_out_depth_high[23:6];
         end
         if (advance) begin
             stage_payload_54 <= payloads_54[heap_out_pointer];
@@ -6297,7 +5883,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_72[free] <= {in_queue_out_depth_low[5:0], in_queue_out_depth_high[23:12]};
+            payloads_72[free] <= in_queue_out_depth_low[17:0];
         end
         if (advance) begin
             stage_payload_72 <= payloads_72[heap_out_pointer];
@@ -6310,7 +5896,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_90[free] <= in_queue_out_depth_low[23:6];
+            payloads_90[free] <= {in_queue_out_depth[11:0], in_queue_out_depth_low[23:18]};
         end
         if (advance) begin
             stage_payload_90 <= payloads_90[heap_out_pointer];
@@ -6323,7 +5909,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_108[free] <= in_queue_out_depth[17:0];
+            payloads_108[free] <= {in_queue_out_my[1:0], in_queue_out_shift, in_queue_out_depth[23:12]};
         end
         if (advance) begin
             stage_payload_108 <= payloads_108[heap_out_pointer];
@@ -6336,7 +5922,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_126[free] <= {in_queue_out_my[11:0], in_queue_out_depth[23:18]};
+            payloads_126[free] <= {in_queue_out_mx[3:0], in_queue_out_my[15:2]};
         end
         if (advance) begin
             stage_payload_126 <= payloads_126[heap_out_pointer];
@@ -6349,7 +5935,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_144[free] <= {in_queue_out_mx[5:0], in_queue_out_my[23:12]};
+            payloads_144[free] <= {in_queue_out_delta[5:0], in_queue_out_mx[15:4]};
         end
         if (advance) begin
             stage_payload_144 <= payloads_144[heap_out_pointer];
@@ -6362,7 +5948,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_162[free] <= in_queue_out_mx[23:6];
+            payloads_162[free] <= {in_queue_out_by[3:0], in_queue_out_delta[19:6]};
         end
         if (advance) begin
             stage_payload_162 <= payloads_162[heap_out_pointer];
@@ -6375,7 +5961,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_180[free] <= in_queue_out_delta[17:0];
+            payloads_180[free] <= {in_queue_out_ay[5:0], in_queue_out_by[15:4]};
         end
         if (advance) begin
             stage_payload_180 <= payloads_180[heap_out_pointer];
@@ -6388,7 +5974,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_198[free] <= {in_queue_out_by[11:0], in_queue_out_delta[23:18]};
+            payloads_198[free] <= {in_queue_out_bx[7:0], in_queue_out_ay[15:6]};
         end
         if (advance) begin
             stage_payload_198 <= payloads_198[heap_out_pointer];
@@ -6401,7 +5987,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_216[free] <= {in_queue_out_ay[5:0], in_queue_out_by[23:12]};
+            payloads_216[free] <= {in_queue_out_ax[9:0], in_queue_out_bx[15:8]};
         end
         if (advance) begin
             stage_payload_216 <= payloads_216[heap_out_pointer];
@@ -6414,7 +6000,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_234[free] <= in_queue_out_ay[23:6];
+            payloads_234[free] <= {in_queue_out_center_y[11:0], in_queue_out_ax[15:10]};
         end
         if (advance) begin
             stage_payload_234 <= payloads_234[heap_out_pointer];
@@ -6427,7 +6013,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_252[free] <= in_queue_out_bx[17:0];
+            payloads_252[free] <= {in_queue_out_center_x[3:0], in_queue_out_center_y[25:12]};
         end
         if (advance) begin
             stage_payload_252 <= payloads_252[heap_out_pointer];
@@ -6440,7 +6026,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_270[free] <= {in_queue_out_ax[11:0], in_queue_out_bx[23:18]};
+            payloads_270[free] <= in_queue_out_center_x[21:4];
         end
         if (advance) begin
             stage_payload_270 <= payloads_270[heap_out_pointer];
@@ -6453,7 +6039,7 @@ module splat_reorder (
     end
     always @(posedge clk) begin
         if (offer) begin
-            payloads_288[free] <= {in_queue_out_center_y[5:0], in_queue_out_ax[23:12]};
+            payloads_288[free] <= in_queue_out_center_x[25:22];
         end
         if (advance) begin
             stage_payload_288 <= payloads_288[heap_out_pointer];
@@ -6461,45 +6047,6 @@ module splat_reorder (
 `ifdef RTL_ASSERT
         if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
             stage_payload_288 <= ~payloads_288[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_306[free] <= in_queue_out_center_y[23:6];
-        end
-        if (advance) begin
-            stage_payload_306 <= payloads_306[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_306 <= ~payloads_306[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_324[free] <= in_queue_out_center_x[17:0];
-        end
-        if (advance) begin
-            stage_payload_324 <= payloads_324[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_324 <= ~payloads_324[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_342[free] <= in_queue_out_center_x[23:18];
-        end
-        if (advance) begin
-            stage_payload_342 <= payloads_342[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_342 <= ~payloads_342[heap_out_pointer];
         end
 `endif
     end
@@ -8066,21 +7613,22 @@ module splat_splitter (
     input  wire in_valid,
     output wire in_ready,
     input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [8:0] in_left,
     input  wire [8:0] in_right,
     input  wire [8:0] in_top,
@@ -8088,21 +7636,22 @@ module splat_splitter (
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
+    output wire [25:0] out_center_x,
+    output wire [25:0] out_center_y,
+    output wire [15:0] out_ax,
+    output wire [15:0] out_bx,
+    output wire [15:0] out_ay,
+    output wire [15:0] out_by,
+    output wire [19:0] out_delta,
+    output wire [15:0] out_mx,
+    output wire [15:0] out_my,
+    output wire [3:0] out_shift,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output wire [2:0] out_left,
     output wire [2:0] out_right,
     output wire [2:0] out_top,
@@ -8113,21 +7662,22 @@ module splat_splitter (
     reg idle;
     reg last;
     reg splat_end;
-    reg [23:0] splat_center_x;
-    reg [23:0] splat_center_y;
-    reg [23:0] splat_ax;
-    reg [23:0] splat_bx;
-    reg [23:0] splat_ay;
-    reg [23:0] splat_by;
-    reg [23:0] splat_delta;
-    reg [23:0] splat_mx;
-    reg [23:0] splat_my;
+    reg [25:0] splat_center_x;
+    reg [25:0] splat_center_y;
+    reg [15:0] splat_ax;
+    reg [15:0] splat_bx;
+    reg [15:0] splat_ay;
+    reg [15:0] splat_by;
+    reg [19:0] splat_delta;
+    reg [15:0] splat_mx;
+    reg [15:0] splat_my;
+    reg [3:0] splat_shift;
     reg [23:0] splat_depth;
     reg [23:0] splat_depth_low;
     reg [23:0] splat_depth_high;
-    reg [15:0] splat_attribute_0;
-    reg [15:0] splat_attribute_1;
-    reg [15:0] splat_attribute_2;
+    reg [11:0] splat_attribute_0;
+    reg [11:0] splat_attribute_1;
+    reg [11:0] splat_attribute_2;
     reg [8:0] splat_left;
     reg [8:0] splat_right;
     reg [8:0] splat_top;
@@ -8138,21 +7688,22 @@ module splat_splitter (
     wire out_queue_in_ready;
     wire out_queue_out_valid;
     wire out_queue_out_end;
-    wire [23:0] out_queue_out_center_x;
-    wire [23:0] out_queue_out_center_y;
-    wire [23:0] out_queue_out_ax;
-    wire [23:0] out_queue_out_bx;
-    wire [23:0] out_queue_out_ay;
-    wire [23:0] out_queue_out_by;
-    wire [23:0] out_queue_out_delta;
-    wire [23:0] out_queue_out_mx;
-    wire [23:0] out_queue_out_my;
+    wire [25:0] out_queue_out_center_x;
+    wire [25:0] out_queue_out_center_y;
+    wire [15:0] out_queue_out_ax;
+    wire [15:0] out_queue_out_bx;
+    wire [15:0] out_queue_out_ay;
+    wire [15:0] out_queue_out_by;
+    wire [19:0] out_queue_out_delta;
+    wire [15:0] out_queue_out_mx;
+    wire [15:0] out_queue_out_my;
+    wire [3:0] out_queue_out_shift;
     wire [23:0] out_queue_out_depth;
     wire [23:0] out_queue_out_depth_low;
     wire [23:0] out_queue_out_depth_high;
-    wire [15:0] out_queue_out_attribute_0;
-    wire [15:0] out_queue_out_attribute_1;
-    wire [15:0] out_queue_out_attribute_2;
+    wire [11:0] out_queue_out_attribute_0;
+    wire [11:0] out_queue_out_attribute_1;
+    wire [11:0] out_queue_out_attribute_2;
     wire [2:0] out_queue_out_left;
     wire [2:0] out_queue_out_right;
     wire [2:0] out_queue_out_top;
@@ -8181,6 +7732,7 @@ module splat_splitter (
     assign out_delta = out_queue_out_delta;
     assign out_mx = out_queue_out_mx;
     assign out_my = out_queue_out_my;
+    assign out_shift = out_queue_out_shift;
     assign out_depth = out_queue_out_depth;
     assign out_depth_low = out_queue_out_depth_low;
     assign out_depth_high = out_queue_out_depth_high;
@@ -8193,7 +7745,7 @@ module splat_splitter (
     assign out_bottom = out_queue_out_bottom;
     assign out_tile = out_queue_out_tile;
 
-    stream_half_buffer_w361 out_queue (
+    stream_half_buffer_w305 out_queue (
         .clk(clk),
         .rst(rst),
         .in_valid(out_queue_in_ready & busy),
@@ -8208,6 +7760,7 @@ module splat_splitter (
         .in_delta(splat_delta),
         .in_mx(splat_mx),
         .in_my(splat_my),
+        .in_shift(splat_shift),
         .in_depth(splat_depth),
         .in_depth_low(splat_depth_low),
         .in_depth_high(splat_depth_high),
@@ -8231,6 +7784,7 @@ module splat_splitter (
         .out_delta(out_queue_out_delta),
         .out_mx(out_queue_out_mx),
         .out_my(out_queue_out_my),
+        .out_shift(out_queue_out_shift),
         .out_depth(out_queue_out_depth),
         .out_depth_low(out_queue_out_depth_low),
         .out_depth_high(out_queue_out_depth_high),
@@ -8270,6 +7824,7 @@ module splat_splitter (
             splat_delta <= in_delta;
             splat_mx <= in_mx;
             splat_my <= in_my;
+            splat_shift <= in_shift;
             splat_depth <= in_depth;
             splat_depth_low <= in_depth_low;
             splat_depth_high <= in_depth_high;
@@ -8285,28 +7840,29 @@ module splat_splitter (
 endmodule
 
 // One item in a register, at half rate.
-// width = 361
-module stream_half_buffer_w361 (
+// width = 305
+module stream_half_buffer_w305 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
     input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [2:0] in_left,
     input  wire [2:0] in_right,
     input  wire [2:0] in_top,
@@ -8315,21 +7871,22 @@ module stream_half_buffer_w361 (
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
+    output wire [25:0] out_center_x,
+    output wire [25:0] out_center_y,
+    output wire [15:0] out_ax,
+    output wire [15:0] out_bx,
+    output wire [15:0] out_ay,
+    output wire [15:0] out_by,
+    output wire [19:0] out_delta,
+    output wire [15:0] out_mx,
+    output wire [15:0] out_my,
+    output wire [3:0] out_shift,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output wire [2:0] out_left,
     output wire [2:0] out_right,
     output wire [2:0] out_top,
@@ -8337,27 +7894,28 @@ module stream_half_buffer_w361 (
     output wire [11:0] out_tile
 );
     reg full;
-    reg [360:0] item;
+    reg [304:0] item;
 
     assign in_ready = ~full;
 
     assign out_valid = full;
-    assign out_end = item[360];
-    assign out_center_x = item[359:336];
-    assign out_center_y = item[335:312];
-    assign out_ax = item[311:288];
-    assign out_bx = item[287:264];
-    assign out_ay = item[263:240];
-    assign out_by = item[239:216];
-    assign out_delta = item[215:192];
-    assign out_mx = item[191:168];
-    assign out_my = item[167:144];
-    assign out_depth = item[143:120];
-    assign out_depth_low = item[119:96];
-    assign out_depth_high = item[95:72];
-    assign out_attribute_0 = item[71:56];
-    assign out_attribute_1 = item[55:40];
-    assign out_attribute_2 = item[39:24];
+    assign out_end = item[304];
+    assign out_center_x = item[303:278];
+    assign out_center_y = item[277:252];
+    assign out_ax = item[251:236];
+    assign out_bx = item[235:220];
+    assign out_ay = item[219:204];
+    assign out_by = item[203:188];
+    assign out_delta = item[187:168];
+    assign out_mx = item[167:152];
+    assign out_my = item[151:136];
+    assign out_shift = item[135:132];
+    assign out_depth = item[131:108];
+    assign out_depth_low = item[107:84];
+    assign out_depth_high = item[83:60];
+    assign out_attribute_0 = item[59:48];
+    assign out_attribute_1 = item[47:36];
+    assign out_attribute_2 = item[35:24];
     assign out_left = item[23:21];
     assign out_right = item[20:18];
     assign out_top = item[17:15];
@@ -8384,6 +7942,7 @@ module stream_half_buffer_w361 (
                 in_delta,
                 in_mx,
                 in_my,
+                in_shift,
                 in_depth,
                 in_depth_low,
                 in_depth_high,
@@ -8401,7 +7960,7 @@ module stream_half_buffer_w361 (
 endmodule
 
 // Footprint, depth band and bounding rectangle of a splat.
-// latency = 132
+// latency = 161
 // initiation_interval = 8
 module splat_setup (
     input  wire clk,
@@ -8418,9 +7977,9 @@ module splat_setup (
     input  wire [23:0] in_tangent2_x,
     input  wire [23:0] in_tangent2_y,
     input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [23:0] filter_radius,
     input  wire [23:0] scale_x,
     input  wire [23:0] origin_x,
@@ -8433,38 +7992,61 @@ module splat_setup (
     output wire out_valid,
     input  wire out_ready,
     output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
+    output wire [25:0] out_center_x,
+    output wire [25:0] out_center_y,
+    output wire [15:0] out_ax,
+    output wire [15:0] out_bx,
+    output wire [15:0] out_ay,
+    output wire [15:0] out_by,
+    output wire [19:0] out_delta,
+    output wire [15:0] out_mx,
+    output wire [15:0] out_my,
+    output wire [3:0] out_shift,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output wire [8:0] out_left,
     output wire [8:0] out_right,
     output wire [8:0] out_top,
     output wire [8:0] out_bottom
 );
     (* ram_style = "distributed" *)
-    reg [48:0] delay_17_from_0 [0:15];
+    reg [8:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg delay_17_from_0 [0:15];
+    (* ram_style = "distributed" *)
+    reg [35:0] delay_21_from_0 [0:19];
     (* ram_style = "distributed" *)
     reg delay_6_from_1 [0:4];
     (* ram_style = "distributed" *)
-    reg [24:0] delay_8_from_4 [0:6];
+    reg [23:0] delay_7_from_1 [0:5];
     (* ram_style = "distributed" *)
-    reg [23:0] delay_5_from_5 [0:3];
+    reg [51:0] delay_9_from_1 [0:7];
     (* ram_style = "distributed" *)
-    reg [48:0] delay_9_from_6 [0:7];
+    reg [9:0] delay_10_from_1 [0:8];
     (* ram_style = "distributed" *)
-    reg [95:0] delay_10_from_6 [0:8];
+    reg [16:0] delay_11_from_1 [0:9];
+    (* ram_style = "distributed" *)
+    reg delay_12_from_2 [0:10];
+    (* ram_style = "distributed" *)
+    reg [8:0] delay_5_from_3 [0:3];
+    (* ram_style = "distributed" *)
+    reg [47:0] delay_5_from_5 [0:3];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_12_from_5 [0:10];
+    (* ram_style = "distributed" *)
+    reg [20:0] delay_10_from_6 [0:8];
+    (* ram_style = "distributed" *)
+    reg [42:0] delay_11_from_6 [0:9];
+    (* ram_style = "distributed" *)
+    reg [29:0] delay_12_from_6 [0:10];
+    (* ram_style = "distributed" *)
+    reg [3:0] delay_13_from_6 [0:11];
+    (* ram_style = "distributed" *)
+    reg delay_9_from_7 [0:7];
     reg [2:0] phase;
     reg load_0;
     reg load_1;
@@ -8474,18 +8056,44 @@ module splat_setup (
     reg load_5;
     reg load_6;
     reg load_7;
+    reg [1:0] delay_5_from_0_pointer;
+    reg [8:0] delay_5_from_0_out;
     reg [3:0] delay_17_from_0_pointer;
-    reg [48:0] delay_17_from_0_out;
+    reg delay_17_from_0_out;
+    reg [4:0] delay_21_from_0_pointer;
+    reg [35:0] delay_21_from_0_out;
     reg [2:0] delay_6_from_1_pointer;
     reg delay_6_from_1_out;
-    reg [2:0] delay_8_from_4_pointer;
-    reg [24:0] delay_8_from_4_out;
+    reg [2:0] delay_7_from_1_pointer;
+    reg [23:0] delay_7_from_1_out;
+    reg [2:0] delay_9_from_1_pointer;
+    reg [51:0] delay_9_from_1_out;
+    reg [3:0] delay_10_from_1_pointer;
+    reg [9:0] delay_10_from_1_out;
+    reg [3:0] delay_11_from_1_pointer;
+    reg [16:0] delay_11_from_1_out;
+    reg [3:0] delay_12_from_2_pointer;
+    reg delay_12_from_2_out;
+    reg [1:0] delay_5_from_3_pointer;
+    reg [8:0] delay_5_from_3_out;
     reg [1:0] delay_5_from_5_pointer;
-    reg [23:0] delay_5_from_5_out;
-    reg [2:0] delay_9_from_6_pointer;
-    reg [48:0] delay_9_from_6_out;
+    reg [47:0] delay_5_from_5_out;
+    reg [3:0] delay_12_from_5_pointer;
+    reg [63:0] delay_12_from_5_out;
     reg [3:0] delay_10_from_6_pointer;
-    reg [95:0] delay_10_from_6_out;
+    reg [20:0] delay_10_from_6_out;
+    reg [3:0] delay_11_from_6_pointer;
+    reg [42:0] delay_11_from_6_out;
+    reg [3:0] delay_12_from_6_pointer;
+    reg [29:0] delay_12_from_6_out;
+    reg [3:0] delay_13_from_6_pointer;
+    reg [3:0] delay_13_from_6_out;
+    reg [2:0] delay_9_from_7_pointer;
+    reg delay_9_from_7_out;
+    reg end_d18;
+    reg end_d19;
+    reg end_d20;
+    reg end_d21;
     reg [23:0] recip_15_d1;
     reg [23:0] reinterpret_16_d1;
     reg [23:0] reinterpret_16_d2;
@@ -8529,10 +8137,6 @@ module splat_setup (
     reg [23:0] add_46_d5;
     reg [23:0] add_46_d6;
     reg [23:0] add_46_d7;
-    reg [23:0] add_46_d8;
-    reg [23:0] add_46_d9;
-    reg [23:0] add_46_d10;
-    reg [23:0] add_46_d11;
     reg [23:0] add_49_d1;
     reg [23:0] add_49_d2;
     reg [23:0] add_54_d1;
@@ -8542,11 +8146,15 @@ module splat_setup (
     reg [23:0] add_59_d3;
     reg [23:0] add_59_d4;
     reg [23:0] add_64_d1;
+    reg [23:0] add_66_d1;
     reg [21:0] shr_82_d1;
     reg [21:0] select_85_d1;
     reg [21:0] min_86_d1;
-    reg [8:0] resize_90_d1;
     reg [8:0] resize_91_d1;
+    reg [8:0] resize_91_d2;
+    reg [8:0] resize_91_d3;
+    reg [8:0] resize_91_d4;
+    reg [8:0] resize_91_d5;
     reg lt_92_d1;
     reg [23:0] reinterpret_95_d1;
     reg [23:0] reinterpret_95_d2;
@@ -8571,8 +8179,6 @@ module splat_setup (
     reg [23:0] add_111_d7;
     reg [23:0] add_111_d8;
     reg [23:0] add_111_d9;
-    reg [23:0] add_111_d10;
-    reg [23:0] add_111_d11;
     reg [23:0] add_114_d1;
     reg [23:0] add_114_d2;
     reg [23:0] add_119_d1;
@@ -8589,6 +8195,9 @@ module splat_setup (
     reg [21:0] select_143_d1;
     reg [21:0] min_144_d1;
     reg [8:0] resize_148_d1;
+    reg [8:0] resize_148_d2;
+    reg [8:0] resize_148_d3;
+    reg [8:0] resize_148_d4;
     reg lt_149_d1;
     reg [23:0] mul_151_d1;
     reg equal_160_d1;
@@ -8616,12 +8225,131 @@ module splat_setup (
     reg le_195_d3;
     reg le_195_d4;
     reg and_196_d1;
-    reg [23:0] to_fixed_207_d1;
-    reg [23:0] to_fixed_207_d2;
-    reg [23:0] to_fixed_207_d3;
-    reg [23:0] to_fixed_207_d4;
-    reg [23:0] to_fixed_211_d1;
-    reg [23:0] max_213_d1;
+    reg bits_198_d1;
+    reg or_203_d1;
+    reg or_203_d2;
+    reg or_203_d3;
+    reg or_203_d4;
+    reg lt_207_d1;
+    reg placed_d1;
+    reg placed_d2;
+    reg [27:0] shr_221_d1;
+    reg [25:0] resize_223_d1;
+    reg [25:0] select_224_d10;
+    reg [25:0] select_224_d11;
+    reg [25:0] select_224_d12;
+    reg [25:0] select_224_d13;
+    reg [27:0] shr_232_d1;
+    reg [25:0] resize_234_d1;
+    reg [25:0] select_235_d10;
+    reg [25:0] select_235_d11;
+    reg [25:0] select_235_d12;
+    reg [25:0] select_235_d13;
+    reg [26:0] reinterpret_241_d1;
+    reg [26:0] resize_242_d1;
+    reg [26:0] sub_243_d1;
+    reg [26:0] reinterpret_245_d1;
+    reg [26:0] sub_246_d1;
+    reg [25:0] bits_250_d1;
+    reg [26:0] not_252_d1;
+    reg [26:0] reinterpret_260_d1;
+    reg [26:0] resize_261_d1;
+    reg [26:0] sub_262_d1;
+    reg [26:0] reinterpret_264_d1;
+    reg [26:0] sub_265_d1;
+    reg [25:0] bits_269_d1;
+    reg [25:0] or_270_d1;
+    reg [26:0] not_272_d1;
+    reg [10:0] bits_277_d1;
+    reg not_280_d1;
+    reg [9:0] bits_283_d1;
+    reg not_286_d1;
+    reg [8:0] bits_289_d1;
+    reg not_291_d1;
+    reg [3:0] select_293_d1;
+    reg [7:0] bits_294_d1;
+    reg not_297_d1;
+    reg [6:0] bits_300_d1;
+    reg not_303_d1;
+    reg [5:0] bits_306_d1;
+    reg not_309_d1;
+    reg [3:0] select_311_d1;
+    reg [4:0] bits_312_d1;
+    reg not_315_d1;
+    reg [3:0] bits_318_d1;
+    reg not_320_d1;
+    reg equal_325_d1;
+    reg [3:0] select_328_d1;
+    reg equal_331_d1;
+    reg equal_337_d1;
+    reg [3:0] shift_d1;
+    reg [3:0] shift_d2;
+    reg [3:0] shift_d3;
+    reg [9:0] add_343_d1;
+    reg [9:0] resize_344_d11;
+    reg [9:0] select_347_d1;
+    reg [9:0] resize_351_d13;
+    reg [9:0] resize_353_d13;
+    reg [9:0] resize_355_d1;
+    reg [9:0] resize_355_d13;
+    reg [9:0] resize_357_d11;
+    reg [9:0] resize_359_d11;
+    reg [9:0] max_360_d1;
+    reg [9:0] max_361_d1;
+    reg [9:0] max_362_d1;
+    reg [9:0] max_363_d1;
+    reg [9:0] max_364_d1;
+    reg [9:0] exponent_d1;
+    reg [9:0] add_367_d1;
+    reg and_371_d1;
+    reg [23:0] reinterpret_379_d1;
+    reg [17:0] shr_388_d1;
+    reg [15:0] resize_390_d1;
+    reg [9:0] add_391_d1;
+    reg and_395_d1;
+    reg [23:0] reinterpret_403_d1;
+    reg [17:0] shr_411_d1;
+    reg [15:0] resize_413_d1;
+    reg [9:0] add_414_d1;
+    reg and_418_d1;
+    reg [23:0] reinterpret_426_d1;
+    reg [17:0] shr_434_d1;
+    reg [15:0] resize_436_d1;
+    reg [9:0] add_437_d1;
+    reg and_441_d1;
+    reg [23:0] reinterpret_449_d1;
+    reg [17:0] shr_457_d1;
+    reg [15:0] resize_459_d1;
+    reg [9:0] add_460_d1;
+    reg and_464_d1;
+    reg [23:0] reinterpret_472_d1;
+    reg [17:0] shr_480_d1;
+    reg [15:0] resize_482_d1;
+    reg [9:0] add_483_d1;
+    reg and_487_d1;
+    reg [23:0] reinterpret_495_d1;
+    reg [17:0] shr_503_d1;
+    reg [15:0] resize_505_d1;
+    reg lt_508_d1;
+    reg [9:0] sub_512_d1;
+    reg [23:0] reinterpret_518_d1;
+    reg [21:0] shr_527_d1;
+    reg [19:0] resize_529_d1;
+    reg or_533_d1;
+    reg equal_534_d1;
+    reg or_537_d1;
+    reg or_537_d2;
+    reg or_539_d1;
+    reg or_541_d1;
+    reg equal_542_d1;
+    reg vanishes_d1;
+    reg not_549_d1;
+    reg or_550_d1;
+    reg [23:0] max_569_d1;
+    reg [23:0] to_fixed_570_d1;
+    reg [23:0] to_fixed_570_d2;
+    reg [23:0] to_fixed_570_d3;
+    reg [23:0] to_fixed_570_d4;
     reg [23:0] recip_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
@@ -8655,6 +8383,8 @@ module splat_setup (
     reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
     reg [23:0] le_f24_ftz_unit_a;
     reg [23:0] le_f24_ftz_unit_b;
+    reg [23:0] to_fixed_f24_ftz_s27q13_unit_a;
+    reg [23:0] to_fixed_f24_ftz_s17q16_unit_a;
     reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
     reg valid_d1;
     reg valid_d2;
@@ -8673,25 +8403,30 @@ module splat_setup (
     reg valid_d15;
     reg valid_d16;
     reg valid_d17;
+    reg valid_d18;
+    reg valid_d19;
+    reg valid_d20;
+    reg valid_d21;
 
     wire queue_in_ready;
     wire queue_out_valid;
     wire queue_out_end;
-    wire [23:0] queue_out_center_x;
-    wire [23:0] queue_out_center_y;
-    wire [23:0] queue_out_ax;
-    wire [23:0] queue_out_bx;
-    wire [23:0] queue_out_ay;
-    wire [23:0] queue_out_by;
-    wire [23:0] queue_out_delta;
-    wire [23:0] queue_out_mx;
-    wire [23:0] queue_out_my;
+    wire [25:0] queue_out_center_x;
+    wire [25:0] queue_out_center_y;
+    wire [15:0] queue_out_ax;
+    wire [15:0] queue_out_bx;
+    wire [15:0] queue_out_ay;
+    wire [15:0] queue_out_by;
+    wire [19:0] queue_out_delta;
+    wire [15:0] queue_out_mx;
+    wire [15:0] queue_out_my;
+    wire [3:0] queue_out_shift;
     wire [23:0] queue_out_depth;
     wire [23:0] queue_out_depth_low;
     wire [23:0] queue_out_depth_high;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
+    wire [11:0] queue_out_attribute_0;
+    wire [11:0] queue_out_attribute_1;
+    wire [11:0] queue_out_attribute_2;
     wire [8:0] queue_out_left;
     wire [8:0] queue_out_right;
     wire [8:0] queue_out_top;
@@ -8715,16 +8450,22 @@ module splat_setup (
     wire [23:0] max_f24_ftz_unit_copy2_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire le_f24_ftz_unit_y;
+    wire [26:0] to_fixed_f24_ftz_s27q13_unit_y;
+    wire [16:0] to_fixed_f24_ftz_s17q16_unit_y;
+    wire [20:0] to_fixed_f24_ftz_s21q20_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
     assign in_ready = load_0;
-    wire and_197 = lt_149_d1 & and_196_d1;
-    wire or_201 = delay_8_from_4_out[0] | delay_9_from_6_out[48];
-    wire and_202 = and_197 & or_201;
-    wire or_204 = delay_17_from_0_out[0] | and_202;
-    wire term_1 = phase == 3'd4;
-    wire term_2 = valid_d17 & or_204 & term_1;
-    wire [23:0] select_205 = delay_8_from_4_out[0] ? 24'h7fc000 : delay_9_from_6_out[23:0];
+    wire term_1 = phase == 3'd1;
+    wire term_2 = valid_d21 & or_203_d4 & term_1;
+    wire covers_nothing = vanishes_d1 | delay_12_from_2_out;
+    wire [15:0] select_554 = covers_nothing ? 16'd0 : resize_390_d1;
+    wire [15:0] select_555 = covers_nothing ? 16'd0 : resize_413_d1;
+    wire [15:0] select_556 = covers_nothing ? 16'd0 : resize_436_d1;
+    wire [15:0] select_557 = covers_nothing ? 16'd0 : resize_459_d1;
+    wire [19:0] select_559 = covers_nothing ? 20'd0 : resize_529_d1;
+    wire [15:0] select_560 = covers_nothing ? 16'd0 : resize_482_d1;
+    wire [15:0] select_561 = covers_nothing ? 16'd0 : resize_505_d1;
     wire queue_out_ready = out_ready;
     wire term_3 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
@@ -8754,74 +8495,252 @@ module splat_setup (
     wire [23:0] select_188 = beyond_near ? add_179_d2 : add_176_d3;
     wire [23:0] select_190 = beyond_near ? mul_183_d3 : min_189_d1;
     wire and_196 = lt_92_d1 & le_195_d4;
-    wire [23:0] choice_8 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
-    wire [23:0] choice_9 = phase[1] ? (phase[0] ? scale_x : mul_17_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_10 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_17_d3 : scale_x;
-    wire [23:0] choice_11 = phase[1] ? (phase[0] ? mul_31_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_16_d3 : add_49_d2;
-    wire [23:0] choice_12 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_43_d1 : add_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_13 = phase[1] ? (phase[0] ? mul_37_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_14 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_15 = phase[1] ? (phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_18_d3 : add_54_d1;
-    wire [23:0] choice_16 = phase[1] ? choice_14 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_43_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_18 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_174_d6) : phase[0] ? mul_43_d1 : scale_y;
-    wire [23:0] choice_19 = phase[1] ? (phase[0] ? mul_43_d1 : reinterpret_97_d3) : phase[0] ? reinterpret_30_d3 : add_114_d2;
-    wire [23:0] choice_20 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_21 = phase[1] ? choice_20 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_102_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_23 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_180_d1) : scale_y;
-    wire [23:0] choice_24 = phase[1] ? (phase[0] ? mul_102_d1 : reinterpret_103_d3) : phase[0] ? reinterpret_32_d3 : add_119_d1;
-    wire [23:0] choice_25 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
-    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_108_d1 : mul_17_d3) : phase[0] ? recip_f24_ftz_unit_y : add_22_d4;
-    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_190_d1) : phase[0] ? mul_17_d3 : scale_y;
-    wire [23:0] choice_28 = phase[1] ? (phase[0] ? mul_108_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_38_d3 : recip_f24_ftz_unit_y;
-    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_108_d1 : mul_96_d1;
-    wire [23:0] choice_30 = phase[1] ? (phase[0] ? recip_15_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
-    wire [23:0] choice_31 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_19_d3) : phase[0] ? mul_19_d3 : mul_37_d1;
-    wire [23:0] choice_32 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_95_d3 : sqrt_181_d1;
-    wire [23:0] choice_33 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_37_d1) : phase[0] ? mul_37_d1 : mul_108_d1;
-    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_151_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
-    wire [23:0] choice_35 = phase[1] ? (phase[0] ? add_46_d7 : add_46_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
-    wire [23:0] joined_36 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
-    wire [23:0] choice_37 = phase[1] ? (phase[0] ? joined_36 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] joined_38 = {~filter_radius[23], filter_radius[22:0]};
-    wire [23:0] choice_39 = phase[0] ? joined_38 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_40 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
-    wire [23:0] choice_41 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_42 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_124_d4) : choice_41;
-    wire [23:0] choice_43 = phase[1] ? (phase[0] ? delay_5_from_5_out : add_59_d4) : phase[0] ? mul_33_d1 : mul_f24_ftz_unit_y;
-    wire [23:0] joined_44 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_45 = phase[1] ? (phase[0] ? joined_44 : neg_125_d1) : choice_25;
-    wire [23:0] choice_46 = phase[1] ? (phase[0] ? depth_a : joined_5) : phase[0] ? joined_36 : mul_55_d1;
-    wire [23:0] choice_47 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
-    wire [23:0] choice_48 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_38) : choice_47;
-    wire [23:0] choice_49 = phase[1] ? sqrt_f24_ftz_unit_y : phase[0] ? mul_39_d1 : mul_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_50 = phase[0] ? {~mul_183_d1[23], mul_183_d1[22:0]} : add_111_d9;
-    wire [23:0] choice_51 = phase[1] ? choice_50 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_124_d4;
-    wire [23:0] joined_52 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
-    wire [23:0] choice_53 = phase[1] ? (phase[0] ? select_188_d2 : mul_169_d1) : phase[0] ? mul_169_d1 : filter_radius;
-    wire [23:0] choice_54 = phase[1] ? filter_radius : phase[0] ? mul_98_d1 : add_176_d1;
-    wire [23:0] joined_55 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
-    wire [23:0] choice_56 = phase[1] ? (phase[0] ? joined_55 : neg_171_d1) : phase[0] ? neg_171_d1 : add_111_d8;
-    wire [23:0] choice_57 = phase[1] ? add_46_d8 : phase[0] ? joined_44 : mul_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_58 = phase[1] ? (phase[0] ? select_188_d2 : add_111_d4) : add_111_d4;
-    wire [23:0] choice_59 = phase[1] ? add_111_d4 : phase[0] ? mul_104_d1 : mul_f24_ftz_unit_copy5_y;
-    wire [23:0] choice_60 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : joined_36) : joined_36;
-    wire [23:0] choice_61 = phase[1] ? joined_36 : phase[0] ? joined_7 : epsilon_bias;
-    wire [23:0] choice_62 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_22_d1) : add_22_d1;
-    wire [23:0] choice_63 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_64 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
-    wire [23:0] choice_65 = phase[1] ? (phase[0] ? max_131_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
-    wire [23:0] choice_66 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_67 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
-    wire [23:0] choice_68 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_f24_ftz_unit_copy4_y;
-    wire [23:0] choice_69 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
-    wire [23:0] choice_70 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
-    wire [23:0] choice_71 = phase[1] ? max_f24_ftz_unit_copy2_y : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
-    wire [23:0] choice_72 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_213_d1;
+    wire and_197 = lt_149_d1 & and_196_d1;
+    wire and_202 = and_197 & delay_9_from_7_out;
+    wire or_203 = delay_17_from_0_out | and_202;
+    wire [9:0] joined_8 = {2'd0, add_f24_ftz_unit_y[22:15]};
+    wire lt_207 = joined_8 < 10'd140;
+    wire lt_210 = lt_207;
+    wire placed = lt_207_d1 & lt_210;
+    wire [27:0] joined_9 = {to_fixed_f24_ftz_s27q13_unit_y[26], to_fixed_f24_ftz_s27q13_unit_y};
+    wire not_215 = ~to_fixed_f24_ftz_s27q13_unit_y[26];
+    wire [27:0] add_219 = joined_9 + {27'd0, not_215};
+    wire [27:0] min_222 = ($signed(shr_221_d1) < $signed(28'h1ffffff)) ? shr_221_d1 : 28'h1ffffff;
+    wire not_227 = not_215;
+    wire [27:0] add_231 = joined_9 + {27'd0, not_227};
+    wire [27:0] min_233 = ($signed(shr_232_d1) < $signed(28'h1ffffff)) ? shr_232_d1 : 28'h1ffffff;
+    wire [26:0] sub_243 = reinterpret_241_d1 - resize_242_d1;
+    wire [26:0] add_238 = 27'd1 + {18'd0, resize_91_d1};
+    wire [26:0] sub_246 = reinterpret_245_d1 - resize_242_d1;
+    wire [26:0] not_248 = ~sub_243_d1;
+    wire [26:0] select_249 = sub_243_d1[26] ? not_248 : sub_243_d1;
+    wire [26:0] not_252 = ~sub_246;
+    wire [26:0] sub_262 = reinterpret_260_d1 - resize_261_d1;
+    wire [26:0] add_257 = 27'd1 + {18'd0, resize_148_d1};
+    wire [26:0] sub_265 = reinterpret_264_d1 - resize_261_d1;
+    wire [26:0] not_267 = ~sub_262_d1;
+    wire [26:0] select_268 = sub_262_d1[26] ? not_267 : sub_262_d1;
+    wire [26:0] select_253 = sub_246_d1[26] ? not_252_d1 : sub_246_d1;
+    wire [25:0] or_255 = bits_250_d1 | select_253[25:0];
+    wire [25:0] or_270 = or_255 | bits_269_d1;
+    wire [26:0] not_272 = ~sub_265;
+    wire [26:0] select_273 = sub_265_d1[26] ? not_272_d1 : sub_265_d1;
+    wire [25:0] or_275 = or_270_d1 | select_273[25:0];
+    wire equal_279 = bits_277_d1 == 11'd0;
+    wire not_280 = ~equal_279;
+    wire equal_285 = bits_283_d1 == 10'd0;
+    wire not_286 = ~equal_285;
+    wire equal_290 = 9'd0 == bits_289_d1;
+    wire not_291 = ~equal_290;
+    wire [3:0] select_282 = not_280_d1 ? 4'd1 : 4'd0;
+    wire [3:0] select_288 = not_286_d1 ? 4'd2 : select_282;
+    wire [3:0] select_293 = not_291_d1 ? 4'd3 : select_288;
+    wire equal_296 = bits_294_d1 == 8'd0;
+    wire not_297 = ~equal_296;
+    wire equal_302 = bits_300_d1 == 7'd0;
+    wire not_303 = ~equal_302;
+    wire equal_308 = bits_306_d1 == 6'd0;
+    wire not_309 = ~equal_308;
+    wire [3:0] select_299 = not_297_d1 ? 4'd4 : select_293_d1;
+    wire [3:0] select_305 = not_303_d1 ? 4'd5 : select_299;
+    wire [3:0] select_311 = not_309_d1 ? 4'd6 : select_305;
+    wire equal_314 = bits_312_d1 == 5'd0;
+    wire not_315 = ~equal_314;
+    wire equal_319 = 4'd0 == bits_318_d1;
+    wire not_320 = ~equal_319;
+    wire equal_325 = or_275[25:23] == 3'd0;
+    wire not_326 = ~equal_325_d1;
+    wire [3:0] select_317 = not_315_d1 ? 4'd7 : select_311_d1;
+    wire [3:0] select_322 = not_320_d1 ? 4'd8 : select_317;
+    wire [3:0] select_328 = not_326 ? 4'd9 : select_322;
+    wire equal_331 = or_275[25:24] == 2'd0;
+    wire equal_337 = ~or_275[25];
+    wire not_338 = ~equal_337_d1;
+    wire not_332 = ~equal_331_d1;
+    wire [3:0] select_334 = not_332 ? 4'd10 : select_328_d1;
+    wire [3:0] shift = not_338 ? 4'd11 : select_334;
+    wire [9:0] add_343 = {6'd0, shift_d1} + 10'd4;
+    wire lt_345 = add_343_d1 < delay_10_from_6_out[10:1];
+    wire [9:0] sub_346 = delay_10_from_6_out[10:1] - add_343_d1;
+    wire [9:0] select_347 = lt_345 ? sub_346 : 10'd0;
+    wire [9:0] joined_10 = {2'd0, mul_f24_ftz_unit_copy4_y[22:15]};
+    wire [9:0] max_360 = (select_347_d1 < delay_12_from_6_out[9:0]) ? delay_12_from_6_out[9:0] : select_347_d1;
+    wire [9:0] max_361 = (resize_351_d13 < max_360_d1) ? max_360_d1 : resize_351_d13;
+    wire [9:0] max_362 = (resize_353_d13 < max_361_d1) ? max_361_d1 : resize_353_d13;
+    wire [9:0] max_363 = (resize_355_d13 < max_362_d1) ? max_362_d1 : resize_355_d13;
+    wire [9:0] max_364 = (resize_357_d11 < max_363_d1) ? max_363_d1 : resize_357_d11;
+    wire [9:0] exponent = (resize_359_d11 < max_364_d1) ? max_364_d1 : resize_359_d11;
+    wire [9:0] add_367 = delay_12_from_6_out[9:0] + 10'd126;
+    wire lt_368 = exponent_d1 < add_367_d1;
+    wire and_371 = lt_368 & delay_13_from_6_out[0];
+    wire [9:0] sub_372 = add_367_d1 - exponent_d1;
+    wire [9:0] select_373 = and_371_d1 ? sub_372 : 10'd0;
+    wire [17:0] joined_11 = {to_fixed_f24_ftz_s17q16_unit_y[16], to_fixed_f24_ftz_s17q16_unit_y};
+    wire not_382 = ~to_fixed_f24_ftz_s17q16_unit_y[16];
+    wire [17:0] add_386 = joined_11 + {17'd0, not_382};
+    wire [17:0] min_389 = ($signed(shr_388_d1) < $signed(18'h7fff)) ? shr_388_d1 : 18'h7fff;
+    wire [9:0] add_391 = delay_12_from_6_out[19:10] + 10'd126;
+    wire lt_392 = exponent_d1 < add_391_d1;
+    wire and_395 = lt_392 & delay_13_from_6_out[1];
+    wire [9:0] sub_396 = add_391_d1 - exponent_d1;
+    wire [9:0] select_397 = and_395_d1 ? sub_396 : 10'd0;
+    wire not_406 = not_382;
+    wire [17:0] add_410 = joined_11 + {17'd0, not_406};
+    wire [17:0] min_412 = ($signed(shr_411_d1) < $signed(18'h7fff)) ? shr_411_d1 : 18'h7fff;
+    wire [9:0] add_414 = delay_12_from_6_out[29:20] + 10'd126;
+    wire lt_415 = exponent_d1 < add_414_d1;
+    wire and_418 = lt_415 & delay_13_from_6_out[2];
+    wire [9:0] sub_419 = add_414_d1 - exponent_d1;
+    wire [9:0] select_420 = and_418_d1 ? sub_419 : 10'd0;
+    wire not_429 = not_382;
+    wire [17:0] add_433 = joined_11 + {17'd0, not_429};
+    wire [17:0] min_435 = ($signed(shr_434_d1) < $signed(18'h7fff)) ? shr_434_d1 : 18'h7fff;
+    wire [9:0] add_437 = delay_11_from_6_out[9:0] + 10'd126;
+    wire lt_438 = exponent_d1 < add_437_d1;
+    wire and_441 = lt_438 & delay_13_from_6_out[3];
+    wire [9:0] sub_442 = add_437_d1 - exponent_d1;
+    wire [9:0] select_443 = and_441_d1 ? sub_442 : 10'd0;
+    wire not_452 = not_382;
+    wire [17:0] add_456 = joined_11 + {17'd0, not_452};
+    wire [17:0] min_458 = ($signed(shr_457_d1) < $signed(18'h7fff)) ? shr_457_d1 : 18'h7fff;
+    wire [9:0] add_460 = delay_10_from_6_out[20:11] + 10'd126;
+    wire lt_461 = exponent_d1 < add_460_d1;
+    wire and_464 = lt_461 & delay_11_from_6_out[10];
+    wire [9:0] sub_465 = add_460_d1 - exponent_d1;
+    wire [9:0] select_466 = and_464_d1 ? sub_465 : 10'd0;
+    wire not_475 = not_382;
+    wire [17:0] add_479 = joined_11 + {17'd0, not_475};
+    wire [17:0] min_481 = ($signed(shr_480_d1) < $signed(18'h7fff)) ? shr_480_d1 : 18'h7fff;
+    wire [9:0] add_483 = delay_10_from_1_out + 10'd126;
+    wire lt_484 = exponent_d1 < add_483_d1;
+    wire and_487 = lt_484 & delay_11_from_1_out[0];
+    wire [9:0] sub_488 = add_483_d1 - exponent_d1;
+    wire [9:0] select_489 = and_487_d1 ? sub_488 : 10'd0;
+    wire not_498 = not_382;
+    wire [17:0] add_502 = joined_11 + {17'd0, not_498};
+    wire [17:0] min_504 = ($signed(shr_503_d1) < $signed(18'h7fff)) ? shr_503_d1 : 18'h7fff;
+    wire [9:0] add_506 = add_343_d1 + exponent_d1;
+    wire [9:0] add_507 = resize_344_d11 + 10'd126;
+    wire lt_508 = add_506 < add_507;
+    wire [9:0] sub_512 = add_507 - add_506;
+    wire and_511 = lt_508_d1 & delay_11_from_6_out[27];
+    wire [9:0] select_513 = and_511 ? sub_512_d1 : 10'd0;
+    wire [21:0] joined_12 = {to_fixed_f24_ftz_s21q20_unit_y[20], to_fixed_f24_ftz_s21q20_unit_y};
+    wire not_521 = ~to_fixed_f24_ftz_s21q20_unit_y[20];
+    wire [21:0] add_525 = joined_12 + {21'd0, not_521};
+    wire [21:0] min_528 = ($signed(shr_527_d1) < $signed(22'h7ffff)) ? shr_527_d1 : 22'h7ffff;
+    wire [9:0] joined_13 = {2'd0, mul_f24_ftz_unit_y[22:15]};
+    wire equal_531 = joined_13 == 10'd255;
+    wire [9:0] joined_14 = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire equal_532 = joined_14 == 10'd255;
+    wire or_533 = equal_531 | equal_532;
+    wire [9:0] joined_15 = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire equal_534 = joined_15 == 10'd255;
+    wire or_535 = or_533_d1 | equal_534_d1;
+    wire equal_536 = resize_355_d1 == 10'd255;
+    wire or_537 = or_535 | equal_536;
+    wire [9:0] joined_16 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire equal_538 = joined_16 == 10'd255;
+    wire or_539 = or_537_d2 | equal_538;
+    wire [9:0] joined_17 = {2'd0, add_f24_ftz_unit_copy5_y[22:15]};
+    wire equal_540 = joined_17 == 10'd255;
+    wire or_541 = or_539_d1 | equal_540;
+    wire equal_542 = joined_8 == 10'd255;
+    wire lt_545 = $signed(resize_529_d1) < $signed(20'd32);
+    wire lt_547 = $signed(20'hfffe0) < $signed(resize_529_d1);
+    wire vanishes = lt_545 & lt_547;
+    wire not_549 = ~placed_d2;
     wire edge_on = equal_160_d1 | lt_163_d1;
+    wire or_550 = edge_on | not_549_d1;
+    wire [23:0] choice_18 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] choice_19 = phase[1] ? (phase[0] ? scale_x : mul_17_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_20 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_17_d3 : scale_x;
+    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_31_d1 : mul_f24_ftz_unit_y) : phase[0] ? reinterpret_16_d3 : add_49_d2;
+    wire [23:0] choice_22 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_43_d1 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_23 = phase[1] ? (phase[0] ? mul_37_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_24 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_37_d1 : mul_f24_ftz_unit_copy2_y) : phase[0] ? reinterpret_18_d3 : add_54_d1;
+    wire [23:0] choice_26 = phase[1] ? choice_24 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_43_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_28 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_174_d6) : phase[0] ? mul_43_d1 : scale_y;
+    wire [23:0] choice_29 = phase[1] ? (phase[0] ? mul_43_d1 : reinterpret_97_d3) : phase[0] ? reinterpret_30_d3 : add_114_d2;
+    wire [23:0] choice_30 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_31 = phase[1] ? choice_30 : phase[0] ? mul_102_d1 : add_f24_ftz_unit_copy4_y;
+    wire [23:0] choice_32 = phase[1] ? (phase[0] ? mul_102_d1 : recip_15_d1) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_33 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : abs_180_d1) : scale_y;
+    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_102_d1 : reinterpret_103_d3) : phase[0] ? reinterpret_32_d3 : add_119_d1;
+    wire [23:0] choice_35 = phase[0] ? mul_f24_ftz_unit_copy3_y : mul_f24_ftz_unit_copy6_y;
+    wire [23:0] choice_36 = phase[1] ? (phase[0] ? mul_108_d1 : mul_17_d3) : phase[0] ? recip_f24_ftz_unit_y : add_22_d4;
+    wire [23:0] choice_37 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : select_190_d1) : phase[0] ? mul_17_d3 : scale_y;
+    wire [23:0] choice_38 = phase[1] ? (phase[0] ? mul_108_d1 : mul_f24_ftz_unit_copy3_y) : phase[0] ? reinterpret_38_d3 : recip_f24_ftz_unit_y;
+    wire [23:0] choice_39 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : epsilon_scale) : phase[0] ? mul_108_d1 : mul_96_d1;
+    wire [23:0] choice_40 = phase[1] ? (phase[0] ? recip_15_d1 : mul_19_d3) : recip_f24_ftz_unit_y;
+    wire [23:0] choice_41 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_19_d3) : phase[0] ? mul_19_d3 : mul_37_d1;
+    wire [23:0] choice_42 = phase[1] ? (phase[0] ? depth_b : mul_f24_ftz_unit_copy4_y) : phase[0] ? reinterpret_95_d3 : sqrt_181_d1;
+    wire [23:0] choice_43 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy6_y : mul_37_d1) : phase[0] ? mul_37_d1 : mul_108_d1;
+    wire [23:0] choice_44 = phase[1] ? (phase[0] ? mul_151_d1 : mul_f24_ftz_unit_copy5_y) : mul_f24_ftz_unit_y;
+    wire [23:0] choice_45 = phase[1] ? (phase[0] ? add_46_d7 : add_46_d4) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] joined_46 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] choice_47 = phase[1] ? (phase[0] ? joined_46 : origin_y) : phase[0] ? origin_x : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] joined_48 = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] choice_49 = phase[0] ? joined_48 : {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_50 = phase[0] ? mul_f24_ftz_unit_copy2_y : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_51 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_52 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : add_124_d4) : choice_51;
+    wire [23:0] choice_53 = phase[1] ? (phase[0] ? filter_radius : add_59_d4) : phase[0] ? mul_33_d1 : mul_f24_ftz_unit_y;
+    wire [23:0] joined_54 = {~mul_f24_ftz_unit_copy5_y[23], mul_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_55 = phase[1] ? (phase[0] ? joined_54 : neg_125_d1) : choice_35;
+    wire [23:0] choice_56 = phase[1] ? (phase[0] ? add_46_d7 : joined_5) : phase[0] ? joined_46 : mul_55_d1;
+    wire [23:0] choice_57 = phase[0] ? mul_f24_ftz_unit_copy4_y : sqrt_f24_ftz_unit_y;
+    wire [23:0] choice_58 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : joined_48) : choice_57;
+    wire [23:0] choice_59 = phase[0] ? delay_5_from_5_out[23:0] : sqrt_f24_ftz_unit_y;
+    wire [23:0] choice_60 = phase[1] ? choice_59 : phase[0] ? mul_39_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_61 = phase[0] ? {~mul_183_d1[23], mul_183_d1[22:0]} : add_111_d9;
+    wire [23:0] choice_62 = phase[1] ? choice_61 : phase[0] ? mul_f24_ftz_unit_copy5_y : add_124_d4;
+    wire [23:0] joined_63 = {~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]};
+    wire [23:0] choice_64 = phase[1] ? (phase[0] ? depth_a : add_59_d4) : phase[0] ? joined_63 : mul_120_d1;
+    wire [23:0] choice_65 = phase[1] ? (phase[0] ? select_188_d2 : filter_radius) : filter_radius;
+    wire [23:0] choice_66 = phase[1] ? add_111_d4 : phase[0] ? mul_98_d1 : add_176_d1;
+    wire [23:0] joined_67 = {~add_f24_ftz_unit_copy5_y[23], add_f24_ftz_unit_copy5_y[22:0]};
+    wire [23:0] choice_68 = phase[1] ? (phase[0] ? joined_67 : add_111_d8) : add_111_d8;
+    wire [23:0] choice_69 = phase[1] ? joined_46 : phase[0] ? joined_54 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_70 = phase[1] ? (phase[0] ? select_188_d2 : mul_169_d1) : mul_169_d1;
+    wire [23:0] choice_71 = phase[1] ? mul_169_d1 : phase[0] ? mul_104_d1 : mul_f24_ftz_unit_copy5_y;
+    wire [23:0] choice_72 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy5_y : neg_171_d1) : neg_171_d1;
+    wire [23:0] choice_73 = phase[1] ? neg_171_d1 : phase[0] ? joined_7 : epsilon_bias;
+    wire [23:0] choice_74 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy2_y : add_22_d1) : add_22_d1;
+    wire [23:0] choice_75 = phase[1] ? (phase[0] ? 24'h45fff8 : add_f24_ftz_unit_copy2_y) : phase[0] ? add_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_76 = phase[1] ? add_f24_ftz_unit_copy2_y : phase[0] ? add_f24_ftz_unit_copy2_y : 24'h3f8000;
+    wire [23:0] choice_77 = phase[1] ? (phase[0] ? max_131_d1 : add_f24_ftz_unit_copy3_y) : phase[0] ? add_f24_ftz_unit_copy3_y : 24'h45fff8;
+    wire [23:0] choice_78 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : 24'd0) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_79 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : add_f24_ftz_unit_copy4_y) : 24'd0;
+    wire [23:0] choice_80 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy4_y : min_f24_ftz_unit_y) : add_66_d1;
+    wire [23:0] choice_81 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? max_f24_ftz_unit_y : max_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_82 = phase[1] ? (phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy3_y) : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_83 = phase[1] ? (phase[0] ? reinterpret_403_d1 : reinterpret_379_d1) : reinterpret_495_d1;
+    wire [23:0] choice_84 = phase[1] ? (phase[0] ? reinterpret_495_d1 : reinterpret_472_d1) : phase[0] ? reinterpret_449_d1 : reinterpret_426_d1;
+    wire [23:0] choice_85 = phase[1] ? max_569_d1 : phase[0] ? max_f24_ftz_unit_copy2_y : max_f24_ftz_unit_y;
+    wire [25:0] select_235 = placed_d2 ? resize_234_d1 : 26'h2000000;
+    wire [25:0] select_224 = placed_d2 ? resize_223_d1 : 26'h2000000;
+    wire equal_485 = 10'd0 == joined_17;
+    wire not_486 = ~equal_485;
+    wire odd = or_541_d1 | equal_542_d1;
+    wire or_551 = odd | or_550_d1;
+    wire equal_509 = 10'd0 == joined_8;
+    wire not_510 = ~equal_509;
+    wire equal_462 = 10'd0 == joined_16;
+    wire not_463 = ~equal_462;
+    wire equal_439 = 10'd0 == joined_10;
+    wire not_440 = ~equal_439;
+    wire equal_416 = 10'd0 == joined_15;
+    wire not_417 = ~equal_416;
+    wire equal_393 = 10'd0 == joined_14;
+    wire not_394 = ~equal_393;
+    wire equal_369 = 10'd0 == joined_13;
+    wire not_370 = ~equal_369;
     wire xor_199 = scale_x[23] ^ scale_y[23];
-    wire xor_200 = add_f24_ftz_unit_y[23] ^ xor_199;
+    wire xor_200 = bits_198_d1 ^ xor_199;
+    wire or_201 = edge_on | xor_200;
 
     assign out_valid = queue_out_valid;
     assign out_end = queue_out_end;
@@ -8834,6 +8753,7 @@ module splat_setup (
     assign out_delta = queue_out_delta;
     assign out_mx = queue_out_mx;
     assign out_my = queue_out_my;
+    assign out_shift = queue_out_shift;
     assign out_depth = queue_out_depth;
     assign out_depth_low = queue_out_depth_low;
     assign out_depth_high = queue_out_depth_high;
@@ -8845,31 +8765,32 @@ module splat_setup (
     assign out_top = queue_out_top;
     assign out_bottom = queue_out_bottom;
 
-    stream_skid_w373 queue (
+    stream_skid_w317 queue (
         .clk(clk),
         .rst(rst),
         .in_valid(term_2),
         .in_ready(queue_in_ready),
-        .in_end(delay_17_from_0_out[0]),
-        .in_center_x(add_46_d11),
-        .in_center_y(add_111_d11),
-        .in_ax(delay_10_from_6_out[23:0]),
-        .in_bx(delay_10_from_6_out[47:24]),
-        .in_ay(delay_10_from_6_out[71:48]),
-        .in_by(delay_10_from_6_out[95:72]),
-        .in_delta(select_205),
-        .in_mx(delay_9_from_6_out[47:24]),
-        .in_my(delay_8_from_4_out[24:1]),
-        .in_depth(to_fixed_207_d4),
-        .in_depth_low(to_fixed_211_d1),
-        .in_depth_high(to_fixed_f24_ftz_u24q24_unit_y),
-        .in_attribute_0(delay_17_from_0_out[16:1]),
-        .in_attribute_1(delay_17_from_0_out[32:17]),
-        .in_attribute_2(delay_17_from_0_out[48:33]),
-        .in_left(resize_90_d1),
-        .in_right(resize_91_d1),
-        .in_top(select_143_d1[8:0]),
-        .in_bottom(resize_148_d1),
+        .in_end(end_d21),
+        .in_center_x(select_224_d13),
+        .in_center_y(select_235_d13),
+        .in_ax(select_554),
+        .in_bx(select_555),
+        .in_ay(select_556),
+        .in_by(select_557),
+        .in_delta(select_559),
+        .in_mx(select_560),
+        .in_my(select_561),
+        .in_shift(shift_d3),
+        .in_depth(delay_7_from_1_out),
+        .in_depth_low(delay_5_from_5_out[47:24]),
+        .in_depth_high(to_fixed_570_d4),
+        .in_attribute_0(delay_21_from_0_out[11:0]),
+        .in_attribute_1(delay_21_from_0_out[23:12]),
+        .in_attribute_2(delay_21_from_0_out[35:24]),
+        .in_left(delay_5_from_3_out),
+        .in_right(resize_91_d5),
+        .in_top(delay_5_from_0_out),
+        .in_bottom(resize_148_d4),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -8882,6 +8803,7 @@ module splat_setup (
         .out_delta(queue_out_delta),
         .out_mx(queue_out_mx),
         .out_my(queue_out_my),
+        .out_shift(queue_out_shift),
         .out_depth(queue_out_depth),
         .out_depth_low(queue_out_depth_low),
         .out_depth_high(queue_out_depth_high),
@@ -8902,7 +8824,7 @@ module splat_setup (
         .y(recip_f24_ftz_unit_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit (
+    float_mul_s5 mul_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8911,7 +8833,7 @@ module splat_setup (
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s5 mul_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8920,7 +8842,7 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s5 mul_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8929,7 +8851,7 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s5 mul_f24_ftz_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8938,7 +8860,7 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy5 (
+    float_mul_s5 mul_f24_ftz_unit_copy5 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8947,7 +8869,7 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
-    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy6 (
+    float_mul_s5 mul_f24_ftz_unit_copy6 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8956,7 +8878,7 @@ module splat_setup (
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    float_add add_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8965,7 +8887,7 @@ module splat_setup (
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    float_add add_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8974,7 +8896,7 @@ module splat_setup (
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+    float_add add_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8983,7 +8905,7 @@ module splat_setup (
         .y(add_f24_ftz_unit_copy3_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
+    float_add add_f24_ftz_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -8992,7 +8914,7 @@ module splat_setup (
         .y(add_f24_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy5 (
+    float_add add_f24_ftz_unit_copy5 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -9045,7 +8967,7 @@ module splat_setup (
         .y(max_f24_ftz_unit_copy2_y)
     );
 
-    float_to_fixed_w21_fraction8 to_fixed_f24_ftz_u21q8_unit (
+    float_to_fixed_w21_fraction8_iunsigned to_fixed_f24_ftz_u21q8_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -9062,7 +8984,31 @@ module splat_setup (
         .y(le_f24_ftz_unit_y)
     );
 
-    float_to_fixed_w24_fraction24 to_fixed_f24_ftz_u24q24_unit (
+    float_to_fixed_w27_fraction13_isigned to_fixed_f24_ftz_s27q13_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_fixed_f24_ftz_s27q13_unit_a),
+        .y(to_fixed_f24_ftz_s27q13_unit_y)
+    );
+
+    float_to_fixed_w17_fraction16_isigned to_fixed_f24_ftz_s17q16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_fixed_f24_ftz_s17q16_unit_a),
+        .y(to_fixed_f24_ftz_s17q16_unit_y)
+    );
+
+    float_to_fixed_w21_fraction20_isigned to_fixed_f24_ftz_s21q20_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(reinterpret_518_d1),
+        .y(to_fixed_f24_ftz_s21q20_unit_y)
+    );
+
+    float_to_fixed_w24_fraction24_iunsigned to_fixed_f24_ftz_u24q24_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -9081,12 +9027,23 @@ module splat_setup (
             load_5 <= 1'd0;
             load_6 <= 1'd0;
             load_7 <= 1'd0;
+            delay_5_from_0_pointer <= 2'd0;
             delay_17_from_0_pointer <= 4'd0;
+            delay_21_from_0_pointer <= 5'd0;
             delay_6_from_1_pointer <= 3'd0;
-            delay_8_from_4_pointer <= 3'd0;
+            delay_7_from_1_pointer <= 3'd0;
+            delay_9_from_1_pointer <= 3'd0;
+            delay_10_from_1_pointer <= 4'd0;
+            delay_11_from_1_pointer <= 4'd0;
+            delay_12_from_2_pointer <= 4'd0;
+            delay_5_from_3_pointer <= 2'd0;
             delay_5_from_5_pointer <= 2'd0;
-            delay_9_from_6_pointer <= 3'd0;
+            delay_12_from_5_pointer <= 4'd0;
             delay_10_from_6_pointer <= 4'd0;
+            delay_11_from_6_pointer <= 4'd0;
+            delay_12_from_6_pointer <= 4'd0;
+            delay_13_from_6_pointer <= 4'd0;
+            delay_9_from_7_pointer <= 3'd0;
             valid_d1 <= 1'd0;
             valid_d2 <= 1'd0;
             valid_d3 <= 1'd0;
@@ -9104,6 +9061,10 @@ module splat_setup (
             valid_d15 <= 1'd0;
             valid_d16 <= 1'd0;
             valid_d17 <= 1'd0;
+            valid_d18 <= 1'd0;
+            valid_d19 <= 1'd0;
+            valid_d20 <= 1'd0;
+            valid_d21 <= 1'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -9115,7 +9076,9 @@ module splat_setup (
             load_6 <= advance_next & (phase_next == 3'd6);
             load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
+                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
+                delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
                 valid_d1 <= in_valid;
                 valid_d2 <= valid_d1;
                 valid_d3 <= valid_d2;
@@ -9133,41 +9096,45 @@ module splat_setup (
                 valid_d15 <= valid_d14;
                 valid_d16 <= valid_d15;
                 valid_d17 <= valid_d16;
+                valid_d18 <= valid_d17;
+                valid_d19 <= valid_d18;
+                valid_d20 <= valid_d19;
+                valid_d21 <= valid_d20;
             end
             if (load_1) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
+                delay_7_from_1_pointer <= (delay_7_from_1_pointer == 3'd5) ? (delay_7_from_1_pointer - 3'd5) : (delay_7_from_1_pointer + 3'd1);
+                delay_9_from_1_pointer <= (delay_9_from_1_pointer == 3'd7) ? (delay_9_from_1_pointer - 3'd7) : (delay_9_from_1_pointer + 3'd1);
+                delay_10_from_1_pointer <= (delay_10_from_1_pointer == 4'd8) ? (delay_10_from_1_pointer - 4'd8) : (delay_10_from_1_pointer + 4'd1);
+                delay_11_from_1_pointer <= (delay_11_from_1_pointer == 4'd9) ? (delay_11_from_1_pointer - 4'd9) : (delay_11_from_1_pointer + 4'd1);
             end
-            if (load_4) begin
-                delay_8_from_4_pointer <= (delay_8_from_4_pointer == 3'd6) ? (delay_8_from_4_pointer - 3'd6) : (delay_8_from_4_pointer + 3'd1);
+            if (load_2) begin
+                delay_12_from_2_pointer <= (delay_12_from_2_pointer == 4'd10) ? (delay_12_from_2_pointer - 4'd10) : (delay_12_from_2_pointer + 4'd1);
+            end
+            if (load_3) begin
+                delay_5_from_3_pointer <= (delay_5_from_3_pointer == 2'd3) ? (delay_5_from_3_pointer - 2'd3) : (delay_5_from_3_pointer + 2'd1);
             end
             if (load_5) begin
                 delay_5_from_5_pointer <= (delay_5_from_5_pointer == 2'd3) ? (delay_5_from_5_pointer - 2'd3) : (delay_5_from_5_pointer + 2'd1);
+                delay_12_from_5_pointer <= (delay_12_from_5_pointer == 4'd10) ? (delay_12_from_5_pointer - 4'd10) : (delay_12_from_5_pointer + 4'd1);
             end
             if (load_6) begin
-                delay_9_from_6_pointer <= (delay_9_from_6_pointer == 3'd7) ? (delay_9_from_6_pointer - 3'd7) : (delay_9_from_6_pointer + 3'd1);
                 delay_10_from_6_pointer <= (delay_10_from_6_pointer == 4'd8) ? (delay_10_from_6_pointer - 4'd8) : (delay_10_from_6_pointer + 4'd1);
+                delay_11_from_6_pointer <= (delay_11_from_6_pointer == 4'd9) ? (delay_11_from_6_pointer - 4'd9) : (delay_11_from_6_pointer + 4'd1);
+                delay_12_from_6_pointer <= (delay_12_from_6_pointer == 4'd10) ? (delay_12_from_6_pointer - 4'd10) : (delay_12_from_6_pointer + 4'd1);
+                delay_13_from_6_pointer <= (delay_13_from_6_pointer == 4'd11) ? (delay_13_from_6_pointer - 4'd11) : (delay_13_from_6_pointer + 4'd1);
+            end
+            if (load_7) begin
+                delay_9_from_7_pointer <= (delay_9_from_7_pointer == 3'd7) ? (delay_9_from_7_pointer - 3'd7) : (delay_9_from_7_pointer + 3'd1);
             end
         end
     end
     always @(posedge clk) begin
-        if (load_5) begin
-            recip_15_d1 <= recip_f24_ftz_unit_y;
-            add_111_d1 <= add_f24_ftz_unit_y;
-            add_111_d2 <= add_111_d1;
-            add_111_d3 <= add_111_d2;
-            add_111_d4 <= add_111_d3;
-            add_111_d5 <= add_111_d4;
-            add_111_d6 <= add_111_d5;
-            add_111_d7 <= add_111_d6;
-            add_111_d8 <= add_111_d7;
-            add_111_d9 <= add_111_d8;
-            add_111_d10 <= add_111_d9;
-            add_111_d11 <= add_111_d10;
-            mul_174_d6 <= delay_5_from_5_out;
-            sqrt_181_d1 <= sqrt_f24_ftz_unit_y;
-            to_fixed_211_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-        end
         if (load_0) begin
+            end_d18 <= delay_17_from_0_out;
+            end_d19 <= end_d18;
+            end_d20 <= end_d19;
+            end_d21 <= end_d20;
             reinterpret_16_d1 <= in_tangent1_z;
             reinterpret_16_d2 <= reinterpret_16_d1;
             reinterpret_16_d3 <= reinterpret_16_d2;
@@ -9188,6 +9155,10 @@ module splat_setup (
             reinterpret_38_d2 <= reinterpret_38_d1;
             reinterpret_38_d3 <= reinterpret_38_d2;
             resize_91_d1 <= sub_89[8:0];
+            resize_91_d2 <= resize_91_d1;
+            resize_91_d3 <= resize_91_d2;
+            resize_91_d4 <= resize_91_d3;
+            resize_91_d5 <= resize_91_d4;
             lt_92_d1 <= lt_92;
             reinterpret_95_d1 <= in_center_y;
             reinterpret_95_d2 <= reinterpret_95_d1;
@@ -9205,6 +9176,47 @@ module splat_setup (
             mul_183_d1 <= mul_f24_ftz_unit_copy4_y;
             mul_183_d2 <= mul_183_d1;
             mul_183_d3 <= mul_183_d2;
+            shr_221_d1 <= {add_219[27], add_219[27:1]};
+            reinterpret_260_d1 <= {18'd0, select_143[8:0]} << 12;
+            select_293_d1 <= select_293;
+            max_362_d1 <= max_362;
+            resize_505_d1 <= min_504[15:0];
+        end
+        if (load_5) begin
+            recip_15_d1 <= recip_f24_ftz_unit_y;
+            add_111_d1 <= add_f24_ftz_unit_y;
+            add_111_d2 <= add_111_d1;
+            add_111_d3 <= add_111_d2;
+            add_111_d4 <= add_111_d3;
+            add_111_d5 <= add_111_d4;
+            add_111_d6 <= add_111_d5;
+            add_111_d7 <= add_111_d6;
+            add_111_d8 <= add_111_d7;
+            add_111_d9 <= add_111_d8;
+            mul_174_d6 <= delay_5_from_5_out[23:0];
+            sqrt_181_d1 <= sqrt_f24_ftz_unit_y;
+            placed_d1 <= placed;
+            placed_d2 <= placed_d1;
+            bits_250_d1 <= select_249[25:0];
+            resize_261_d1 <= {delay_9_from_1_out[51], delay_9_from_1_out[51:26]};
+            sub_265_d1 <= sub_265;
+            not_272_d1 <= not_272;
+            select_347_d1 <= select_347;
+            add_367_d1 <= add_367;
+            reinterpret_379_d1 <= {delay_12_from_5_out[0], select_373[7:0], delay_12_from_5_out[15:1]};
+            add_391_d1 <= add_391;
+            reinterpret_403_d1 <= {delay_12_from_5_out[16], select_397[7:0], delay_12_from_5_out[31:17]};
+            add_414_d1 <= add_414;
+            reinterpret_426_d1 <= {delay_12_from_5_out[32], select_420[7:0], delay_12_from_5_out[47:33]};
+            resize_436_d1 <= min_435[15:0];
+            add_437_d1 <= add_437;
+            reinterpret_449_d1 <= {delay_12_from_5_out[48], select_443[7:0], delay_12_from_5_out[63:49]};
+            shr_457_d1 <= {add_456[17], add_456[17:1]};
+            add_460_d1 <= add_460;
+            reinterpret_472_d1 <= {delay_11_from_6_out[11], select_466[7:0], delay_11_from_6_out[26:12]};
+            add_483_d1 <= add_483;
+            reinterpret_495_d1 <= {delay_11_from_1_out[1], select_489[7:0], delay_11_from_1_out[16:2]};
+            reinterpret_518_d1 <= {delay_10_from_6_out[0], select_513[7:0], delay_11_from_6_out[42:28]};
         end
         if (load_3) begin
             mul_17_d1 <= mul_f24_ftz_unit_y;
@@ -9223,8 +9235,20 @@ module splat_setup (
             add_114_d1 <= add_f24_ftz_unit_copy2_y;
             add_114_d2 <= add_114_d1;
             resize_148_d1 <= sub_146[8:0];
+            resize_148_d2 <= resize_148_d1;
+            resize_148_d3 <= resize_148_d2;
+            resize_148_d4 <= resize_148_d3;
             lt_149_d1 <= lt_149;
             min_189_d1 <= min_f24_ftz_unit_y;
+            reinterpret_241_d1 <= {18'd0, select_85[8:0]} << 12;
+            or_270_d1 <= or_270;
+            shift_d1 <= shift;
+            shift_d2 <= shift_d1;
+            shift_d3 <= shift_d2;
+            exponent_d1 <= exponent;
+            resize_390_d1 <= min_389[15:0];
+            shr_411_d1 <= {add_410[17], add_410[17:1]};
+            vanishes_d1 <= vanishes;
         end
         if (load_1) begin
             whole_d7 <= delay_6_from_1_out;
@@ -9236,7 +9260,7 @@ module splat_setup (
             add_59_d2 <= add_59_d1;
             add_59_d3 <= add_59_d2;
             add_59_d4 <= add_59_d3;
-            add_124_d1 <= add_f24_ftz_unit_copy5_y;
+            add_124_d1 <= add_f24_ftz_unit_copy4_y;
             add_124_d2 <= add_124_d1;
             add_124_d3 <= add_124_d2;
             add_124_d4 <= add_124_d3;
@@ -9245,11 +9269,24 @@ module splat_setup (
             select_188_d2 <= select_188_d1;
             select_190_d1 <= select_190;
             and_196_d1 <= and_196;
-            to_fixed_207_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
-            to_fixed_207_d2 <= to_fixed_207_d1;
-            to_fixed_207_d3 <= to_fixed_207_d2;
-            to_fixed_207_d4 <= to_fixed_207_d3;
-            max_213_d1 <= max_f24_ftz_unit_copy2_y;
+            resize_223_d1 <= min_222[25:0];
+            select_224_d10 <= delay_9_from_1_out[25:0];
+            select_224_d11 <= select_224_d10;
+            select_224_d12 <= select_224_d11;
+            select_224_d13 <= select_224_d12;
+            shr_232_d1 <= {add_231[27], add_231[27:1]};
+            select_235_d10 <= delay_9_from_1_out[51:26];
+            select_235_d11 <= select_235_d10;
+            select_235_d12 <= select_235_d11;
+            select_235_d13 <= select_235_d12;
+            reinterpret_245_d1 <= add_238 << 12;
+            sub_262_d1 <= sub_262;
+            select_311_d1 <= select_311;
+            resize_359_d11 <= delay_10_from_1_out;
+            max_363_d1 <= max_363;
+            shr_527_d1 <= {add_525[21], add_525[21:1]};
+            or_541_d1 <= or_541;
+            max_569_d1 <= max_f24_ftz_unit_copy2_y;
         end
         if (load_6) begin
             mul_37_d1 <= mul_f24_ftz_unit_y;
@@ -9261,6 +9298,31 @@ module splat_setup (
             mul_151_d1 <= mul_f24_ftz_unit_copy6_y;
             equal_160_d1 <= equal_160;
             lt_163_d1 <= lt_163;
+            bits_198_d1 <= add_f24_ftz_unit_y[23];
+            bits_277_d1 <= or_275[25:15];
+            bits_283_d1 <= or_275[25:16];
+            bits_289_d1 <= or_275[25:17];
+            bits_294_d1 <= or_275[25:18];
+            bits_300_d1 <= or_275[25:19];
+            bits_306_d1 <= or_275[25:20];
+            bits_312_d1 <= or_275[25:21];
+            bits_318_d1 <= or_275[25:22];
+            equal_325_d1 <= equal_325;
+            equal_331_d1 <= equal_331;
+            equal_337_d1 <= equal_337;
+            resize_344_d11 <= delay_10_from_6_out[10:1];
+            resize_351_d13 <= delay_12_from_6_out[19:10];
+            resize_353_d13 <= delay_12_from_6_out[29:20];
+            resize_355_d1 <= joined_10;
+            resize_355_d13 <= delay_11_from_6_out[9:0];
+            resize_357_d11 <= delay_10_from_6_out[20:11];
+            max_360_d1 <= max_360;
+            resize_459_d1 <= min_458[15:0];
+            shr_480_d1 <= {add_479[17], add_479[17:1]};
+            or_533_d1 <= or_533;
+            equal_534_d1 <= equal_534;
+            or_539_d1 <= or_539;
+            equal_542_d1 <= equal_542;
         end
         if (load_4) begin
             add_46_d1 <= add_f24_ftz_unit_y;
@@ -9270,29 +9332,56 @@ module splat_setup (
             add_46_d5 <= add_46_d4;
             add_46_d6 <= add_46_d5;
             add_46_d7 <= add_46_d6;
-            add_46_d8 <= add_46_d7;
-            add_46_d9 <= add_46_d8;
-            add_46_d10 <= add_46_d9;
-            add_46_d11 <= add_46_d10;
             add_54_d1 <= add_f24_ftz_unit_copy2_y;
-            resize_90_d1 <= select_85_d1[8:0];
             mul_98_d1 <= mul_f24_ftz_unit_copy3_y;
             mul_104_d1 <= mul_f24_ftz_unit_copy4_y;
             add_119_d1 <= add_f24_ftz_unit_copy3_y;
             neg_125_d1 <= joined_5;
+            or_203_d1 <= or_203;
+            or_203_d2 <= or_203_d1;
+            or_203_d3 <= or_203_d2;
+            or_203_d4 <= or_203_d3;
+            lt_207_d1 <= lt_207;
+            sub_243_d1 <= sub_243;
+            reinterpret_264_d1 <= add_257 << 12;
+            add_343_d1 <= add_343;
+            and_371_d1 <= and_371;
+            and_395_d1 <= and_395;
+            resize_413_d1 <= min_412[15:0];
+            and_418_d1 <= and_418;
+            shr_434_d1 <= {add_433[17], add_433[17:1]};
+            and_441_d1 <= and_441;
+            and_464_d1 <= and_464;
+            and_487_d1 <= and_487;
+            lt_508_d1 <= lt_508;
+            sub_512_d1 <= sub_512;
         end
         if (load_2) begin
             mul_55_d1 <= mul_f24_ftz_unit_copy2_y;
             add_64_d1 <= add_f24_ftz_unit_y;
+            add_66_d1 <= add_f24_ftz_unit_copy2_y;
             mul_120_d1 <= mul_f24_ftz_unit_copy4_y;
             min_144_d1 <= min_144;
-            add_176_d1 <= add_f24_ftz_unit_copy2_y;
+            add_176_d1 <= add_f24_ftz_unit_copy3_y;
             add_176_d2 <= add_176_d1;
             add_176_d3 <= add_176_d2;
             le_195_d1 <= le_f24_ftz_unit_y;
             le_195_d2 <= le_195_d1;
             le_195_d3 <= le_195_d2;
             le_195_d4 <= le_195_d3;
+            resize_234_d1 <= min_233[25:0];
+            resize_242_d1 <= {delay_9_from_1_out[25], delay_9_from_1_out[25:0]};
+            sub_246_d1 <= sub_246;
+            not_252_d1 <= not_252;
+            bits_269_d1 <= select_268[25:0];
+            select_328_d1 <= select_328;
+            max_364_d1 <= max_364;
+            shr_388_d1 <= {add_386[17], add_386[17:1]};
+            resize_529_d1 <= min_528[19:0];
+            to_fixed_570_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            to_fixed_570_d2 <= to_fixed_570_d1;
+            to_fixed_570_d3 <= to_fixed_570_d2;
+            to_fixed_570_d4 <= to_fixed_570_d3;
         end
         if (load_7) begin
             min_86_d1 <= min_86;
@@ -9301,50 +9390,83 @@ module splat_setup (
             neg_171_d1 <= joined_7;
             add_179_d1 <= add_f24_ftz_unit_copy4_y;
             add_179_d2 <= add_179_d1;
+            not_280_d1 <= not_280;
+            not_286_d1 <= not_286;
+            not_291_d1 <= not_291;
+            not_297_d1 <= not_297;
+            not_303_d1 <= not_303;
+            not_309_d1 <= not_309;
+            not_315_d1 <= not_315;
+            not_320_d1 <= not_320;
+            max_361_d1 <= max_361;
+            resize_482_d1 <= min_481[15:0];
+            shr_503_d1 <= {add_502[17], add_502[17:1]};
+            or_537_d1 <= or_537;
+            or_537_d2 <= or_537_d1;
+            not_549_d1 <= not_549;
+            or_550_d1 <= or_550;
         end
         if (queue_in_ready) begin
-            recip_f24_ftz_unit_a <= phase[2] ? choice_8 : in_center_z;
-            mul_f24_ftz_unit_a <= phase[2] ? choice_9 : choice_10;
-            mul_f24_ftz_unit_b <= phase[2] ? choice_11 : choice_12;
-            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_13 : phase[1] ? choice_14 : phase[0] ? mul_19_d3 : scale_x;
-            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_15 : choice_16;
-            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_17 : choice_18;
-            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_19 : choice_21;
-            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_22 : choice_23;
-            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_24 : phase[1] ? choice_25 : add_f24_ftz_unit_copy5_y;
-            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_26 : choice_27;
-            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_28 : choice_29;
-            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_30 : choice_31;
-            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_32 : choice_33;
-            add_f24_ftz_unit_a <= phase[2] ? choice_34 : choice_35;
-            add_f24_ftz_unit_b <= phase[2] ? choice_37 : phase[1] ? choice_39 : choice_40;
-            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_42 : choice_43;
-            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_45 : choice_46;
-            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_48 : choice_49;
-            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_51 : phase[1] ? add_59_d4 : phase[0] ? joined_52 : mul_120_d1;
-            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_53 : choice_54;
-            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_56 : choice_57;
-            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_58 : choice_59;
-            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_60 : choice_61;
-            sqrt_f24_ftz_unit_a <= phase[2] ? choice_62 : phase[1] ? add_22_d1 : add_121_d1;
-            min_f24_ftz_unit_a <= phase[2] ? choice_63 : choice_64;
-            min_f24_ftz_unit_b <= phase[2] ? choice_65 : phase[1] ? add_64_d1 : phase[0] ? add_64_d1 : abs_180_d2;
-            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_66;
-            max_f24_ftz_unit_b <= phase[2] ? choice_67 : choice_68;
+            recip_f24_ftz_unit_a <= phase[2] ? choice_18 : in_center_z;
+            mul_f24_ftz_unit_a <= phase[2] ? choice_19 : choice_20;
+            mul_f24_ftz_unit_b <= phase[2] ? choice_21 : choice_22;
+            mul_f24_ftz_unit_copy2_a <= phase[2] ? choice_23 : phase[1] ? choice_24 : phase[0] ? mul_19_d3 : scale_x;
+            mul_f24_ftz_unit_copy2_b <= phase[2] ? choice_25 : choice_26;
+            mul_f24_ftz_unit_copy3_a <= phase[2] ? choice_27 : choice_28;
+            mul_f24_ftz_unit_copy3_b <= phase[2] ? choice_29 : choice_31;
+            mul_f24_ftz_unit_copy4_a <= phase[2] ? choice_32 : choice_33;
+            mul_f24_ftz_unit_copy4_b <= phase[2] ? choice_34 : phase[1] ? choice_35 : add_f24_ftz_unit_copy5_y;
+            mul_f24_ftz_unit_copy5_a <= phase[2] ? choice_36 : choice_37;
+            mul_f24_ftz_unit_copy5_b <= phase[2] ? choice_38 : choice_39;
+            mul_f24_ftz_unit_copy6_a <= phase[2] ? choice_40 : choice_41;
+            mul_f24_ftz_unit_copy6_b <= phase[2] ? choice_42 : choice_43;
+            add_f24_ftz_unit_a <= phase[2] ? choice_44 : choice_45;
+            add_f24_ftz_unit_b <= phase[2] ? choice_47 : phase[1] ? choice_49 : choice_50;
+            add_f24_ftz_unit_copy2_a <= phase[2] ? choice_52 : choice_53;
+            add_f24_ftz_unit_copy2_b <= phase[2] ? choice_55 : choice_56;
+            add_f24_ftz_unit_copy3_a <= phase[2] ? choice_58 : choice_60;
+            add_f24_ftz_unit_copy3_b <= phase[2] ? choice_62 : choice_64;
+            add_f24_ftz_unit_copy4_a <= phase[2] ? choice_65 : choice_66;
+            add_f24_ftz_unit_copy4_b <= phase[2] ? choice_68 : choice_69;
+            add_f24_ftz_unit_copy5_a <= phase[2] ? choice_70 : choice_71;
+            add_f24_ftz_unit_copy5_b <= phase[2] ? choice_72 : choice_73;
+            sqrt_f24_ftz_unit_a <= phase[2] ? choice_74 : phase[1] ? add_22_d1 : add_121_d1;
+            min_f24_ftz_unit_a <= phase[2] ? choice_75 : choice_76;
+            min_f24_ftz_unit_b <= phase[2] ? choice_77 : phase[1] ? add_64_d1 : phase[0] ? add_64_d1 : abs_180_d2;
+            max_f24_ftz_unit_a <= phase[2] ? (phase[1] ? 24'd0 : min_f24_ftz_unit_y) : choice_78;
+            max_f24_ftz_unit_b <= phase[2] ? choice_79 : choice_80;
             max_f24_ftz_unit_copy2_a <= 24'd0;
             max_f24_ftz_unit_copy2_b <= phase[2] ? (phase[1] ? add_f24_ftz_unit_copy5_y : select_188_d1) : phase[1] ? select_188_d1 : min_129_d1;
-            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_69 : max_f24_ftz_unit_y;
+            to_fixed_f24_ftz_u21q8_unit_a <= phase[2] ? choice_81 : max_f24_ftz_unit_y;
             le_f24_ftz_unit_a <= phase[2] ? (phase[1] ? (phase[0] ? add_176_d3 : 24'd0) : 24'd0) : 24'd0;
-            le_f24_ftz_unit_b <= phase[2] ? choice_70 : add_f24_ftz_unit_copy3_y;
-            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_71 : choice_72;
+            le_f24_ftz_unit_b <= phase[2] ? choice_82 : add_f24_ftz_unit_copy3_y;
+            to_fixed_f24_ftz_s27q13_unit_a <= add_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s17q16_unit_a <= phase[2] ? choice_83 : choice_84;
+            to_fixed_f24_ftz_u24q24_unit_a <= phase[2] ? choice_85 : max_f24_ftz_unit_y;
         end
     end
     always @(posedge clk) begin
         if (load_0) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, in_end};
+            delay_5_from_0[delay_5_from_0_pointer] <= select_143[8:0];
+        end
+        if (load_0) begin
+            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_17_from_0[delay_17_from_0_pointer] <= in_end;
         end
         if (load_0) begin
             delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_21_from_0[delay_21_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
+        end
+        if (load_0) begin
+            delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
         end
     end
     always @(posedge clk) begin
@@ -9356,39 +9478,168 @@ module splat_setup (
         end
     end
     always @(posedge clk) begin
-        if (load_4) begin
-            delay_8_from_4[delay_8_from_4_pointer] <= {add_f24_ftz_unit_copy4_y, edge_on};
+        if (load_1) begin
+            delay_7_from_1[delay_7_from_1_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
         end
-        if (load_4) begin
-            delay_8_from_4_out <= delay_8_from_4[delay_8_from_4_pointer];
+        if (load_1) begin
+            delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_9_from_1[delay_9_from_1_pointer] <= {select_235, select_224};
+        end
+        if (load_1) begin
+            delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_10_from_1[delay_10_from_1_pointer] <= joined_17;
+        end
+        if (load_1) begin
+            delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_11_from_1[delay_11_from_1_pointer] <= {add_f24_ftz_unit_copy5_y[14:0], add_f24_ftz_unit_copy5_y[23], not_486};
+        end
+        if (load_1) begin
+            delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_2) begin
+            delay_12_from_2[delay_12_from_2_pointer] <= or_551;
+        end
+        if (load_2) begin
+            delay_12_from_2_out <= delay_12_from_2[delay_12_from_2_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_3) begin
+            delay_5_from_3[delay_5_from_3_pointer] <= select_85[8:0];
+        end
+        if (load_3) begin
+            delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_5) begin
-            delay_5_from_5[delay_5_from_5_pointer] <= mul_f24_ftz_unit_copy6_y;
+            delay_5_from_5[delay_5_from_5_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, mul_f24_ftz_unit_copy6_y};
         end
         if (load_5) begin
             delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
         end
     end
     always @(posedge clk) begin
-        if (load_6) begin
-            delay_9_from_6[delay_9_from_6_pointer] <= {xor_200, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
+        if (load_5) begin
+            delay_12_from_5[delay_12_from_5_pointer] <= {
+                mul_108_d1[14:0],
+                mul_108_d1[23],
+                mul_102_d1[14:0],
+                mul_102_d1[23],
+                mul_43_d1[14:0],
+                mul_43_d1[23],
+                mul_37_d1[14:0],
+                mul_37_d1[23]
+            };
         end
-        if (load_6) begin
-            delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
+        if (load_5) begin
+            delay_12_from_5_out <= delay_12_from_5[delay_12_from_5_pointer];
         end
     end
     always @(posedge clk) begin
         if (load_6) begin
-            delay_10_from_6[delay_10_from_6_pointer] <= {mul_108_d1, mul_102_d1, mul_43_d1, mul_37_d1};
+            delay_10_from_6[delay_10_from_6_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], 2'd0, add_f24_ftz_unit_y[22:15], bits_198_d1};
         end
         if (load_6) begin
             delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
         end
     end
+    always @(posedge clk) begin
+        if (load_6) begin
+            delay_11_from_6[delay_11_from_6_pointer] <= {
+                add_f24_ftz_unit_y[14:0],
+                not_510,
+                add_f24_ftz_unit_copy2_y[14:0],
+                add_f24_ftz_unit_copy2_y[23],
+                not_463,
+                resize_355_d1
+            };
+        end
+        if (load_6) begin
+            delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_6) begin
+            delay_12_from_6[delay_12_from_6_pointer] <= {
+                2'd0,
+                mul_f24_ftz_unit_copy3_y[22:15],
+                2'd0,
+                mul_f24_ftz_unit_copy2_y[22:15],
+                2'd0,
+                mul_f24_ftz_unit_y[22:15]
+            };
+        end
+        if (load_6) begin
+            delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_6) begin
+            delay_13_from_6[delay_13_from_6_pointer] <= {not_440, not_417, not_394, not_370};
+        end
+        if (load_6) begin
+            delay_13_from_6_out <= delay_13_from_6[delay_13_from_6_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_7) begin
+            delay_9_from_7[delay_9_from_7_pointer] <= or_201;
+        end
+        if (load_7) begin
+            delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
+        end
+    end
 
-    wire _unused = &{1'b0, sub_146[21:9], sub_89[21:9]};
+    wire _unused = &{
+        1'b0,
+        add_219[0],
+        add_231[0],
+        add_386[0],
+        add_410[0],
+        add_433[0],
+        add_456[0],
+        add_479[0],
+        add_502[0],
+        add_525[0],
+        min_222[27:26],
+        min_233[27:26],
+        min_389[17:16],
+        min_412[17:16],
+        min_435[17:16],
+        min_458[17:16],
+        min_481[17:16],
+        min_504[17:16],
+        min_528[21:20],
+        or_275[14:0],
+        select_249[26],
+        select_253[26],
+        select_268[26],
+        select_273[26],
+        select_373[9:8],
+        select_397[9:8],
+        select_420[9:8],
+        select_443[9:8],
+        select_466[9:8],
+        select_489[9:8],
+        select_513[9:8],
+        sub_146[21:9],
+        sub_89[21:9]
+    };
 
 `ifdef RTL_ASSERT
     always @(posedge clk) begin
@@ -9401,7 +9652,7 @@ module splat_setup (
                 $stop;
 `endif
             end
-            if (!(load_1 == (queue_in_ready & (phase == 3'd1)))) begin
+            if (!(load_1 == (queue_in_ready & term_1))) begin
 `ifdef FORMAL
                 load_1_in_phase: assert (0);
 `else
@@ -9425,7 +9676,7 @@ module splat_setup (
                 $stop;
 `endif
             end
-            if (!(load_4 == (queue_in_ready & term_1))) begin
+            if (!(load_4 == (queue_in_ready & (phase == 3'd4)))) begin
 `ifdef FORMAL
                 load_4_in_phase: assert (0);
 `else
@@ -9468,7 +9719,7 @@ endmodule
 // width = 24
 // fraction = 24
 // integer = unsigned
-module float_to_fixed_w24_fraction24 (
+module float_to_fixed_w24_fraction24_iunsigned (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -9514,6 +9765,165 @@ module float_to_fixed_w24_fraction24 (
     wire _unused = &{1'b0, difference_2[10:5], rst};
 endmodule
 
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 21
+// fraction = 20
+// integer = signed
+module float_to_fixed_w21_fraction20_isigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [20:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [20:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h796;
+    wire [10:0] difference_2 = 11'd21 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire [20:0] choice_5 = saturates_s2 ? (sign_s2 ? 21'h100000 : 21'hfffff) : sign_s2 ? (~magnitude_s2 + 21'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({5'd0, significand_s1} << 5) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd21 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 21'd0 : choice_5;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 17
+// fraction = 16
+// integer = signed
+module float_to_fixed_w17_fraction16_isigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [16:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [16:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
+    wire [10:0] difference_2 = 11'd17 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire [16:0] choice_5 = saturates_s2 ? (sign_s2 ? 17'h10000 : 17'hffff) : sign_s2 ? (~magnitude_s2 + 17'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({1'd0, significand_s1} << 1) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd17 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 17'd0 : choice_5;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 27
+// fraction = 13
+// integer = signed
+module float_to_fixed_w27_fraction13_isigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [26:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [26:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78f;
+    wire [10:0] difference_2 = 11'd27 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire [26:0] choice_5 = saturates_s2 ? (sign_s2 ? 27'h4000000 : 27'h3ffffff) : sign_s2 ? (~magnitude_s2 + 27'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({11'd0, significand_s1} << 11) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd27 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 27'd0 : choice_5;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
 // Whether one floating-point number is less than another or equal.
 // stages = 2
 // format = f24-ftz
@@ -9552,7 +9962,7 @@ endmodule
 // width = 21
 // fraction = 8
 // integer = unsigned
-module float_to_fixed_w21_fraction8 (
+module float_to_fixed_w21_fraction8_iunsigned (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -9985,7 +10395,7 @@ endmodule
 // Floating-point product.
 // stages = 5
 // format = f24-ftz
-module float_mul_s5_ff24ftz (
+module float_mul_s5 (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -10453,28 +10863,29 @@ module float_recip (
 endmodule
 
 // Queue of two in registers.
-// width = 373
-module stream_skid_w373 (
+// width = 317
+module stream_skid_w317 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
     input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
+    input  wire [25:0] in_center_x,
+    input  wire [25:0] in_center_y,
+    input  wire [15:0] in_ax,
+    input  wire [15:0] in_bx,
+    input  wire [15:0] in_ay,
+    input  wire [15:0] in_by,
+    input  wire [19:0] in_delta,
+    input  wire [15:0] in_mx,
+    input  wire [15:0] in_my,
+    input  wire [3:0] in_shift,
     input  wire [23:0] in_depth,
     input  wire [23:0] in_depth_low,
     input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [8:0] in_left,
     input  wire [8:0] in_right,
     input  wire [8:0] in_top,
@@ -10482,34 +10893,35 @@ module stream_skid_w373 (
     output reg  out_valid,
     input  wire out_ready,
     output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
+    output wire [25:0] out_center_x,
+    output wire [25:0] out_center_y,
+    output wire [15:0] out_ax,
+    output wire [15:0] out_bx,
+    output wire [15:0] out_ay,
+    output wire [15:0] out_by,
+    output wire [19:0] out_delta,
+    output wire [15:0] out_mx,
+    output wire [15:0] out_my,
+    output wire [3:0] out_shift,
     output wire [23:0] out_depth,
     output wire [23:0] out_depth_low,
     output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2,
     output wire [8:0] out_left,
     output wire [8:0] out_right,
     output wire [8:0] out_top,
     output wire [8:0] out_bottom
 );
     reg second_valid;
-    reg [372:0] head;
-    reg [372:0] second;
+    reg [316:0] head;
+    reg [316:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [372:0] in_item = {
+    wire [316:0] in_item = {
         in_end,
         in_center_x,
         in_center_y,
@@ -10520,6 +10932,7 @@ module stream_skid_w373 (
         in_delta,
         in_mx,
         in_my,
+        in_shift,
         in_depth,
         in_depth_low,
         in_depth_high,
@@ -10532,22 +10945,23 @@ module stream_skid_w373 (
         in_bottom
     };
 
-    assign out_end = head[372];
-    assign out_center_x = head[371:348];
-    assign out_center_y = head[347:324];
-    assign out_ax = head[323:300];
-    assign out_bx = head[299:276];
-    assign out_ay = head[275:252];
-    assign out_by = head[251:228];
-    assign out_delta = head[227:204];
-    assign out_mx = head[203:180];
-    assign out_my = head[179:156];
-    assign out_depth = head[155:132];
-    assign out_depth_low = head[131:108];
-    assign out_depth_high = head[107:84];
-    assign out_attribute_0 = head[83:68];
-    assign out_attribute_1 = head[67:52];
-    assign out_attribute_2 = head[51:36];
+    assign out_end = head[316];
+    assign out_center_x = head[315:290];
+    assign out_center_y = head[289:264];
+    assign out_ax = head[263:248];
+    assign out_bx = head[247:232];
+    assign out_ay = head[231:216];
+    assign out_by = head[215:200];
+    assign out_delta = head[199:180];
+    assign out_mx = head[179:164];
+    assign out_my = head[163:148];
+    assign out_shift = head[147:144];
+    assign out_depth = head[143:120];
+    assign out_depth_low = head[119:96];
+    assign out_depth_high = head[95:72];
+    assign out_attribute_0 = head[71:60];
+    assign out_attribute_1 = head[59:48];
+    assign out_attribute_2 = head[47:36];
     assign out_left = head[35:27];
     assign out_right = head[26:18];
     assign out_top = head[17:9];
@@ -10607,9 +11021,9 @@ module splat_transform (
     input  wire [23:0] in_tangent2_x,
     input  wire [23:0] in_tangent2_y,
     input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     input  wire [23:0] m00,
     input  wire [23:0] m01,
     input  wire [23:0] m02,
@@ -10635,16 +11049,15 @@ module splat_transform (
     output wire [23:0] out_tangent2_x,
     output wire [23:0] out_tangent2_y,
     output wire [23:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2
 );
     reg [2:0] phase;
     reg load_0;
     reg load_1;
     reg load_2;
     reg load_3;
-    reg load_4;
     reg load_5;
     reg load_6;
     reg load_7;
@@ -10652,9 +11065,18 @@ module splat_transform (
     reg end_d2;
     reg end_d3;
     reg end_d4;
-    reg [15:0] attribute_0_d1;
-    reg [15:0] attribute_1_d1;
-    reg [15:0] attribute_2_d1;
+    reg [11:0] attribute_0_d1;
+    reg [11:0] attribute_0_d2;
+    reg [11:0] attribute_0_d3;
+    reg [11:0] attribute_0_d4;
+    reg [11:0] attribute_1_d1;
+    reg [11:0] attribute_1_d2;
+    reg [11:0] attribute_1_d3;
+    reg [11:0] attribute_1_d4;
+    reg [11:0] attribute_2_d1;
+    reg [11:0] attribute_2_d2;
+    reg [11:0] attribute_2_d3;
+    reg [11:0] attribute_2_d4;
     reg [23:0] reinterpret_26_d1;
     reg [23:0] reinterpret_27_d1;
     reg [23:0] reinterpret_28_d1;
@@ -10685,21 +11107,6 @@ module splat_transform (
     reg [23:0] add_80_d1;
     reg [23:0] mul_81_d1;
     reg [23:0] add_82_d1;
-    reg equal_89_d1;
-    reg [15:0] select_95_d1;
-    reg [15:0] select_96_d1;
-    reg [15:0] select_96_d2;
-    reg [15:0] select_96_d3;
-    reg equal_100_d1;
-    reg [15:0] select_103_d1;
-    reg [15:0] select_104_d1;
-    reg [15:0] select_104_d2;
-    reg [15:0] select_104_d3;
-    reg equal_108_d1;
-    reg [15:0] select_111_d1;
-    reg [15:0] select_112_d1;
-    reg [15:0] select_112_d2;
-    reg [15:0] select_112_d3;
     reg [23:0] mul_f24_ftz_unit_a;
     reg [23:0] mul_f24_ftz_unit_b;
     reg [23:0] mul_f24_ftz_unit_copy2_a;
@@ -10731,9 +11138,9 @@ module splat_transform (
     wire [23:0] queue_out_tangent2_x;
     wire [23:0] queue_out_tangent2_y;
     wire [23:0] queue_out_tangent2_z;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
+    wire [11:0] queue_out_attribute_0;
+    wire [11:0] queue_out_attribute_1;
+    wire [11:0] queue_out_attribute_2;
     wire [23:0] mul_f24_ftz_unit_y;
     wire [23:0] mul_f24_ftz_unit_copy2_y;
     wire [23:0] mul_f24_ftz_unit_copy3_y;
@@ -10752,18 +11159,6 @@ module splat_transform (
     wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
     wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
     wire advance_next = ~term_4;
-    wire equal_89 = in_attribute_0[14:10] == 5'd31;
-    wire equal_91 = in_attribute_0[9:0] == 10'd0;
-    wire [15:0] select_95 = equal_91 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_96 = equal_89_d1 ? select_95_d1 : attribute_0_d1;
-    wire equal_100 = 5'd31 == in_attribute_1[14:10];
-    wire equal_101 = 10'd0 == in_attribute_1[9:0];
-    wire [15:0] select_103 = equal_101 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_104 = equal_100_d1 ? select_103_d1 : attribute_1_d1;
-    wire equal_108 = 5'd31 == in_attribute_2[14:10];
-    wire equal_109 = 10'd0 == in_attribute_2[9:0];
-    wire [15:0] select_111 = equal_109 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
-    wire [15:0] select_112 = equal_108_d1 ? select_111_d1 : attribute_2_d1;
     wire [23:0] choice_5 = phase[0] ? reinterpret_28_d1 : reinterpret_67_d1;
     wire [23:0] choice_6 = phase[1] ? choice_5 : phase[0] ? reinterpret_49_d1 : reinterpret_65_d1;
     wire [23:0] choice_7 = phase[1] ? (phase[0] ? reinterpret_65_d1 : reinterpret_28_d1) : phase[0] ? reinterpret_26_d1 : in_center_x;
@@ -10803,7 +11198,7 @@ module splat_transform (
     assign out_attribute_1 = queue_out_attribute_1;
     assign out_attribute_2 = queue_out_attribute_2;
 
-    stream_skid_w265 queue (
+    stream_skid_w253 queue (
         .clk(clk),
         .rst(rst),
         .in_valid(term_2),
@@ -10818,9 +11213,9 @@ module splat_transform (
         .in_tangent2_x(add_72_d1),
         .in_tangent2_y(add_77_d1),
         .in_tangent2_z(add_82_d1),
-        .in_attribute_0(select_96_d3),
-        .in_attribute_1(select_104_d3),
-        .in_attribute_2(select_112_d3),
+        .in_attribute_0(attribute_0_d4),
+        .in_attribute_1(attribute_1_d4),
+        .in_attribute_2(attribute_2_d4),
         .out_valid(queue_out_valid),
         .out_ready(queue_out_ready),
         .out_end(queue_out_end),
@@ -10838,7 +11233,7 @@ module splat_transform (
         .out_attribute_2(queue_out_attribute_2)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+    float_mul_s4 mul_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -10847,7 +11242,7 @@ module splat_transform (
         .y(mul_f24_ftz_unit_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+    float_mul_s4 mul_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -10856,7 +11251,7 @@ module splat_transform (
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+    float_mul_s4 mul_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -10865,7 +11260,7 @@ module splat_transform (
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
-    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+    float_mul_s4 mul_f24_ftz_unit_copy4 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -10874,7 +11269,7 @@ module splat_transform (
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit (
+    float_add add_f24_ftz_unit (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -10883,7 +11278,7 @@ module splat_transform (
         .y(add_f24_ftz_unit_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+    float_add add_f24_ftz_unit_copy2 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -10892,7 +11287,7 @@ module splat_transform (
         .y(add_f24_ftz_unit_copy2_y)
     );
 
-    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+    float_add add_f24_ftz_unit_copy3 (
         .clk(clk),
         .rst(rst),
         .enable(queue_in_ready),
@@ -10917,7 +11312,6 @@ module splat_transform (
             load_1 <= 1'd0;
             load_2 <= 1'd0;
             load_3 <= 1'd0;
-            load_4 <= 1'd0;
             load_5 <= 1'd0;
             load_6 <= 1'd0;
             load_7 <= 1'd0;
@@ -10931,7 +11325,6 @@ module splat_transform (
             load_1 <= advance_next & (phase_next == 3'd1);
             load_2 <= advance_next & (phase_next == 3'd2);
             load_3 <= advance_next & (phase_next == 3'd3);
-            load_4 <= advance_next & (phase_next == 3'd4);
             load_5 <= advance_next & (phase_next == 3'd5);
             load_6 <= advance_next & (phase_next == 3'd6);
             load_7 <= advance_next & (phase_next == 3'd7);
@@ -10950,8 +11343,17 @@ module splat_transform (
             end_d3 <= end_d2;
             end_d4 <= end_d3;
             attribute_0_d1 <= in_attribute_0;
+            attribute_0_d2 <= attribute_0_d1;
+            attribute_0_d3 <= attribute_0_d2;
+            attribute_0_d4 <= attribute_0_d3;
             attribute_1_d1 <= in_attribute_1;
+            attribute_1_d2 <= attribute_1_d1;
+            attribute_1_d3 <= attribute_1_d2;
+            attribute_1_d4 <= attribute_1_d3;
             attribute_2_d1 <= in_attribute_2;
+            attribute_2_d2 <= attribute_2_d1;
+            attribute_2_d3 <= attribute_2_d2;
+            attribute_2_d4 <= attribute_2_d3;
             reinterpret_26_d1 <= in_center_x;
             reinterpret_27_d1 <= in_center_y;
             reinterpret_28_d1 <= in_center_z;
@@ -10964,12 +11366,6 @@ module splat_transform (
             mul_68_d1 <= mul_f24_ftz_unit_y;
             add_75_d1 <= add_f24_ftz_unit_copy2_y;
             add_77_d1 <= add_f24_ftz_unit_copy3_y;
-            equal_89_d1 <= equal_89;
-            select_95_d1 <= select_95;
-            equal_100_d1 <= equal_100;
-            select_103_d1 <= select_103;
-            equal_108_d1 <= equal_108;
-            select_111_d1 <= select_111;
         end
         if (load_7) begin
             mul_37_d1 <= mul_f24_ftz_unit_y;
@@ -11001,17 +11397,6 @@ module splat_transform (
             add_80_d1 <= add_f24_ftz_unit_y;
             add_82_d1 <= add_f24_ftz_unit_copy2_y;
         end
-        if (load_4) begin
-            select_96_d1 <= select_96;
-            select_96_d2 <= select_96_d1;
-            select_96_d3 <= select_96_d2;
-            select_104_d1 <= select_104;
-            select_104_d2 <= select_104_d1;
-            select_104_d3 <= select_104_d2;
-            select_112_d1 <= select_112;
-            select_112_d2 <= select_112_d1;
-            select_112_d3 <= select_112_d2;
-        end
         if (queue_in_ready) begin
             mul_f24_ftz_unit_a <= phase[2] ? (phase[1] ? m02 : phase[0] ? m02 : m10) : phase[1] ? (phase[0] ? m00 : m12) : phase[0] ? m10 : m00;
             mul_f24_ftz_unit_b <= phase[2] ? choice_6 : choice_7;
@@ -11031,6 +11416,16 @@ module splat_transform (
     end
 
 `ifdef RTL_ASSERT
+    reg load_4;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            load_4 <= 1'd0;
+        end else begin
+            load_4 <= advance_next & (phase_next == 3'd4);
+        end
+    end
+
     always @(posedge clk) begin
         if (!rst) begin
             if (!(load_0 == (queue_in_ready & (phase == 3'd0)))) begin
@@ -11137,7 +11532,7 @@ endmodule
 // Floating-point sum.
 // stages = 6
 // format = f24-ftz
-module float_add_s6_ff24ftz (
+module float_add (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -11267,7 +11662,7 @@ endmodule
 // Floating-point product.
 // stages = 4
 // format = f24-ftz
-module float_mul_s4_ff24ftz (
+module float_mul_s4 (
     input  wire clk,
     input  wire rst,
     input  wire enable,
@@ -11340,8 +11735,8 @@ module float_mul_s4_ff24ftz (
 endmodule
 
 // Queue of two in registers.
-// width = 265
-module stream_skid_w265 (
+// width = 253
+module stream_skid_w253 (
     input  wire clk,
     input  wire rst,
     input  wire in_valid,
@@ -11356,9 +11751,9 @@ module stream_skid_w265 (
     input  wire [23:0] in_tangent2_x,
     input  wire [23:0] in_tangent2_y,
     input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
+    input  wire [11:0] in_attribute_0,
+    input  wire [11:0] in_attribute_1,
+    input  wire [11:0] in_attribute_2,
     output reg  out_valid,
     input  wire out_ready,
     output wire out_end,
@@ -11371,18 +11766,18 @@ module stream_skid_w265 (
     output wire [23:0] out_tangent2_x,
     output wire [23:0] out_tangent2_y,
     output wire [23:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2
+    output wire [11:0] out_attribute_0,
+    output wire [11:0] out_attribute_1,
+    output wire [11:0] out_attribute_2
 );
     reg second_valid;
-    reg [264:0] head;
-    reg [264:0] second;
+    reg [252:0] head;
+    reg [252:0] second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [264:0] in_item = {
+    wire [252:0] in_item = {
         in_end,
         in_center_x,
         in_center_y,
@@ -11398,19 +11793,19 @@ module stream_skid_w265 (
         in_attribute_2
     };
 
-    assign out_end = head[264];
-    assign out_center_x = head[263:240];
-    assign out_center_y = head[239:216];
-    assign out_center_z = head[215:192];
-    assign out_tangent1_x = head[191:168];
-    assign out_tangent1_y = head[167:144];
-    assign out_tangent1_z = head[143:120];
-    assign out_tangent2_x = head[119:96];
-    assign out_tangent2_y = head[95:72];
-    assign out_tangent2_z = head[71:48];
-    assign out_attribute_0 = head[47:32];
-    assign out_attribute_1 = head[31:16];
-    assign out_attribute_2 = head[15:0];
+    assign out_end = head[252];
+    assign out_center_x = head[251:228];
+    assign out_center_y = head[227:204];
+    assign out_center_z = head[203:180];
+    assign out_tangent1_x = head[179:156];
+    assign out_tangent1_y = head[155:132];
+    assign out_tangent1_z = head[131:108];
+    assign out_tangent2_x = head[107:84];
+    assign out_tangent2_y = head[83:60];
+    assign out_tangent2_z = head[59:36];
+    assign out_attribute_0 = head[35:24];
+    assign out_attribute_1 = head[23:12];
+    assign out_attribute_2 = head[11:0];
 
     always @(posedge clk) begin
         if (rst) begin

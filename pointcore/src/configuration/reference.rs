@@ -99,6 +99,16 @@ fn the_page_has_every_key_and_no_other() {
 }
 
 #[test]
+fn the_page_names_every_configuration_that_is_there() {
+    let page = read_text(&workspace("docs/configuration.md")).unwrap();
+    for file in std::fs::read_dir(workspace("configs")).expect("the folder is there") {
+        let name = file.unwrap().file_name().into_string().expect("names are ASCII");
+        assert!(page.contains(&format!("[configs/{name}](../configs/{name})")), "{name} is missing");
+    }
+    assert_eq!(page.matches("](../configs/").count(), std::fs::read_dir(workspace("configs")).unwrap().count());
+}
+
+#[test]
 fn tables_list_the_keys_of_files_each_once() {
     for core in cores() {
         let file: toml::Table = toml::from_str(&core.defaults.text()).expect("it was written as TOML");

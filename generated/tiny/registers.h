@@ -1,0 +1,116 @@
+/* splat_axi: registers, packets and memory records. Written by pointcore; docs/interfaces.md says how they are used. */
+#ifndef POINTCORE_SPLAT_REGISTERS_H
+#define POINTCORE_SPLAT_REGISTERS_H
+
+#include <stdint.h>
+
+#ifndef POINTCORE_STATIC_ASSERT
+#ifdef __cplusplus
+#define POINTCORE_STATIC_ASSERT static_assert
+#else
+#define POINTCORE_STATIC_ASSERT _Static_assert
+#endif
+#endif
+
+#define SPLAT_STREAM_BITS 64
+#define SPLAT_MEMORY_BITS 64
+
+/* Byte addresses of registers, and their bits. */
+#define SPLAT_ID 0x000u /* read: "PC", the core (0x0A or 0x0B), the layout's version (1) */
+#define SPLAT_CONTROL 0x004u /* write: commands */
+#define SPLAT_CONTROL_START (UINT32_C(1) << 0) /* begins a run, clears `done` and the run's counters */
+#define SPLAT_CONTROL_RESET (UINT32_C(1) << 1) /* resets the core's state (caches, threads); uniforms and the tree stay */
+#define SPLAT_CONTROL_CLEAR_ERRORS (UINT32_C(1) << 2) /* clears the error counters */
+#define SPLAT_STATUS 0x008u /* read: where the core is */
+#define SPLAT_STATUS_BUSY (UINT32_C(1) << 0) /* a run is under way */
+#define SPLAT_STATUS_DONE (UINT32_C(1) << 1) /* a run has ended since the last start */
+#define SPLAT_STATUS_ERROR (UINT32_C(1) << 2) /* an error counter is not zero */
+#define SPLAT_INTERRUPT_ENABLE 0x00cu /* read, write: what raises `irq` */
+#define SPLAT_INTERRUPT_ENABLE_DONE (UINT32_C(1) << 0) /* `irq` is high while `done` is */
+#define SPLAT_ACCESS_ERRORS 0x010u /* read: register accesses refused: outside the map, not of a whole aligned word, written where only read or read where only written, a value that makes no sense */
+#define SPLAT_BUSY_ERRORS 0x014u /* read: accesses refused because a run is under way */
+#define SPLAT_BURST_ERRORS 0x018u /* read: bursts refused by `s_axi`, and read bursts from memory whose `rlast` was not at their end */
+#define SPLAT_PACKET_ERRORS 0x01cu /* read: packets refused: `tlast` before or after their end, or a field out of its range */
+#define SPLAT_MEMORY_ERRORS 0x020u /* read: responses from memory that were not OKAY */
+#define SPLAT_CYCLES 0x024u /* read: cycles of the run, to its end or so far */
+#define SPLAT_PACKETS_IN 0x028u /* read: packets taken in the run */
+#define SPLAT_PACKETS_OUT 0x02cu /* read: packets sent in the run */
+#define SPLAT_EVENT_SAMPLE 0x040u /* read: cycles of the run in which `event_sample` was high */
+#define SPLAT_EVENT_STARVED 0x044u /* read: cycles of the run in which `event_starved` was high */
+#define SPLAT_EVENT_BLOCKED 0x048u /* read: cycles of the run in which `event_blocked` was high */
+#define SPLAT_EVENT_ACCUMULATE 0x04cu /* read: cycles of the run in which `event_accumulate` was high */
+#define SPLAT_EVENT_HAZARD 0x050u /* read: cycles of the run in which `event_hazard` was high */
+#define SPLAT_EVENT_SLOT_WAIT 0x054u /* read: cycles of the run in which `event_slot_wait` was high */
+#define SPLAT_BUFFER_BASE 0x080u /* read, write: address of the reconstruction buffer, a multiple of 4096 */
+#define SPLAT_M00 0x100u /* write: uniform `m00`, in f24-ftz */
+#define SPLAT_M01 0x104u /* write: uniform `m01`, in f24-ftz */
+#define SPLAT_M02 0x108u /* write: uniform `m02`, in f24-ftz */
+#define SPLAT_M03 0x10cu /* write: uniform `m03`, in f24-ftz */
+#define SPLAT_M10 0x110u /* write: uniform `m10`, in f24-ftz */
+#define SPLAT_M11 0x114u /* write: uniform `m11`, in f24-ftz */
+#define SPLAT_M12 0x118u /* write: uniform `m12`, in f24-ftz */
+#define SPLAT_M13 0x11cu /* write: uniform `m13`, in f24-ftz */
+#define SPLAT_M20 0x120u /* write: uniform `m20`, in f24-ftz */
+#define SPLAT_M21 0x124u /* write: uniform `m21`, in f24-ftz */
+#define SPLAT_M22 0x128u /* write: uniform `m22`, in f24-ftz */
+#define SPLAT_M23 0x12cu /* write: uniform `m23`, in f24-ftz */
+#define SPLAT_SCALE_X 0x130u /* write: uniform `scale_x`, in f24-ftz */
+#define SPLAT_SCALE_Y 0x134u /* write: uniform `scale_y`, in f24-ftz */
+#define SPLAT_ORIGIN_X 0x138u /* write: uniform `origin_x`, in f24-ftz */
+#define SPLAT_ORIGIN_Y 0x13cu /* write: uniform `origin_y`, in f24-ftz */
+#define SPLAT_DEPTH_A 0x140u /* write: uniform `depth_a`, in f24-ftz */
+#define SPLAT_DEPTH_B 0x144u /* write: uniform `depth_b`, in f24-ftz */
+#define SPLAT_NEAR_PLANE 0x148u /* write: uniform `near_plane`, in f24-ftz */
+#define SPLAT_EPSILON_SCALE 0x14cu /* write: uniform `epsilon_scale`, in f24-ftz */
+#define SPLAT_EPSILON_BIAS 0x150u /* write: uniform `epsilon_bias`, in f24-ftz */
+#define SPLAT_FILTER_RADIUS 0x154u /* write: uniform `filter_radius`, in f24-ftz */
+#define SPLAT_FILTER_SCALE 0x158u /* write: uniform `filter_scale`, in unsigned fixed point, 16 bits, 12 of them behind the point */
+#define SPLAT_IDENTITY UINT32_C(0x50430a01) /* what SPLAT_ID reads */
+
+/* A splat in world space, or with `end` set the end of the frame. */
+struct splat_splat {
+    uint8_t end; /* 1 bits */
+    uint8_t padding_0[3];
+    uint32_t center_x; /* 24 bits */
+    uint32_t center_y; /* 24 bits */
+    uint32_t center_z; /* 24 bits */
+    uint32_t tangent1_x; /* 24 bits */
+    uint32_t tangent1_y; /* 24 bits */
+    uint32_t tangent1_z; /* 24 bits */
+    uint32_t tangent2_x; /* 24 bits */
+    uint32_t tangent2_y; /* 24 bits */
+    uint32_t tangent2_z; /* 24 bits */
+    uint16_t attribute_0; /* 16 bits */
+    uint16_t attribute_1; /* 16 bits */
+    uint16_t attribute_2; /* 16 bits */
+    uint8_t padding_1[2];
+};
+POINTCORE_STATIC_ASSERT(sizeof(struct splat_splat) == 48, "splat_splat takes 48 bytes");
+
+/* A pixel of the picture, or with `end` set the end of the frame. */
+struct splat_fragment {
+    uint8_t end; /* 1 bits */
+    uint8_t column; /* 7 bits */
+    uint8_t row; /* 7 bits */
+    uint8_t padding_0[1];
+    uint32_t depth; /* 24 bits */
+    uint16_t attribute_0; /* 16 bits */
+    uint16_t attribute_1; /* 16 bits */
+    uint16_t attribute_2; /* 16 bits */
+    uint8_t padding_1[2];
+};
+POINTCORE_STATIC_ASSERT(sizeof(struct splat_fragment) == 16, "splat_fragment takes 16 bytes");
+
+/* A pixel of the reconstruction buffer, which only the core reads and writes. */
+struct splat_pixel {
+    uint32_t weight; /* 28 bits */
+    uint8_t padding_0[4];
+    uint64_t depth; /* 52 bits */
+    uint16_t attribute_0; /* 16 bits */
+    uint16_t attribute_1; /* 16 bits */
+    uint16_t attribute_2; /* 16 bits */
+    uint8_t padding_1[10];
+};
+POINTCORE_STATIC_ASSERT(sizeof(struct splat_pixel) == 32, "splat_pixel takes 32 bytes");
+
+#endif

@@ -1,0 +1,11208 @@
+// The whole design is one file, named after its top.
+/* verilator lint_off DECLFILENAME */
+
+// Surface-splat renderer: splats in, normalized fragments out.
+module splat_top (
+    input  wire clk,
+    input  wire rst,
+    input  wire uniform_valid,
+    input  wire [4:0] uniform_address,
+    input  wire [23:0] uniform_data,
+    input  wire splat_valid,
+    output wire splat_ready,
+    input  wire splat_end,
+    input  wire [23:0] splat_center_x,
+    input  wire [23:0] splat_center_y,
+    input  wire [23:0] splat_center_z,
+    input  wire [23:0] splat_tangent1_x,
+    input  wire [23:0] splat_tangent1_y,
+    input  wire [23:0] splat_tangent1_z,
+    input  wire [23:0] splat_tangent2_x,
+    input  wire [23:0] splat_tangent2_y,
+    input  wire [23:0] splat_tangent2_z,
+    input  wire [15:0] splat_attribute_0,
+    input  wire [15:0] splat_attribute_1,
+    input  wire [15:0] splat_attribute_2,
+    output wire read_valid,
+    input  wire read_ready,
+    output wire [7:0] read_tile,
+    input  wire data_valid,
+    output wire data_ready,
+    input  wire [27:0] data_weight,
+    input  wire [51:0] data_depth,
+    input  wire [15:0] data_attribute_0,
+    input  wire [15:0] data_attribute_1,
+    input  wire [15:0] data_attribute_2,
+    output wire write_valid,
+    input  wire write_ready,
+    output wire [7:0] write_tile,
+    output wire [5:0] write_pixel,
+    output wire [27:0] write_weight,
+    output wire [51:0] write_depth,
+    output wire [15:0] write_attribute_0,
+    output wire [15:0] write_attribute_1,
+    output wire [15:0] write_attribute_2,
+    output wire fragment_valid,
+    input  wire fragment_ready,
+    output wire fragment_end,
+    output wire [6:0] fragment_column,
+    output wire [6:0] fragment_row,
+    output wire [23:0] fragment_depth,
+    output wire [15:0] fragment_attribute_0,
+    output wire [15:0] fragment_attribute_1,
+    output wire [15:0] fragment_attribute_2,
+    output wire event_sample,
+    output wire event_starved,
+    output wire event_blocked,
+    output wire event_accumulate,
+    output wire event_hazard,
+    output wire event_slot_wait
+);
+    reg [23:0] uniform_m00;
+    reg [23:0] uniform_m01;
+    reg [23:0] uniform_m02;
+    reg [23:0] uniform_m03;
+    reg [23:0] uniform_m10;
+    reg [23:0] uniform_m11;
+    reg [23:0] uniform_m12;
+    reg [23:0] uniform_m13;
+    reg [23:0] uniform_m20;
+    reg [23:0] uniform_m21;
+    reg [23:0] uniform_m22;
+    reg [23:0] uniform_m23;
+    reg [23:0] uniform_scale_x;
+    reg [23:0] uniform_scale_y;
+    reg [23:0] uniform_origin_x;
+    reg [23:0] uniform_origin_y;
+    reg [23:0] uniform_depth_a;
+    reg [23:0] uniform_depth_b;
+    reg [23:0] uniform_near_plane;
+    reg [23:0] uniform_epsilon_scale;
+    reg [23:0] uniform_epsilon_bias;
+    reg [23:0] uniform_filter_radius;
+    reg [15:0] uniform_filter_scale;
+
+    wire transform_in_ready;
+    wire transform_out_valid;
+    wire transform_out_end;
+    wire [23:0] transform_out_center_x;
+    wire [23:0] transform_out_center_y;
+    wire [23:0] transform_out_center_z;
+    wire [23:0] transform_out_tangent1_x;
+    wire [23:0] transform_out_tangent1_y;
+    wire [23:0] transform_out_tangent1_z;
+    wire [23:0] transform_out_tangent2_x;
+    wire [23:0] transform_out_tangent2_y;
+    wire [23:0] transform_out_tangent2_z;
+    wire [15:0] transform_out_attribute_0;
+    wire [15:0] transform_out_attribute_1;
+    wire [15:0] transform_out_attribute_2;
+    wire setup_in_ready;
+    wire setup_out_valid;
+    wire setup_out_end;
+    wire [27:0] setup_out_center_x;
+    wire [27:0] setup_out_center_y;
+    wire [17:0] setup_out_ax;
+    wire [17:0] setup_out_bx;
+    wire [17:0] setup_out_ay;
+    wire [17:0] setup_out_by;
+    wire [21:0] setup_out_delta;
+    wire [17:0] setup_out_mx;
+    wire [17:0] setup_out_my;
+    wire [3:0] setup_out_shift;
+    wire [23:0] setup_out_depth;
+    wire [23:0] setup_out_depth_low;
+    wire [23:0] setup_out_depth_high;
+    wire [15:0] setup_out_attribute_0;
+    wire [15:0] setup_out_attribute_1;
+    wire [15:0] setup_out_attribute_2;
+    wire [6:0] setup_out_left;
+    wire [6:0] setup_out_right;
+    wire [6:0] setup_out_top;
+    wire [6:0] setup_out_bottom;
+    wire splitter_in_ready;
+    wire splitter_out_valid;
+    wire splitter_out_end;
+    wire [27:0] splitter_out_center_x;
+    wire [27:0] splitter_out_center_y;
+    wire [17:0] splitter_out_ax;
+    wire [17:0] splitter_out_bx;
+    wire [17:0] splitter_out_ay;
+    wire [17:0] splitter_out_by;
+    wire [21:0] splitter_out_delta;
+    wire [17:0] splitter_out_mx;
+    wire [17:0] splitter_out_my;
+    wire [3:0] splitter_out_shift;
+    wire [23:0] splitter_out_depth;
+    wire [23:0] splitter_out_depth_low;
+    wire [23:0] splitter_out_depth_high;
+    wire [15:0] splitter_out_attribute_0;
+    wire [15:0] splitter_out_attribute_1;
+    wire [15:0] splitter_out_attribute_2;
+    wire [2:0] splitter_out_left;
+    wire [2:0] splitter_out_right;
+    wire [2:0] splitter_out_top;
+    wire [2:0] splitter_out_bottom;
+    wire [7:0] splitter_out_tile;
+    wire reorder_in_ready;
+    wire reorder_out_valid;
+    wire reorder_out_end;
+    wire [27:0] reorder_out_center_x;
+    wire [27:0] reorder_out_center_y;
+    wire [17:0] reorder_out_ax;
+    wire [17:0] reorder_out_bx;
+    wire [17:0] reorder_out_ay;
+    wire [17:0] reorder_out_by;
+    wire [21:0] reorder_out_delta;
+    wire [17:0] reorder_out_mx;
+    wire [17:0] reorder_out_my;
+    wire [3:0] reorder_out_shift;
+    wire [23:0] reorder_out_depth;
+    wire [23:0] reorder_out_depth_low;
+    wire [23:0] reorder_out_depth_high;
+    wire [15:0] reorder_out_attribute_0;
+    wire [15:0] reorder_out_attribute_1;
+    wire [15:0] reorder_out_attribute_2;
+    wire [2:0] reorder_out_left;
+    wire [2:0] reorder_out_right;
+    wire [2:0] reorder_out_top;
+    wire [2:0] reorder_out_bottom;
+    wire [7:0] reorder_out_tile;
+    wire tile_cache_in_ready;
+    wire tile_cache_out_valid;
+    wire tile_cache_out_end;
+    wire [27:0] tile_cache_out_center_x;
+    wire [27:0] tile_cache_out_center_y;
+    wire [17:0] tile_cache_out_ax;
+    wire [17:0] tile_cache_out_bx;
+    wire [17:0] tile_cache_out_ay;
+    wire [17:0] tile_cache_out_by;
+    wire [21:0] tile_cache_out_delta;
+    wire [17:0] tile_cache_out_mx;
+    wire [17:0] tile_cache_out_my;
+    wire [3:0] tile_cache_out_shift;
+    wire [23:0] tile_cache_out_depth;
+    wire [23:0] tile_cache_out_depth_low;
+    wire [23:0] tile_cache_out_depth_high;
+    wire [15:0] tile_cache_out_attribute_0;
+    wire [15:0] tile_cache_out_attribute_1;
+    wire [15:0] tile_cache_out_attribute_2;
+    wire [2:0] tile_cache_out_left;
+    wire [2:0] tile_cache_out_right;
+    wire [2:0] tile_cache_out_top;
+    wire [2:0] tile_cache_out_bottom;
+    wire [7:0] tile_cache_out_tile;
+    wire tile_cache_out_slot;
+    wire tile_cache_read_valid;
+    wire [7:0] tile_cache_read_tile;
+    wire tile_cache_data_ready;
+    wire tile_cache_write_valid;
+    wire [7:0] tile_cache_write_tile;
+    wire [5:0] tile_cache_write_pixel;
+    wire [27:0] tile_cache_write_weight;
+    wire [51:0] tile_cache_write_depth;
+    wire [15:0] tile_cache_write_attribute_0;
+    wire [15:0] tile_cache_write_attribute_1;
+    wire [15:0] tile_cache_write_attribute_2;
+    wire tile_cache_pixel_valid;
+    wire tile_cache_pixel_end;
+    wire [7:0] tile_cache_pixel_tile;
+    wire [5:0] tile_cache_pixel_pixel;
+    wire [27:0] tile_cache_pixel_weight;
+    wire [51:0] tile_cache_pixel_depth;
+    wire [15:0] tile_cache_pixel_attribute_0;
+    wire [15:0] tile_cache_pixel_attribute_1;
+    wire [15:0] tile_cache_pixel_attribute_2;
+    wire [1:0] tile_cache_slot_ready;
+    wire tile_cache_fill_valid;
+    wire tile_cache_fill_slot;
+    wire [5:0] tile_cache_fill_pixel;
+    wire [27:0] tile_cache_fill_weight;
+    wire [51:0] tile_cache_fill_depth;
+    wire [15:0] tile_cache_fill_attribute_0;
+    wire [15:0] tile_cache_fill_attribute_1;
+    wire [15:0] tile_cache_fill_attribute_2;
+    wire tile_cache_drain_enable;
+    wire tile_cache_drain_slot;
+    wire [5:0] tile_cache_drain_pixel;
+    wire rasterizer_in_ready;
+    wire rasterizer_out_valid;
+    wire rasterizer_out_end;
+    wire rasterizer_out_last;
+    wire rasterizer_out_inside;
+    wire rasterizer_out_slot;
+    wire [5:0] rasterizer_out_pixel;
+    wire [15:0] rasterizer_out_weight;
+    wire [23:0] rasterizer_out_depth;
+    wire [23:0] rasterizer_out_depth_low;
+    wire [23:0] rasterizer_out_depth_high;
+    wire [15:0] rasterizer_out_attribute_0;
+    wire [15:0] rasterizer_out_attribute_1;
+    wire [15:0] rasterizer_out_attribute_2;
+    wire rasterizer_event_sample;
+    wire rasterizer_event_starved;
+    wire rasterizer_event_blocked;
+    wire weighting_in_ready;
+    wire weighting_out_valid;
+    wire weighting_out_end;
+    wire weighting_out_last;
+    wire weighting_out_inside;
+    wire weighting_out_slot;
+    wire [5:0] weighting_out_pixel;
+    wire [15:0] weighting_out_weight;
+    wire [39:0] weighting_out_weighted_depth;
+    wire [23:0] weighting_out_depth_low;
+    wire [23:0] weighting_out_depth_high;
+    wire [15:0] weighting_out_attribute_0;
+    wire [15:0] weighting_out_attribute_1;
+    wire [15:0] weighting_out_attribute_2;
+    wire accumulator_in_ready;
+    wire accumulator_retire_valid;
+    wire accumulator_retire_slot;
+    wire accumulator_frame_end;
+    wire [27:0] accumulator_drain_weight;
+    wire [51:0] accumulator_drain_depth;
+    wire [15:0] accumulator_drain_attribute_0;
+    wire [15:0] accumulator_drain_attribute_1;
+    wire [15:0] accumulator_drain_attribute_2;
+    wire accumulator_event_accumulate;
+    wire accumulator_event_hazard;
+    wire accumulator_event_slot_wait;
+    wire normalizer_in_ready;
+    wire normalizer_out_valid;
+    wire normalizer_out_end;
+    wire [6:0] normalizer_out_column;
+    wire [6:0] normalizer_out_row;
+    wire [23:0] normalizer_out_depth;
+    wire [15:0] normalizer_out_attribute_0;
+    wire [15:0] normalizer_out_attribute_1;
+    wire [15:0] normalizer_out_attribute_2;
+
+    assign splat_ready = transform_in_ready;
+    assign data_ready = tile_cache_data_ready;
+    wire transform_out_ready = setup_in_ready;
+    wire setup_out_ready = splitter_in_ready;
+    wire splitter_out_ready = reorder_in_ready;
+    wire reorder_out_ready = tile_cache_in_ready;
+    wire tile_cache_out_ready = rasterizer_in_ready;
+    wire tile_cache_read_ready = read_ready;
+    wire tile_cache_write_ready = write_ready;
+    wire tile_cache_pixel_ready = normalizer_in_ready;
+    wire rasterizer_out_ready = weighting_in_ready;
+    wire weighting_out_ready = accumulator_in_ready;
+    wire normalizer_out_ready = fragment_ready;
+
+    assign read_valid = tile_cache_read_valid;
+    assign read_tile = tile_cache_read_tile;
+    assign write_valid = tile_cache_write_valid;
+    assign write_tile = tile_cache_write_tile;
+    assign write_pixel = tile_cache_write_pixel;
+    assign write_weight = tile_cache_write_weight;
+    assign write_depth = tile_cache_write_depth;
+    assign write_attribute_0 = tile_cache_write_attribute_0;
+    assign write_attribute_1 = tile_cache_write_attribute_1;
+    assign write_attribute_2 = tile_cache_write_attribute_2;
+    assign fragment_valid = normalizer_out_valid;
+    assign fragment_end = normalizer_out_end;
+    assign fragment_column = normalizer_out_column;
+    assign fragment_row = normalizer_out_row;
+    assign fragment_depth = normalizer_out_depth;
+    assign fragment_attribute_0 = normalizer_out_attribute_0;
+    assign fragment_attribute_1 = normalizer_out_attribute_1;
+    assign fragment_attribute_2 = normalizer_out_attribute_2;
+    assign event_sample = rasterizer_event_sample;
+    assign event_starved = rasterizer_event_starved;
+    assign event_blocked = rasterizer_event_blocked;
+    assign event_accumulate = accumulator_event_accumulate;
+    assign event_hazard = accumulator_event_hazard;
+    assign event_slot_wait = accumulator_event_slot_wait;
+
+    splat_transform transform (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(splat_valid),
+        .in_ready(transform_in_ready),
+        .in_end(splat_end),
+        .in_center_x(splat_center_x),
+        .in_center_y(splat_center_y),
+        .in_center_z(splat_center_z),
+        .in_tangent1_x(splat_tangent1_x),
+        .in_tangent1_y(splat_tangent1_y),
+        .in_tangent1_z(splat_tangent1_z),
+        .in_tangent2_x(splat_tangent2_x),
+        .in_tangent2_y(splat_tangent2_y),
+        .in_tangent2_z(splat_tangent2_z),
+        .in_attribute_0(splat_attribute_0),
+        .in_attribute_1(splat_attribute_1),
+        .in_attribute_2(splat_attribute_2),
+        .m00(uniform_m00),
+        .m01(uniform_m01),
+        .m02(uniform_m02),
+        .m03(uniform_m03),
+        .m10(uniform_m10),
+        .m11(uniform_m11),
+        .m12(uniform_m12),
+        .m13(uniform_m13),
+        .m20(uniform_m20),
+        .m21(uniform_m21),
+        .m22(uniform_m22),
+        .m23(uniform_m23),
+        .near_plane(uniform_near_plane),
+        .out_valid(transform_out_valid),
+        .out_ready(transform_out_ready),
+        .out_end(transform_out_end),
+        .out_center_x(transform_out_center_x),
+        .out_center_y(transform_out_center_y),
+        .out_center_z(transform_out_center_z),
+        .out_tangent1_x(transform_out_tangent1_x),
+        .out_tangent1_y(transform_out_tangent1_y),
+        .out_tangent1_z(transform_out_tangent1_z),
+        .out_tangent2_x(transform_out_tangent2_x),
+        .out_tangent2_y(transform_out_tangent2_y),
+        .out_tangent2_z(transform_out_tangent2_z),
+        .out_attribute_0(transform_out_attribute_0),
+        .out_attribute_1(transform_out_attribute_1),
+        .out_attribute_2(transform_out_attribute_2)
+    );
+
+    splat_setup setup (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(transform_out_valid),
+        .in_ready(setup_in_ready),
+        .in_end(transform_out_end),
+        .in_center_x(transform_out_center_x),
+        .in_center_y(transform_out_center_y),
+        .in_center_z(transform_out_center_z),
+        .in_tangent1_x(transform_out_tangent1_x),
+        .in_tangent1_y(transform_out_tangent1_y),
+        .in_tangent1_z(transform_out_tangent1_z),
+        .in_tangent2_x(transform_out_tangent2_x),
+        .in_tangent2_y(transform_out_tangent2_y),
+        .in_tangent2_z(transform_out_tangent2_z),
+        .in_attribute_0(transform_out_attribute_0),
+        .in_attribute_1(transform_out_attribute_1),
+        .in_attribute_2(transform_out_attribute_2),
+        .filter_radius(uniform_filter_radius),
+        .scale_x(uniform_scale_x),
+        .origin_x(uniform_origin_x),
+        .scale_y(uniform_scale_y),
+        .origin_y(uniform_origin_y),
+        .depth_b(uniform_depth_b),
+        .depth_a(uniform_depth_a),
+        .epsilon_scale(uniform_epsilon_scale),
+        .epsilon_bias(uniform_epsilon_bias),
+        .out_valid(setup_out_valid),
+        .out_ready(setup_out_ready),
+        .out_end(setup_out_end),
+        .out_center_x(setup_out_center_x),
+        .out_center_y(setup_out_center_y),
+        .out_ax(setup_out_ax),
+        .out_bx(setup_out_bx),
+        .out_ay(setup_out_ay),
+        .out_by(setup_out_by),
+        .out_delta(setup_out_delta),
+        .out_mx(setup_out_mx),
+        .out_my(setup_out_my),
+        .out_shift(setup_out_shift),
+        .out_depth(setup_out_depth),
+        .out_depth_low(setup_out_depth_low),
+        .out_depth_high(setup_out_depth_high),
+        .out_attribute_0(setup_out_attribute_0),
+        .out_attribute_1(setup_out_attribute_1),
+        .out_attribute_2(setup_out_attribute_2),
+        .out_left(setup_out_left),
+        .out_right(setup_out_right),
+        .out_top(setup_out_top),
+        .out_bottom(setup_out_bottom)
+    );
+
+    splat_splitter splitter (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(setup_out_valid),
+        .in_ready(splitter_in_ready),
+        .in_end(setup_out_end),
+        .in_center_x(setup_out_center_x),
+        .in_center_y(setup_out_center_y),
+        .in_ax(setup_out_ax),
+        .in_bx(setup_out_bx),
+        .in_ay(setup_out_ay),
+        .in_by(setup_out_by),
+        .in_delta(setup_out_delta),
+        .in_mx(setup_out_mx),
+        .in_my(setup_out_my),
+        .in_shift(setup_out_shift),
+        .in_depth(setup_out_depth),
+        .in_depth_low(setup_out_depth_low),
+        .in_depth_high(setup_out_depth_high),
+        .in_attribute_0(setup_out_attribute_0),
+        .in_attribute_1(setup_out_attribute_1),
+        .in_attribute_2(setup_out_attribute_2),
+        .in_left(setup_out_left),
+        .in_right(setup_out_right),
+        .in_top(setup_out_top),
+        .in_bottom(setup_out_bottom),
+        .out_valid(splitter_out_valid),
+        .out_ready(splitter_out_ready),
+        .out_end(splitter_out_end),
+        .out_center_x(splitter_out_center_x),
+        .out_center_y(splitter_out_center_y),
+        .out_ax(splitter_out_ax),
+        .out_bx(splitter_out_bx),
+        .out_ay(splitter_out_ay),
+        .out_by(splitter_out_by),
+        .out_delta(splitter_out_delta),
+        .out_mx(splitter_out_mx),
+        .out_my(splitter_out_my),
+        .out_shift(splitter_out_shift),
+        .out_depth(splitter_out_depth),
+        .out_depth_low(splitter_out_depth_low),
+        .out_depth_high(splitter_out_depth_high),
+        .out_attribute_0(splitter_out_attribute_0),
+        .out_attribute_1(splitter_out_attribute_1),
+        .out_attribute_2(splitter_out_attribute_2),
+        .out_left(splitter_out_left),
+        .out_right(splitter_out_right),
+        .out_top(splitter_out_top),
+        .out_bottom(splitter_out_bottom),
+        .out_tile(splitter_out_tile)
+    );
+
+    splat_reorder reorder (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(splitter_out_valid),
+        .in_ready(reorder_in_ready),
+        .in_end(splitter_out_end),
+        .in_center_x(splitter_out_center_x),
+        .in_center_y(splitter_out_center_y),
+        .in_ax(splitter_out_ax),
+        .in_bx(splitter_out_bx),
+        .in_ay(splitter_out_ay),
+        .in_by(splitter_out_by),
+        .in_delta(splitter_out_delta),
+        .in_mx(splitter_out_mx),
+        .in_my(splitter_out_my),
+        .in_shift(splitter_out_shift),
+        .in_depth(splitter_out_depth),
+        .in_depth_low(splitter_out_depth_low),
+        .in_depth_high(splitter_out_depth_high),
+        .in_attribute_0(splitter_out_attribute_0),
+        .in_attribute_1(splitter_out_attribute_1),
+        .in_attribute_2(splitter_out_attribute_2),
+        .in_left(splitter_out_left),
+        .in_right(splitter_out_right),
+        .in_top(splitter_out_top),
+        .in_bottom(splitter_out_bottom),
+        .in_tile(splitter_out_tile),
+        .out_valid(reorder_out_valid),
+        .out_ready(reorder_out_ready),
+        .out_end(reorder_out_end),
+        .out_center_x(reorder_out_center_x),
+        .out_center_y(reorder_out_center_y),
+        .out_ax(reorder_out_ax),
+        .out_bx(reorder_out_bx),
+        .out_ay(reorder_out_ay),
+        .out_by(reorder_out_by),
+        .out_delta(reorder_out_delta),
+        .out_mx(reorder_out_mx),
+        .out_my(reorder_out_my),
+        .out_shift(reorder_out_shift),
+        .out_depth(reorder_out_depth),
+        .out_depth_low(reorder_out_depth_low),
+        .out_depth_high(reorder_out_depth_high),
+        .out_attribute_0(reorder_out_attribute_0),
+        .out_attribute_1(reorder_out_attribute_1),
+        .out_attribute_2(reorder_out_attribute_2),
+        .out_left(reorder_out_left),
+        .out_right(reorder_out_right),
+        .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom),
+        .out_tile(reorder_out_tile)
+    );
+
+    splat_tile_cache tile_cache (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(reorder_out_valid),
+        .in_ready(tile_cache_in_ready),
+        .in_end(reorder_out_end),
+        .in_center_x(reorder_out_center_x),
+        .in_center_y(reorder_out_center_y),
+        .in_ax(reorder_out_ax),
+        .in_bx(reorder_out_bx),
+        .in_ay(reorder_out_ay),
+        .in_by(reorder_out_by),
+        .in_delta(reorder_out_delta),
+        .in_mx(reorder_out_mx),
+        .in_my(reorder_out_my),
+        .in_shift(reorder_out_shift),
+        .in_depth(reorder_out_depth),
+        .in_depth_low(reorder_out_depth_low),
+        .in_depth_high(reorder_out_depth_high),
+        .in_attribute_0(reorder_out_attribute_0),
+        .in_attribute_1(reorder_out_attribute_1),
+        .in_attribute_2(reorder_out_attribute_2),
+        .in_left(reorder_out_left),
+        .in_right(reorder_out_right),
+        .in_top(reorder_out_top),
+        .in_bottom(reorder_out_bottom),
+        .in_tile(reorder_out_tile),
+        .out_valid(tile_cache_out_valid),
+        .out_ready(tile_cache_out_ready),
+        .out_end(tile_cache_out_end),
+        .out_center_x(tile_cache_out_center_x),
+        .out_center_y(tile_cache_out_center_y),
+        .out_ax(tile_cache_out_ax),
+        .out_bx(tile_cache_out_bx),
+        .out_ay(tile_cache_out_ay),
+        .out_by(tile_cache_out_by),
+        .out_delta(tile_cache_out_delta),
+        .out_mx(tile_cache_out_mx),
+        .out_my(tile_cache_out_my),
+        .out_shift(tile_cache_out_shift),
+        .out_depth(tile_cache_out_depth),
+        .out_depth_low(tile_cache_out_depth_low),
+        .out_depth_high(tile_cache_out_depth_high),
+        .out_attribute_0(tile_cache_out_attribute_0),
+        .out_attribute_1(tile_cache_out_attribute_1),
+        .out_attribute_2(tile_cache_out_attribute_2),
+        .out_left(tile_cache_out_left),
+        .out_right(tile_cache_out_right),
+        .out_top(tile_cache_out_top),
+        .out_bottom(tile_cache_out_bottom),
+        .out_tile(tile_cache_out_tile),
+        .out_slot(tile_cache_out_slot),
+        .read_valid(tile_cache_read_valid),
+        .read_ready(tile_cache_read_ready),
+        .read_tile(tile_cache_read_tile),
+        .data_valid(data_valid),
+        .data_ready(tile_cache_data_ready),
+        .data_weight(data_weight),
+        .data_depth(data_depth),
+        .data_attribute_0(data_attribute_0),
+        .data_attribute_1(data_attribute_1),
+        .data_attribute_2(data_attribute_2),
+        .write_valid(tile_cache_write_valid),
+        .write_ready(tile_cache_write_ready),
+        .write_tile(tile_cache_write_tile),
+        .write_pixel(tile_cache_write_pixel),
+        .write_weight(tile_cache_write_weight),
+        .write_depth(tile_cache_write_depth),
+        .write_attribute_0(tile_cache_write_attribute_0),
+        .write_attribute_1(tile_cache_write_attribute_1),
+        .write_attribute_2(tile_cache_write_attribute_2),
+        .pixel_valid(tile_cache_pixel_valid),
+        .pixel_ready(tile_cache_pixel_ready),
+        .pixel_end(tile_cache_pixel_end),
+        .pixel_tile(tile_cache_pixel_tile),
+        .pixel_pixel(tile_cache_pixel_pixel),
+        .pixel_weight(tile_cache_pixel_weight),
+        .pixel_depth(tile_cache_pixel_depth),
+        .pixel_attribute_0(tile_cache_pixel_attribute_0),
+        .pixel_attribute_1(tile_cache_pixel_attribute_1),
+        .pixel_attribute_2(tile_cache_pixel_attribute_2),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid),
+        .retire_slot(accumulator_retire_slot),
+        .frame_end(accumulator_frame_end),
+        .fill_valid(tile_cache_fill_valid),
+        .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel),
+        .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth),
+        .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2),
+        .drain_enable(tile_cache_drain_enable),
+        .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth),
+        .drain_attribute_0(accumulator_drain_attribute_0),
+        .drain_attribute_1(accumulator_drain_attribute_1),
+        .drain_attribute_2(accumulator_drain_attribute_2)
+    );
+
+    splat_rasterizer rasterizer (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(tile_cache_out_valid),
+        .in_ready(rasterizer_in_ready),
+        .in_end(tile_cache_out_end),
+        .in_center_x(tile_cache_out_center_x),
+        .in_center_y(tile_cache_out_center_y),
+        .in_ax(tile_cache_out_ax),
+        .in_bx(tile_cache_out_bx),
+        .in_ay(tile_cache_out_ay),
+        .in_by(tile_cache_out_by),
+        .in_delta(tile_cache_out_delta),
+        .in_mx(tile_cache_out_mx),
+        .in_my(tile_cache_out_my),
+        .in_shift(tile_cache_out_shift),
+        .in_depth(tile_cache_out_depth),
+        .in_depth_low(tile_cache_out_depth_low),
+        .in_depth_high(tile_cache_out_depth_high),
+        .in_attribute_0(tile_cache_out_attribute_0),
+        .in_attribute_1(tile_cache_out_attribute_1),
+        .in_attribute_2(tile_cache_out_attribute_2),
+        .in_left(tile_cache_out_left),
+        .in_right(tile_cache_out_right),
+        .in_top(tile_cache_out_top),
+        .in_bottom(tile_cache_out_bottom),
+        .in_tile(tile_cache_out_tile),
+        .in_slot(tile_cache_out_slot),
+        .out_valid(rasterizer_out_valid),
+        .out_ready(rasterizer_out_ready),
+        .out_end(rasterizer_out_end),
+        .out_last(rasterizer_out_last),
+        .out_inside(rasterizer_out_inside),
+        .out_slot(rasterizer_out_slot),
+        .out_pixel(rasterizer_out_pixel),
+        .out_weight(rasterizer_out_weight),
+        .out_depth(rasterizer_out_depth),
+        .out_depth_low(rasterizer_out_depth_low),
+        .out_depth_high(rasterizer_out_depth_high),
+        .out_attribute_0(rasterizer_out_attribute_0),
+        .out_attribute_1(rasterizer_out_attribute_1),
+        .out_attribute_2(rasterizer_out_attribute_2),
+        .filter_scale(uniform_filter_scale),
+        .event_sample(rasterizer_event_sample),
+        .event_starved(rasterizer_event_starved),
+        .event_blocked(rasterizer_event_blocked)
+    );
+
+    splat_weighting weighting (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(rasterizer_out_valid),
+        .in_ready(weighting_in_ready),
+        .in_end(rasterizer_out_end),
+        .in_last(rasterizer_out_last),
+        .in_inside(rasterizer_out_inside),
+        .in_slot(rasterizer_out_slot),
+        .in_pixel(rasterizer_out_pixel),
+        .in_weight(rasterizer_out_weight),
+        .in_depth(rasterizer_out_depth),
+        .in_depth_low(rasterizer_out_depth_low),
+        .in_depth_high(rasterizer_out_depth_high),
+        .in_attribute_0(rasterizer_out_attribute_0),
+        .in_attribute_1(rasterizer_out_attribute_1),
+        .in_attribute_2(rasterizer_out_attribute_2),
+        .out_valid(weighting_out_valid),
+        .out_ready(weighting_out_ready),
+        .out_end(weighting_out_end),
+        .out_last(weighting_out_last),
+        .out_inside(weighting_out_inside),
+        .out_slot(weighting_out_slot),
+        .out_pixel(weighting_out_pixel),
+        .out_weight(weighting_out_weight),
+        .out_weighted_depth(weighting_out_weighted_depth),
+        .out_depth_low(weighting_out_depth_low),
+        .out_depth_high(weighting_out_depth_high),
+        .out_attribute_0(weighting_out_attribute_0),
+        .out_attribute_1(weighting_out_attribute_1),
+        .out_attribute_2(weighting_out_attribute_2)
+    );
+
+    splat_accumulator accumulator (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(weighting_out_valid),
+        .in_ready(accumulator_in_ready),
+        .in_end(weighting_out_end),
+        .in_last(weighting_out_last),
+        .in_inside(weighting_out_inside),
+        .in_slot(weighting_out_slot),
+        .in_pixel(weighting_out_pixel),
+        .in_weight(weighting_out_weight),
+        .in_weighted_depth(weighting_out_weighted_depth),
+        .in_depth_low(weighting_out_depth_low),
+        .in_depth_high(weighting_out_depth_high),
+        .in_attribute_0(weighting_out_attribute_0),
+        .in_attribute_1(weighting_out_attribute_1),
+        .in_attribute_2(weighting_out_attribute_2),
+        .slot_ready(tile_cache_slot_ready),
+        .retire_valid(accumulator_retire_valid),
+        .retire_slot(accumulator_retire_slot),
+        .frame_end(accumulator_frame_end),
+        .fill_valid(tile_cache_fill_valid),
+        .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel),
+        .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth),
+        .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2),
+        .drain_enable(tile_cache_drain_enable),
+        .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel),
+        .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth),
+        .drain_attribute_0(accumulator_drain_attribute_0),
+        .drain_attribute_1(accumulator_drain_attribute_1),
+        .drain_attribute_2(accumulator_drain_attribute_2),
+        .event_accumulate(accumulator_event_accumulate),
+        .event_hazard(accumulator_event_hazard),
+        .event_slot_wait(accumulator_event_slot_wait)
+    );
+
+    splat_normalizer normalizer (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(tile_cache_pixel_valid),
+        .in_ready(normalizer_in_ready),
+        .in_end(tile_cache_pixel_end),
+        .in_tile(tile_cache_pixel_tile),
+        .in_pixel(tile_cache_pixel_pixel),
+        .in_weight(tile_cache_pixel_weight),
+        .in_depth(tile_cache_pixel_depth),
+        .in_attribute_0(tile_cache_pixel_attribute_0),
+        .in_attribute_1(tile_cache_pixel_attribute_1),
+        .in_attribute_2(tile_cache_pixel_attribute_2),
+        .out_valid(normalizer_out_valid),
+        .out_ready(normalizer_out_ready),
+        .out_end(normalizer_out_end),
+        .out_column(normalizer_out_column),
+        .out_row(normalizer_out_row),
+        .out_depth(normalizer_out_depth),
+        .out_attribute_0(normalizer_out_attribute_0),
+        .out_attribute_1(normalizer_out_attribute_1),
+        .out_attribute_2(normalizer_out_attribute_2)
+    );
+
+    always @(posedge clk) begin
+        if (uniform_valid & (uniform_address == 5'd0)) begin
+            uniform_m00 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd1)) begin
+            uniform_m01 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd2)) begin
+            uniform_m02 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd3)) begin
+            uniform_m03 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd4)) begin
+            uniform_m10 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd5)) begin
+            uniform_m11 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd6)) begin
+            uniform_m12 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd7)) begin
+            uniform_m13 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd8)) begin
+            uniform_m20 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd9)) begin
+            uniform_m21 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd10)) begin
+            uniform_m22 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd11)) begin
+            uniform_m23 <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd12)) begin
+            uniform_scale_x <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd13)) begin
+            uniform_scale_y <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd14)) begin
+            uniform_origin_x <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd15)) begin
+            uniform_origin_y <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd16)) begin
+            uniform_depth_a <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd17)) begin
+            uniform_depth_b <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd18)) begin
+            uniform_near_plane <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd19)) begin
+            uniform_epsilon_scale <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd20)) begin
+            uniform_epsilon_bias <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd21)) begin
+            uniform_filter_radius <= uniform_data;
+        end
+        if (uniform_valid & (uniform_address == 5'd22)) begin
+            uniform_filter_scale <= uniform_data[15:0];
+        end
+    end
+endmodule
+
+// A finished pixel's sums divided by its weight.
+// latency = 30
+// initiation_interval = 1
+module splat_normalizer (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [7:0] in_tile,
+    input  wire [5:0] in_pixel,
+    input  wire [27:0] in_weight,
+    input  wire [51:0] in_depth,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [6:0] out_column,
+    output wire [6:0] out_row,
+    output wire [23:0] out_depth,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    (* ram_style = "distributed" *)
+    reg [71:0] delay_20_from_0 [0:18];
+    (* ram_style = "distributed" *)
+    reg [14:0] delay_30_from_0 [0:28];
+    reg [4:0] delay_20_from_0_pointer;
+    reg [71:0] delay_20_from_0_out;
+    reg [4:0] delay_30_from_0_pointer;
+    reg [14:0] delay_30_from_0_out;
+    reg [23:0] mul_11_d1;
+    reg [23:0] mul_11_d2;
+    reg [23:0] mul_11_d3;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+    reg valid_d11;
+    reg valid_d12;
+    reg valid_d13;
+    reg valid_d14;
+    reg valid_d15;
+    reg valid_d16;
+    reg valid_d17;
+    reg valid_d18;
+    reg valid_d19;
+    reg valid_d20;
+    reg valid_d21;
+    reg valid_d22;
+    reg valid_d23;
+    reg valid_d24;
+    reg valid_d25;
+    reg valid_d26;
+    reg valid_d27;
+    reg valid_d28;
+    reg valid_d29;
+    reg valid_d30;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire [6:0] queue_out_column;
+    wire [6:0] queue_out_row;
+    wire [23:0] queue_out_depth;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [23:0] to_float_u28q16_f24_ftz_unit_y;
+    wire [23:0] recip_f24_ftz_unit_y;
+    wire [23:0] to_float_u52q40_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_y;
+    wire [23:0] convert_f16_f24_ftz_unit_y;
+    wire [23:0] convert_f16_f24_ftz_unit_copy2_y;
+    wire [23:0] convert_f16_f24_ftz_unit_copy3_y;
+    wire [15:0] convert_f24_ftz_f16_unit_y;
+    wire [15:0] convert_f24_ftz_f16_unit_copy2_y;
+    wire [15:0] convert_f24_ftz_f16_unit_copy3_y;
+
+    assign in_ready = queue_in_ready;
+    wire queue_out_ready = out_ready;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_column = queue_out_column;
+    assign out_row = queue_out_row;
+    assign out_depth = queue_out_depth;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+
+    stream_skid_w87 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d30),
+        .in_ready(queue_in_ready),
+        .in_end(delay_30_from_0_out[0]),
+        .in_column(delay_30_from_0_out[7:1]),
+        .in_row(delay_30_from_0_out[14:8]),
+        .in_depth(mul_11_d3),
+        .in_attribute_0(convert_f24_ftz_f16_unit_y),
+        .in_attribute_1(convert_f24_ftz_f16_unit_copy2_y),
+        .in_attribute_2(convert_f24_ftz_f16_unit_copy3_y),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_column(queue_out_column),
+        .out_row(queue_out_row),
+        .out_depth(queue_out_depth),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2)
+    );
+
+    float_from_fixed_s3_formatf24ftz_w28_fraction16 to_float_u28q16_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(in_weight),
+        .y(to_float_u28q16_f24_ftz_unit_y)
+    );
+
+    float_recip recip_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u28q16_f24_ftz_unit_y),
+        .y(recip_f24_ftz_unit_y)
+    );
+
+    float_from_fixed_s3_formatf24ftz_w52_fraction40 to_float_u52q40_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(in_depth),
+        .y(to_float_u52q40_f24_ftz_unit_y)
+    );
+
+    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f24_ftz_unit_y),
+        .b(delay_20_from_0_out[23:0]),
+        .y(mul_f24_ftz_unit_y)
+    );
+
+    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f24_ftz_unit_y),
+        .b(convert_f16_f24_ftz_unit_y),
+        .y(mul_f24_ftz_unit_copy2_y)
+    );
+
+    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f24_ftz_unit_y),
+        .b(convert_f16_f24_ftz_unit_copy2_y),
+        .y(mul_f24_ftz_unit_copy3_y)
+    );
+
+    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f24_ftz_unit_y),
+        .b(convert_f16_f24_ftz_unit_copy3_y),
+        .y(mul_f24_ftz_unit_copy4_y)
+    );
+
+    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_20_from_0_out[39:24]),
+        .y(convert_f16_f24_ftz_unit_y)
+    );
+
+    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_20_from_0_out[55:40]),
+        .y(convert_f16_f24_ftz_unit_copy2_y)
+    );
+
+    float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_20_from_0_out[71:56]),
+        .y(convert_f16_f24_ftz_unit_copy3_y)
+    );
+
+    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_copy2_y),
+        .y(convert_f24_ftz_f16_unit_y)
+    );
+
+    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_copy3_y),
+        .y(convert_f24_ftz_f16_unit_copy2_y)
+    );
+
+    float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_copy4_y),
+        .y(convert_f24_ftz_f16_unit_copy3_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            delay_20_from_0_pointer <= 5'd0;
+            delay_30_from_0_pointer <= 5'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+            valid_d11 <= 1'd0;
+            valid_d12 <= 1'd0;
+            valid_d13 <= 1'd0;
+            valid_d14 <= 1'd0;
+            valid_d15 <= 1'd0;
+            valid_d16 <= 1'd0;
+            valid_d17 <= 1'd0;
+            valid_d18 <= 1'd0;
+            valid_d19 <= 1'd0;
+            valid_d20 <= 1'd0;
+            valid_d21 <= 1'd0;
+            valid_d22 <= 1'd0;
+            valid_d23 <= 1'd0;
+            valid_d24 <= 1'd0;
+            valid_d25 <= 1'd0;
+            valid_d26 <= 1'd0;
+            valid_d27 <= 1'd0;
+            valid_d28 <= 1'd0;
+            valid_d29 <= 1'd0;
+            valid_d30 <= 1'd0;
+        end else if (queue_in_ready) begin
+            delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+            delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
+            valid_d1 <= in_valid;
+            valid_d2 <= valid_d1;
+            valid_d3 <= valid_d2;
+            valid_d4 <= valid_d3;
+            valid_d5 <= valid_d4;
+            valid_d6 <= valid_d5;
+            valid_d7 <= valid_d6;
+            valid_d8 <= valid_d7;
+            valid_d9 <= valid_d8;
+            valid_d10 <= valid_d9;
+            valid_d11 <= valid_d10;
+            valid_d12 <= valid_d11;
+            valid_d13 <= valid_d12;
+            valid_d14 <= valid_d13;
+            valid_d15 <= valid_d14;
+            valid_d16 <= valid_d15;
+            valid_d17 <= valid_d16;
+            valid_d18 <= valid_d17;
+            valid_d19 <= valid_d18;
+            valid_d20 <= valid_d19;
+            valid_d21 <= valid_d20;
+            valid_d22 <= valid_d21;
+            valid_d23 <= valid_d22;
+            valid_d24 <= valid_d23;
+            valid_d25 <= valid_d24;
+            valid_d26 <= valid_d25;
+            valid_d27 <= valid_d26;
+            valid_d28 <= valid_d27;
+            valid_d29 <= valid_d28;
+            valid_d30 <= valid_d29;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            mul_11_d1 <= mul_f24_ftz_unit_y;
+            mul_11_d2 <= mul_11_d1;
+            mul_11_d3 <= mul_11_d2;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_20_from_0[delay_20_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0, to_float_u52q40_f24_ftz_unit_y};
+        end
+        if (queue_in_ready) begin
+            delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[7:4], in_pixel[5:3], in_tile[3:0], in_pixel[2:0], in_end};
+        end
+        if (queue_in_ready) begin
+            delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
+        end
+    end
+endmodule
+
+// Floating-point format conversion.
+// stages = 3
+// from = f24-ftz
+// to = f16
+module float_convert_ff24ftz_tf16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [15:0] y
+);
+    reg [9:0] distance_s1;
+    reg [12:0] significand_s1;
+    reg [12:0] significand_s2;
+    reg [9:0] exponent_s1;
+    reg [9:0] exponent_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [9:0] sum_1 = {2'd0, a_field} + 10'd912;
+    wire term_2 = sum_1[9] | (sum_1 == 10'd0);
+    wire [14:0] a_fraction = a[14:0];
+    wire [14:0] term_3 = a_fraction & {15{|a_field}};
+    wire [12:0] choice_4 = distance_s1[3] ? (significand_s1 >> 8) : significand_s1;
+    wire [12:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
+    wire [12:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
+    wire [12:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
+    wire term_8 = (distance_s1[3] & |significand_s1[7:0]) | (distance_s1[2] & |choice_4[3:0]);
+    wire term_9 = term_8 | (distance_s1[1] & |choice_5[1:0]) | (distance_s1[0] & choice_6[0]);
+    wire term_10 = infinite_s2 | (~exponent_s2[9] & (10'd31 <= exponent_s2));
+    wire [14:0] joined_11 = {exponent_s2[4:0] & {5{significand_s2[12]}}, significand_s2[11:2]};
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [14:0] rounded = joined_11 + {14'd0, round_up};
+    wire [15:0] joined_12 = {sign_s2, zero_s2 ? 15'd0 : term_10 ? 15'h7c00 : rounded};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= (10'd1 - sum_1) & {10{term_2}};
+            significand_s1 <= {|a_field, term_3[14:4], |term_3[3:0]};
+            significand_s2 <= |distance_s1[9:4] ? {12'd0, |significand_s1} : {choice_7[12:1], choice_7[0] | term_9};
+            exponent_s1 <= term_2 ? 10'd1 : sum_1;
+            exponent_s2 <= exponent_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            infinite_s1 <= &a_field & (a_fraction == 15'd0);
+            infinite_s2 <= infinite_s1;
+            zero_s1 <= ~(|a_field);
+            zero_s2 <= zero_s1;
+            y <= nan_s2 ? 16'h7e00 : joined_12;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Floating-point format conversion.
+// stages = 3
+// from = f16
+// to = f24-ftz
+module float_convert_ff16_tf24ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    output reg  [23:0] y
+);
+    reg [3:0] a_zeros_s1;
+    reg [7:0] a_exponent_s1;
+    reg [10:0] a_significand_s1;
+    reg [9:0] exponent_s2;
+    reg [17:0] significand_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire [4:0] a_field = a[14:10];
+    wire term_1 = ~(|a_field);
+    wire [9:0] a_fraction = a[9:0];
+    wire term_2 = term_1 & ~a_fraction[9];
+    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
+    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
+    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
+    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
+    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
+    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
+    wire [7:0] difference_9 = a_exponent_s1 - {4'd0, a_zeros_s1};
+    wire term_10 = (exponent_s2 == 10'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire term_11 = infinite_s2 | (~exponent_s2[9] & (10'd255 <= exponent_s2));
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
+    wire [22:0] choice_12 = (zero_s2 | ((exponent_s2[9] | term_10) & ~infinite_s2)) ? 23'd0 : term_11 ? 23'h7f8000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_zeros_s1 <= {term_5, choice_8};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_significand_s1 <= {|a_field, a_fraction};
+            exponent_s2 <= {{2{difference_9[7]}}, difference_9} + 10'd112;
+            significand_s2 <= {a_significand_s1 << a_zeros_s1, 7'd0};
+            sign_s1 <= a[15];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            infinite_s1 <= &a_field & (a_fraction == 10'd0);
+            infinite_s2 <= infinite_s1;
+            zero_s1 <= ~(|a_field | |a_fraction);
+            zero_s2 <= zero_s1;
+            y <= nan_s2 ? 24'h7fc000 : {sign_s2, choice_12};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s2[17]};
+endmodule
+
+// Fixed to floating point.
+// stages = 3
+// format = f24-ftz
+// width = 52
+// fraction = 40
+// integer = unsigned
+module float_from_fixed_s3_formatf24ftz_w52_fraction40 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [51:0] a,
+    output reg  [23:0] y
+);
+    reg [51:0] magnitude_s1;
+    reg [5:0] zeros_s1;
+    reg [8:0] exponent_s2;
+    reg [17:0] significand_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire term_1 = ~a[51] & ~a[50];
+    wire term_2 = term_1 & (~a[49] & ~a[48]);
+    wire term_3 = ~a[47] & ~a[46];
+    wire term_4 = term_2 & (term_3 & (~a[45] & ~a[44]));
+    wire term_5 = ~a[43] & ~a[42];
+    wire term_6 = term_5 & (~a[41] & ~a[40]);
+    wire term_7 = ~a[39] & ~a[38];
+    wire term_8 = term_4 & (term_6 & (term_7 & (~a[37] & ~a[36])));
+    wire term_9 = ~a[35] & ~a[34];
+    wire term_10 = term_9 & (~a[33] & ~a[32]);
+    wire term_11 = ~a[31] & ~a[30];
+    wire term_12 = term_10 & (term_11 & (~a[29] & ~a[28]));
+    wire term_13 = ~a[27] & ~a[26];
+    wire term_14 = term_13 & (~a[25] & ~a[24]);
+    wire term_15 = ~a[23] & ~a[22];
+    wire term_16 = term_8 & (term_12 & (term_14 & (term_15 & (~a[21] & ~a[20]))));
+    wire term_17 = ~a[19] & ~a[18];
+    wire term_18 = term_17 & (~a[17] & ~a[16]);
+    wire term_19 = ~a[15] & ~a[14];
+    wire term_20 = term_18 & (term_19 & (~a[13] & ~a[12]));
+    wire term_21 = ~a[11] & ~a[10];
+    wire term_22 = term_21 & (~a[9] & ~a[8]);
+    wire term_23 = ~a[7] & ~a[6];
+    wire term_24 = term_20 & (term_22 & (term_23 & (~a[5] & ~a[4])));
+    wire term_25 = ~a[3] & ~a[2];
+    wire term_26 = term_25 & (~a[1] & ~a[0]);
+    wire [3:0] joined_27 = {1'd0, term_26, term_26 ? 2'd0 : {term_25, term_25 ? ~a[1] : ~a[3]}};
+    wire [1:0] choice_28 = term_22 ? {term_23, term_23 ? ~a[5] : ~a[7]} : {term_21, term_21 ? ~a[9] : ~a[11]};
+    wire [1:0] choice_29 = term_18 ? {term_19, term_19 ? ~a[13] : ~a[15]} : {term_17, term_17 ? ~a[17] : ~a[19]};
+    wire [3:0] joined_30 = {term_20, term_20 ? {term_22, choice_28} : {term_18, choice_29}};
+    wire [1:0] choice_31 = term_14 ? {term_15, term_15 ? ~a[21] : ~a[23]} : {term_13, term_13 ? ~a[25] : ~a[27]};
+    wire [1:0] choice_32 = term_10 ? {term_11, term_11 ? ~a[29] : ~a[31]} : {term_9, term_9 ? ~a[33] : ~a[35]};
+    wire [3:0] joined_33 = {term_12, term_12 ? {term_14, choice_31} : {term_10, choice_32}};
+    wire [1:0] choice_34 = term_6 ? {term_7, term_7 ? ~a[37] : ~a[39]} : {term_5, term_5 ? ~a[41] : ~a[43]};
+    wire [1:0] choice_35 = term_2 ? {term_3, term_3 ? ~a[45] : ~a[47]} : {term_1, term_1 ? ~a[49] : ~a[51]};
+    wire [3:0] joined_36 = {term_4, term_4 ? {term_6, choice_34} : {term_2, choice_35}};
+    wire [4:0] choice_37 = term_16 ? {term_24, term_24 ? joined_27 : joined_30} : {term_8, term_8 ? joined_33 : joined_36};
+    wire [51:0] shifted_38 = magnitude_s1 << zeros_s1;
+    wire term_39 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
+    wire [22:0] choice_40 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    wire [22:0] choice_41 = (zero_s2 | (exponent_s2[8] | term_39)) ? 23'd0 : choice_40;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            magnitude_s1 <= a;
+            zeros_s1 <= {term_16, choice_37};
+            exponent_s2 <= 9'd138 - {3'd0, zeros_s1};
+            significand_s2 <= {shifted_38[51:35], |shifted_38[34:0]};
+            zero_s1 <= a == 52'd0;
+            zero_s2 <= zero_s1;
+            y <= {1'd0, choice_41};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s2[17]};
+endmodule
+
+// Fixed to floating point.
+// stages = 3
+// format = f24-ftz
+// width = 28
+// fraction = 16
+// integer = unsigned
+module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [27:0] a,
+    output reg  [23:0] y
+);
+    reg [27:0] magnitude_s1;
+    reg [4:0] zeros_s1;
+    reg [8:0] exponent_s2;
+    reg [17:0] significand_s2;
+    reg zero_s1;
+    reg zero_s2;
+
+    wire term_1 = ~a[27] & ~a[26];
+    wire term_2 = term_1 & (~a[25] & ~a[24]);
+    wire term_3 = ~a[23] & ~a[22];
+    wire term_4 = term_2 & (term_3 & (~a[21] & ~a[20]));
+    wire term_5 = ~a[19] & ~a[18];
+    wire term_6 = term_5 & (~a[17] & ~a[16]);
+    wire term_7 = ~a[15] & ~a[14];
+    wire term_8 = term_4 & (term_6 & (term_7 & (~a[13] & ~a[12])));
+    wire term_9 = ~a[11] & ~a[10];
+    wire term_10 = term_9 & (~a[9] & ~a[8]);
+    wire term_11 = ~a[7] & ~a[6];
+    wire term_12 = term_10 & (term_11 & (~a[5] & ~a[4]));
+    wire term_13 = ~a[3] & ~a[2];
+    wire term_14 = term_13 & (~a[1] & ~a[0]);
+    wire [2:0] joined_15 = {term_14, term_14 ? 2'd0 : {term_13, term_13 ? ~a[1] : ~a[3]}};
+    wire [1:0] choice_16 = term_10 ? {term_11, term_11 ? ~a[5] : ~a[7]} : {term_9, term_9 ? ~a[9] : ~a[11]};
+    wire [1:0] choice_17 = term_6 ? {term_7, term_7 ? ~a[13] : ~a[15]} : {term_5, term_5 ? ~a[17] : ~a[19]};
+    wire [1:0] choice_18 = term_2 ? {term_3, term_3 ? ~a[21] : ~a[23]} : {term_1, term_1 ? ~a[25] : ~a[27]};
+    wire [3:0] joined_19 = {term_4, term_4 ? {term_6, choice_17} : {term_2, choice_18}};
+    wire [3:0] choice_20 = term_8 ? {term_12, term_12 ? joined_15 : {term_10, choice_16}} : joined_19;
+    wire [27:0] shifted_21 = magnitude_s1 << zeros_s1;
+    wire term_22 = (exponent_s2 == 9'd0) & ~(&significand_s2[16:2] & significand_s2[1]);
+    wire round_up = significand_s2[1] & (significand_s2[0] | significand_s2[2]);
+    wire [22:0] rounded = {exponent_s2[7:0], significand_s2[16:2]} + {22'd0, round_up};
+    wire [22:0] choice_23 = (~exponent_s2[8] & (9'd255 <= exponent_s2)) ? 23'h7f8000 : rounded;
+    wire [22:0] choice_24 = (zero_s2 | (exponent_s2[8] | term_22)) ? 23'd0 : choice_23;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            magnitude_s1 <= a;
+            zeros_s1 <= {term_8, choice_20};
+            exponent_s2 <= 9'd138 - {4'd0, zeros_s1};
+            significand_s2 <= {shifted_21[27:11], |shifted_21[10:0]};
+            zero_s1 <= a == 28'd0;
+            zero_s2 <= zero_s1;
+            y <= {1'd0, choice_24};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s2[17]};
+endmodule
+
+// Queue of two in registers.
+// width = 87
+module stream_skid_w87 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [6:0] in_column,
+    input  wire [6:0] in_row,
+    input  wire [23:0] in_depth,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [6:0] out_column,
+    output wire [6:0] out_row,
+    output wire [23:0] out_depth,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    reg second_valid;
+    reg [86:0] head;
+    reg [86:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [86:0] in_item = {in_end, in_column, in_row, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
+
+    assign out_end = head[86];
+    assign out_column = head[85:79];
+    assign out_row = head[78:72];
+    assign out_depth = head[71:48];
+    assign out_attribute_0 = head[47:32];
+    assign out_attribute_1 = head[31:16];
+    assign out_attribute_2 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Blends samples into the pixels of the tile slots.
+// slots = 2
+// stages = 7
+module splat_accumulator (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    input  wire [39:0] in_weighted_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [1:0] slot_ready,
+    output reg  retire_valid,
+    output reg  retire_slot,
+    output reg  frame_end,
+    input  wire fill_valid,
+    input  wire fill_slot,
+    input  wire [5:0] fill_pixel,
+    input  wire [27:0] fill_weight,
+    input  wire [51:0] fill_depth,
+    input  wire [15:0] fill_attribute_0,
+    input  wire [15:0] fill_attribute_1,
+    input  wire [15:0] fill_attribute_2,
+    input  wire drain_enable,
+    input  wire drain_slot,
+    input  wire [5:0] drain_pixel,
+    output wire [27:0] drain_weight,
+    output wire [51:0] drain_depth,
+    output wire [15:0] drain_attribute_0,
+    output wire [15:0] drain_attribute_1,
+    output wire [15:0] drain_attribute_2,
+    output reg  event_accumulate,
+    output reg  event_hazard,
+    output reg  event_slot_wait
+);
+    (* no_rw_check *)
+    reg [127:0] slot_0_pixels [0:63];
+    (* no_rw_check *)
+    reg [127:0] slot_1_pixels [0:63];
+    reg valid_1;
+    reg inside_1;
+    reg last_1;
+    reg slot_1;
+    reg [5:0] pixel_1;
+    reg valid_2;
+    reg inside_2;
+    reg last_2;
+    reg slot_2;
+    reg [5:0] pixel_2;
+    reg valid_3;
+    reg inside_3;
+    reg last_3;
+    reg slot_3;
+    reg [5:0] pixel_3;
+    reg valid_4;
+    reg inside_4;
+    reg last_4;
+    reg slot_4;
+    reg [5:0] pixel_4;
+    reg valid_5;
+    reg inside_5;
+    reg last_5;
+    reg slot_5;
+    reg [5:0] pixel_5;
+    reg valid_6;
+    reg inside_6;
+    reg last_6;
+    reg slot_6;
+    reg [5:0] pixel_6;
+    reg valid_7;
+    reg inside_7;
+    reg last_7;
+    reg slot_7;
+    reg [5:0] pixel_7;
+    reg valid_8;
+    reg inside_8;
+    reg last_8;
+    reg slot_8;
+    reg [5:0] pixel_8;
+    reg head_valid;
+    reg head_end;
+    reg head_last;
+    reg head_inside;
+    reg head_slot;
+    reg [5:0] head_pixel;
+    reg [15:0] head_weight;
+    reg [39:0] head_weighted_depth;
+    reg [23:0] head_depth_low;
+    reg [23:0] head_depth_high;
+    reg [15:0] head_attribute_0;
+    reg [15:0] head_attribute_1;
+    reg [15:0] head_attribute_2;
+    reg [7:0] collisions;
+    reg arrived;
+    reg [127:0] slot_0_read;
+    reg [127:0] slot_0_pixel;
+    reg [127:0] slot_1_read;
+    reg [127:0] slot_1_pixel;
+    reg [127:0] stored;
+    reg drained_slot;
+    reg [15:0] sample_1_weight;
+    reg [39:0] sample_1_weighted_depth;
+    reg [23:0] sample_1_depth_low;
+    reg [23:0] sample_1_depth_high;
+    reg [15:0] sample_1_attribute_0;
+    reg [15:0] sample_1_attribute_1;
+    reg [15:0] sample_1_attribute_2;
+    reg [15:0] sample_2_weight;
+    reg [39:0] sample_2_weighted_depth;
+    reg [23:0] sample_2_depth_low;
+    reg [23:0] sample_2_depth_high;
+    reg [15:0] sample_2_attribute_0;
+    reg [15:0] sample_2_attribute_1;
+    reg [15:0] sample_2_attribute_2;
+    reg [15:0] sample_3_weight;
+    reg [39:0] sample_3_weighted_depth;
+    reg [23:0] sample_3_depth_low;
+    reg [23:0] sample_3_depth_high;
+    reg [15:0] sample_3_attribute_0;
+    reg [15:0] sample_3_attribute_1;
+    reg [15:0] sample_3_attribute_2;
+    reg late_fail_4;
+    reg late_fail_5;
+    reg late_pass_4;
+    reg late_pass_5;
+    reg [28:0] weight_sum_4;
+    reg [28:0] weight_sum_5;
+    reg [28:0] weight_sum_6;
+    reg [28:0] weight_sum_7;
+    reg [28:0] weight_sum_8;
+    reg [15:0] weight_4;
+    reg [15:0] weight_5;
+    reg [15:0] weight_6;
+    reg [15:0] weight_7;
+    reg [15:0] weight_8;
+    reg [51:0] depth_sum_4;
+    reg [51:0] depth_sum_5;
+    reg [51:0] depth_sum_6;
+    reg [51:0] depth_sum_7;
+    reg [51:0] depth_sum_8;
+    reg [39:0] depth_4;
+    reg [39:0] depth_5;
+    reg [39:0] depth_6;
+    reg [39:0] depth_7;
+    reg [39:0] depth_8;
+    reg [15:0] attribute_0_4;
+    reg [15:0] attribute_0_5;
+    reg [15:0] attribute_0_6;
+    reg [15:0] attribute_0_7;
+    reg [15:0] attribute_0_8;
+    reg [15:0] attribute_1_4;
+    reg [15:0] attribute_1_5;
+    reg [15:0] attribute_1_6;
+    reg [15:0] attribute_1_7;
+    reg [15:0] attribute_1_8;
+    reg [15:0] attribute_2_4;
+    reg [15:0] attribute_2_5;
+    reg [15:0] attribute_2_6;
+    reg [15:0] attribute_2_7;
+    reg [15:0] attribute_2_8;
+
+    wire places_in_ready;
+    wire places_out_valid;
+    wire places_out_end;
+    wire places_out_last;
+    wire places_out_inside;
+    wire places_out_slot;
+    wire [5:0] places_out_pixel;
+    wire samples_in_ready;
+    wire samples_out_valid;
+    wire [15:0] samples_out_weight;
+    wire [39:0] samples_out_weighted_depth;
+    wire [23:0] samples_out_depth_low;
+    wire [23:0] samples_out_depth_high;
+    wire [15:0] samples_out_attribute_0;
+    wire [15:0] samples_out_attribute_1;
+    wire [15:0] samples_out_attribute_2;
+    wire depth_test_fail;
+    wire depth_test_pass;
+    wire [15:0] add_attribute_0_y;
+    wire [15:0] add_attribute_1_y;
+    wire [15:0] add_attribute_2_y;
+
+    assign in_ready = places_in_ready;
+    wire [127:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
+    wire term_1 = head_valid & ~head_end;
+    wire may_issue_inside = term_1 & head_inside;
+    wire slot_wait = may_issue_inside & ~arrived;
+    wire on_the_way = |collisions;
+    wire hazard = may_issue_inside & (arrived & on_the_way);
+    wire issue = term_1 & ~(slot_wait | hazard);
+    wire term_2 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
+    wire issue_end = head_valid & head_end & ~(term_2 | valid_7 | valid_8);
+    wire head_takes = ~head_valid | (issue | issue_end);
+    wire queue_ready = head_takes;
+    wire places_out_ready = queue_ready;
+    wire samples_out_ready = queue_ready;
+    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
+    wire term_3 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
+    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
+    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
+    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
+    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
+    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
+    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
+    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
+    wire [7:0] joined_11 = {
+        term_3,
+        term_4,
+        term_5,
+        term_6,
+        term_7,
+        term_8,
+        term_9,
+        head_valid & (head_inside & ~head_end) & term_10
+    };
+    wire [1:0] shifted_12 = slot_ready >> places_out_slot;
+    wire [1:0] shifted_13 = slot_ready >> head_slot;
+    wire term_14 = drain_enable & ~drain_slot;
+    wire term_15 = drain_enable & drain_slot;
+    wire filling_0 = fill_valid & ~fill_slot;
+    wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
+    wire [127:0] joined_16 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
+    wire [14:0] choice_17 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_18 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_17};
+    wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
+    wire [14:0] choice_19 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_20 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_19};
+    wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
+    wire [14:0] choice_21 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_22 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_21};
+    wire [127:0] result = {
+        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
+        late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
+        choice_18,
+        choice_20,
+        choice_22
+    };
+    wire filling_1 = fill_valid & fill_slot;
+
+    assign drain_weight = drained[127:100];
+    assign drain_depth = drained[99:48];
+    assign drain_attribute_0 = drained[47:32];
+    assign drain_attribute_1 = drained[31:16];
+    assign drain_attribute_2 = drained[15:0];
+
+    stream_fifo_w10 places (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(places_in_ready),
+        .in_end(in_end),
+        .in_last(in_last),
+        .in_inside(in_inside),
+        .in_slot(in_slot),
+        .in_pixel(in_pixel),
+        .out_valid(places_out_valid),
+        .out_ready(places_out_ready),
+        .out_end(places_out_end),
+        .out_last(places_out_last),
+        .out_inside(places_out_inside),
+        .out_slot(places_out_slot),
+        .out_pixel(places_out_pixel)
+    );
+
+    stream_fifo_w152 samples (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(samples_in_ready),
+        .in_weight(in_weight),
+        .in_weighted_depth(in_weighted_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .out_valid(samples_out_valid),
+        .out_ready(samples_out_ready),
+        .out_weight(samples_out_weight),
+        .out_weighted_depth(samples_out_weighted_depth),
+        .out_depth_low(samples_out_depth_low),
+        .out_depth_high(samples_out_depth_high),
+        .out_attribute_0(samples_out_attribute_0),
+        .out_attribute_1(samples_out_attribute_1),
+        .out_attribute_2(samples_out_attribute_2)
+    );
+
+    splat_depth_test depth_test (
+        .clk(clk),
+        .rst(rst),
+        .weight(stored[127:100]),
+        .depth(stored[99:48]),
+        .depth_low(sample_3_depth_low),
+        .depth_high(sample_3_depth_high),
+        .fail(depth_test_fail),
+        .pass(depth_test_pass)
+    );
+
+    float_add_s5_ff16 add_attribute_0 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[47:32]),
+        .b(sample_3_attribute_0),
+        .y(add_attribute_0_y)
+    );
+
+    float_add_s5_ff16 add_attribute_1 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[31:16]),
+        .b(sample_3_attribute_1),
+        .y(add_attribute_1_y)
+    );
+
+    float_add_s5_ff16 add_attribute_2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(1'd1),
+        .a(stored[15:0]),
+        .b(sample_3_attribute_2),
+        .y(add_attribute_2_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            retire_valid <= 1'd0;
+            frame_end <= 1'd0;
+            valid_1 <= 1'd0;
+            inside_1 <= 1'd0;
+            valid_2 <= 1'd0;
+            inside_2 <= 1'd0;
+            valid_3 <= 1'd0;
+            inside_3 <= 1'd0;
+            valid_4 <= 1'd0;
+            inside_4 <= 1'd0;
+            valid_5 <= 1'd0;
+            inside_5 <= 1'd0;
+            valid_6 <= 1'd0;
+            inside_6 <= 1'd0;
+            valid_7 <= 1'd0;
+            inside_7 <= 1'd0;
+            valid_8 <= 1'd0;
+            inside_8 <= 1'd0;
+            head_valid <= 1'd0;
+            event_accumulate <= 1'd0;
+            event_hazard <= 1'd0;
+            event_slot_wait <= 1'd0;
+        end else begin
+            retire_valid <= valid_8 & last_8;
+            frame_end <= issue_end;
+            valid_1 <= issue;
+            inside_1 <= issue_inside;
+            valid_2 <= valid_1;
+            inside_2 <= inside_1;
+            valid_3 <= valid_2;
+            inside_3 <= inside_2;
+            valid_4 <= valid_3;
+            inside_4 <= inside_3;
+            valid_5 <= valid_4;
+            inside_5 <= inside_4;
+            valid_6 <= valid_5;
+            inside_6 <= inside_5;
+            valid_7 <= valid_6;
+            inside_7 <= inside_6;
+            valid_8 <= valid_7;
+            inside_8 <= inside_7;
+            event_accumulate <= issue_inside;
+            event_hazard <= hazard;
+            event_slot_wait <= slot_wait;
+            if (head_takes) begin
+                head_valid <= places_out_valid;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        retire_slot <= slot_8;
+        last_1 <= head_last;
+        slot_1 <= head_slot;
+        pixel_1 <= head_pixel;
+        last_2 <= last_1;
+        slot_2 <= slot_1;
+        pixel_2 <= pixel_1;
+        last_3 <= last_2;
+        slot_3 <= slot_2;
+        pixel_3 <= pixel_2;
+        last_4 <= last_3;
+        slot_4 <= slot_3;
+        pixel_4 <= pixel_3;
+        last_5 <= last_4;
+        slot_5 <= slot_4;
+        pixel_5 <= pixel_4;
+        last_6 <= last_5;
+        slot_6 <= slot_5;
+        pixel_6 <= pixel_5;
+        last_7 <= last_6;
+        slot_7 <= slot_6;
+        pixel_7 <= pixel_6;
+        last_8 <= last_7;
+        slot_8 <= slot_7;
+        pixel_8 <= pixel_7;
+        collisions <= head_takes ? joined_11 : (collisions << 1);
+        arrived <= head_takes ? shifted_12[0] : shifted_13[0];
+        stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
+        sample_1_weight <= head_weight;
+        sample_1_weighted_depth <= head_weighted_depth;
+        sample_1_depth_low <= head_depth_low;
+        sample_1_depth_high <= head_depth_high;
+        sample_1_attribute_0 <= head_attribute_0;
+        sample_1_attribute_1 <= head_attribute_1;
+        sample_1_attribute_2 <= head_attribute_2;
+        sample_2_weight <= sample_1_weight;
+        sample_2_weighted_depth <= sample_1_weighted_depth;
+        sample_2_depth_low <= sample_1_depth_low;
+        sample_2_depth_high <= sample_1_depth_high;
+        sample_2_attribute_0 <= sample_1_attribute_0;
+        sample_2_attribute_1 <= sample_1_attribute_1;
+        sample_2_attribute_2 <= sample_1_attribute_2;
+        sample_3_weight <= sample_2_weight;
+        sample_3_weighted_depth <= sample_2_weighted_depth;
+        sample_3_depth_low <= sample_2_depth_low;
+        sample_3_depth_high <= sample_2_depth_high;
+        sample_3_attribute_0 <= sample_2_attribute_0;
+        sample_3_attribute_1 <= sample_2_attribute_1;
+        sample_3_attribute_2 <= sample_2_attribute_2;
+        late_fail_4 <= depth_test_fail;
+        late_fail_5 <= late_fail_4;
+        late_pass_4 <= depth_test_pass;
+        late_pass_5 <= late_pass_4;
+        weight_sum_4 <= {1'd0, stored[127:100]} + {13'd0, sample_3_weight};
+        weight_sum_5 <= weight_sum_4;
+        weight_sum_6 <= weight_sum_5;
+        weight_sum_7 <= weight_sum_6;
+        weight_sum_8 <= weight_sum_7;
+        weight_4 <= sample_3_weight;
+        weight_5 <= weight_4;
+        weight_6 <= weight_5;
+        weight_7 <= weight_6;
+        weight_8 <= weight_7;
+        depth_sum_4 <= stored[99:48] + {12'd0, sample_3_weighted_depth};
+        depth_sum_5 <= depth_sum_4;
+        depth_sum_6 <= depth_sum_5;
+        depth_sum_7 <= depth_sum_6;
+        depth_sum_8 <= depth_sum_7;
+        depth_4 <= sample_3_weighted_depth;
+        depth_5 <= depth_4;
+        depth_6 <= depth_5;
+        depth_7 <= depth_6;
+        depth_8 <= depth_7;
+        attribute_0_4 <= sample_3_attribute_0;
+        attribute_0_5 <= attribute_0_4;
+        attribute_0_6 <= attribute_0_5;
+        attribute_0_7 <= attribute_0_6;
+        attribute_0_8 <= attribute_0_7;
+        attribute_1_4 <= sample_3_attribute_1;
+        attribute_1_5 <= attribute_1_4;
+        attribute_1_6 <= attribute_1_5;
+        attribute_1_7 <= attribute_1_6;
+        attribute_1_8 <= attribute_1_7;
+        attribute_2_4 <= sample_3_attribute_2;
+        attribute_2_5 <= attribute_2_4;
+        attribute_2_6 <= attribute_2_5;
+        attribute_2_7 <= attribute_2_6;
+        attribute_2_8 <= attribute_2_7;
+        if (head_takes) begin
+            head_end <= places_out_end;
+            head_last <= places_out_last;
+            head_inside <= places_out_inside;
+            head_slot <= places_out_slot;
+            head_pixel <= places_out_pixel;
+            head_weight <= samples_out_weight;
+            head_weighted_depth <= samples_out_weighted_depth;
+            head_depth_low <= samples_out_depth_low;
+            head_depth_high <= samples_out_depth_high;
+            head_attribute_0 <= samples_out_attribute_0;
+            head_attribute_1 <= samples_out_attribute_1;
+            head_attribute_2 <= samples_out_attribute_2;
+        end
+        if (slot_ready[0] | term_14) begin
+            slot_0_pixel <= slot_0_read;
+        end
+        if (slot_ready[1] | term_15) begin
+            slot_1_pixel <= slot_1_read;
+        end
+        if (drain_enable) begin
+            drained_slot <= drain_slot;
+        end
+    end
+    always @(posedge clk) begin
+        if (filling_0 | (writes & ~slot_8)) begin
+            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_16 : result;
+        end
+        if (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) begin
+            slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
+        end
+`ifdef RTL_ASSERT
+        if ((filling_0 | (writes & ~slot_8)) && (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) && (filling_0 ? fill_pixel : pixel_8) == (slot_ready[0] ? head_pixel : drain_pixel)) begin
+            slot_0_read <= ~slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
+        end
+`endif
+    end
+    always @(posedge clk) begin
+        if (filling_1 | (writes & slot_8)) begin
+            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_16 : result;
+        end
+        if (slot_ready[1] ? (issue_inside & head_slot) : term_15) begin
+            slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
+        end
+`ifdef RTL_ASSERT
+        if ((filling_1 | (writes & slot_8)) && (slot_ready[1] ? (issue_inside & head_slot) : term_15) && (filling_1 ? fill_pixel : pixel_8) == (slot_ready[1] ? head_pixel : drain_pixel)) begin
+            slot_1_read <= ~slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
+        end
+`endif
+    end
+
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[1], shifted_13[1]};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(places_out_valid == samples_out_valid)) begin
+`ifdef FORMAL
+                queues_move_together: assert (0);
+`else
+                $display("assertion failed: queues_move_together in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Floating-point sum.
+// stages = 5
+// format = f16
+module float_add_s5_ff16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    input  wire [15:0] b,
+    output reg  [15:0] y
+);
+    reg [7:0] distance_s1;
+    reg [10:0] large_s1;
+    reg [10:0] small_s1;
+    reg [7:0] limit_s1;
+    reg subtract_s1;
+    reg [14:0] sum_s2;
+    reg [14:0] stop_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg subtract_s2;
+    reg [14:0] value_s3;
+    reg [3:0] zeros_s3;
+    reg [7:0] limit_s2;
+    reg [7:0] limit_s3;
+    reg [7:0] exponent_s4;
+    reg [12:0] significand_s4;
+    reg sign_s3;
+    reg sign_s4;
+    reg nan_s3;
+    reg nan_s4;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg zero_s3;
+    reg zero_s4;
+
+    wire swap = a[14:0] < b[14:0];
+    wire [4:0] b_field = b[14:10];
+    wire [7:0] joined_1 = {3'd0, b_field[4:1], b_field[0] | ~(|b_field)};
+    wire [4:0] a_field = a[14:10];
+    wire [7:0] joined_2 = {3'd0, a_field[4:1], a_field[0] | ~(|a_field)};
+    wire [9:0] b_fraction = b[9:0];
+    wire [10:0] joined_3 = {|b_field, b_fraction};
+    wire [9:0] a_fraction = a[9:0];
+    wire [10:0] joined_4 = {|a_field, a_fraction};
+    wire term_5 = a[15] ^ b[15];
+    wire [13:0] choice_6 = distance_s1[3] ? ({small_s1, 3'd0} >> 8) : {small_s1, 3'd0};
+    wire [13:0] choice_7 = distance_s1[2] ? (choice_6 >> 4) : choice_6;
+    wire [13:0] choice_8 = distance_s1[1] ? (choice_7 >> 2) : choice_7;
+    wire [13:0] choice_9 = distance_s1[0] ? (choice_8 >> 1) : choice_8;
+    wire term_10 = (distance_s1[3] & |{small_s1[4:0], 3'd0}) | (distance_s1[2] & |choice_6[3:0]);
+    wire term_11 = term_10 | (distance_s1[1] & |choice_7[1:0]) | (distance_s1[0] & choice_8[0]);
+    wire [13:0] choice_12 = distance_s1[4] ? {13'd0, |{small_s1, 3'd0}} : {choice_9[13:1], choice_9[0] | term_11};
+    wire [15:0] sum_13 = {1'd0, large_s1, 4'd1} + {{1'd0, choice_12} ^ {15{subtract_s1}}, subtract_s1};
+    wire term_14 = &a_field & (a_fraction == 10'd0);
+    wire term_15 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] term_16 = sum_s2 | stop_s2;
+    wire term_17 = ~term_16[14] & ~term_16[13];
+    wire term_18 = term_17 & (~term_16[12] & ~term_16[11]);
+    wire term_19 = ~term_16[10] & ~term_16[9];
+    wire term_20 = term_18 & (term_19 & (~term_16[8] & ~term_16[7]));
+    wire term_21 = ~term_16[6] & ~term_16[5];
+    wire term_22 = term_21 & (~term_16[4] & ~term_16[3]);
+    wire term_23 = ~term_16[2] & ~term_16[1];
+    wire [1:0] choice_24 = term_22 ? {term_23, term_23 ? ~term_16[0] : ~term_16[2]} : {term_21, term_21 ? ~term_16[4] : ~term_16[6]};
+    wire [1:0] choice_25 = term_18 ? {term_19, term_19 ? ~term_16[8] : ~term_16[10]} : {term_17, term_17 ? ~term_16[12] : ~term_16[14]};
+    wire [14:0] shifted_26 = value_s3 << zeros_s3;
+    wire term_27 = sum_s2 == 15'd0;
+    wire [14:0] joined_28 = {exponent_s4[4:0] & {5{significand_s4[12]}}, significand_s4[11:2]};
+    wire round_up = significand_s4[1] & (significand_s4[0] | significand_s4[2]);
+    wire [14:0] rounded = joined_28 + {14'd0, round_up};
+    wire [14:0] choice_29 = (infinite_s4 | (~exponent_s4[7] & (8'd31 <= exponent_s4))) ? 15'h7c00 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= swap ? (joined_1 - joined_2) : (joined_2 - joined_1);
+            large_s1 <= swap ? joined_3 : joined_4;
+            small_s1 <= swap ? joined_4 : joined_3;
+            limit_s1 <= swap ? joined_1 : joined_2;
+            subtract_s1 <= term_5;
+            sum_s2 <= sum_13[15:1];
+            stop_s2 <= 15'h4000 >> limit_s1;
+            sign_s1 <= swap ? b[15] : a[15];
+            sign_s2 <= sign_s1;
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_14 & term_15 & term_5);
+            nan_s2 <= nan_s1;
+            infinite_s1 <= term_14 | term_15;
+            infinite_s2 <= infinite_s1;
+            subtract_s2 <= subtract_s1;
+            value_s3 <= sum_s2;
+            zeros_s3 <= {term_20, term_20 ? {term_22, choice_24} : {term_18, choice_25}};
+            limit_s2 <= limit_s1;
+            limit_s3 <= limit_s2;
+            exponent_s4 <= (limit_s3 + 8'd1) - {4'd0, zeros_s3};
+            significand_s4 <= {shifted_26[14:3], |shifted_26[2:0]};
+            sign_s3 <= sign_s2 & ~(term_27 & subtract_s2);
+            sign_s4 <= sign_s3;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            zero_s3 <= term_27 & ~infinite_s2;
+            zero_s4 <= zero_s3;
+            y <= nan_s4 ? 16'h7e00 : {sign_s4, zero_s4 ? 15'd0 : choice_29};
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1[7:5], rst, sum_13[0]};
+endmodule
+
+// Compares a pixel's normalized depth with a splat's depth band.
+module splat_depth_test (
+    input  wire clk,
+    input  wire rst,
+    input  wire [27:0] weight,
+    input  wire [51:0] depth,
+    input  wire [23:0] depth_low,
+    input  wire [23:0] depth_high,
+    output reg  fail,
+    output reg  pass
+);
+    reg [51:0] arrived;
+    reg [51:0] stored;
+    reg [25:0] low_bound_low_low;
+    reg [25:0] low_bound_high_high;
+    reg [25:0] low_bound_high_low;
+    reg [25:0] low_bound_low_high;
+    reg [51:0] low_bound;
+    reg [25:0] high_bound_low_low;
+    reg [25:0] high_bound_high_high;
+    reg [25:0] high_bound_high_low;
+    reg [25:0] high_bound_low_high;
+    reg [51:0] high_bound;
+
+    wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
+    wire [51:0] term_2 = {26'd0, high_bound_low_low} | ({26'd0, high_bound_high_high} << 26);
+
+    always @(posedge clk) begin
+        if (rst) begin
+            fail <= 1'd0;
+            pass <= 1'd0;
+        end else begin
+            fail <= stored < low_bound;
+            pass <= high_bound < stored;
+        end
+    end
+    always @(posedge clk) begin
+        arrived <= depth;
+        stored <= arrived;
+        low_bound_low_low <= {14'd0, depth_low[11:0]} * {12'd0, weight[13:0]};
+        low_bound_high_high <= {14'd0, depth_low[23:12]} * {12'd0, weight[27:14]};
+        low_bound_high_low <= {14'd0, depth_low[23:12]} * {12'd0, weight[13:0]};
+        low_bound_low_high <= {14'd0, depth_low[11:0]} * {12'd0, weight[27:14]};
+        low_bound <= term_1 + ({26'd0, low_bound_high_low} << 12) + ({26'd0, low_bound_low_high} << 14);
+        high_bound_low_low <= {14'd0, depth_high[11:0]} * {12'd0, weight[13:0]};
+        high_bound_high_high <= {14'd0, depth_high[23:12]} * {12'd0, weight[27:14]};
+        high_bound_high_low <= {14'd0, depth_high[23:12]} * {12'd0, weight[13:0]};
+        high_bound_low_high <= {14'd0, depth_high[11:0]} * {12'd0, weight[27:14]};
+        high_bound <= term_2 + ({26'd0, high_bound_high_low} << 12) + ({26'd0, high_bound_low_high} << 14);
+    end
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 152
+module stream_fifo_w152 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [15:0] in_weight,
+    input  wire [39:0] in_weighted_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [15:0] out_weight,
+    output wire [39:0] out_weighted_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    (* no_rw_check *)
+    reg [151:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [151:0] item;
+
+    wire has_room = ~held[6];
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_weight = item[151:136];
+    assign out_weighted_depth = item[135:96];
+    assign out_depth_low = item[95:72];
+    assign out_depth_high = item[71:48];
+    assign out_attribute_0 = item[47:32];
+    assign out_attribute_1 = item[31:16];
+    assign out_attribute_2 = item[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {
+                in_weight,
+                in_weighted_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2
+            };
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+`ifdef RTL_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 10
+module stream_fifo_w10 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire in_slot,
+    input  wire [5:0] in_pixel,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire out_slot,
+    output wire [5:0] out_pixel
+);
+    (* ram_style = "distributed" *)
+    reg [9:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [9:0] item;
+
+    wire has_room = ~held[6];
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_end = item[9];
+    assign out_last = item[8];
+    assign out_inside = item[7];
+    assign out_slot = item[6];
+    assign out_pixel = item[5:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {in_end, in_last, in_inside, in_slot, in_pixel};
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Weighted depth and attributes of a sample.
+// latency = 10
+// initiation_interval = 1
+module splat_weighting (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight,
+    output wire [39:0] out_weighted_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    (* ram_style = "distributed" *)
+    reg [39:0] delay_7_from_0 [0:5];
+    (* ram_style = "distributed" *)
+    reg [57:0] delay_10_from_0 [0:8];
+    reg [2:0] delay_7_from_0_pointer;
+    reg [39:0] delay_7_from_0_out;
+    reg [3:0] delay_10_from_0_pointer;
+    reg [57:0] delay_10_from_0_out;
+    reg [15:0] weight_d8;
+    reg [15:0] weight_d9;
+    reg [15:0] weight_d10;
+    reg [15:0] reinterpret_14_d1;
+    reg [15:0] reinterpret_14_d2;
+    reg [15:0] reinterpret_14_d3;
+    reg [15:0] reinterpret_14_d4;
+    reg [15:0] reinterpret_16_d1;
+    reg [15:0] reinterpret_16_d2;
+    reg [15:0] reinterpret_16_d3;
+    reg [15:0] reinterpret_16_d4;
+    reg [15:0] reinterpret_18_d1;
+    reg [15:0] reinterpret_18_d2;
+    reg [15:0] reinterpret_18_d3;
+    reg [15:0] reinterpret_18_d4;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire queue_out_last;
+    wire queue_out_inside;
+    wire queue_out_slot;
+    wire [5:0] queue_out_pixel;
+    wire [15:0] queue_out_weight;
+    wire [39:0] queue_out_weighted_depth;
+    wire [23:0] queue_out_depth_low;
+    wire [23:0] queue_out_depth_high;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [15:0] to_float_u16q16_f16_unit_y;
+    wire [39:0] mul_u16_u24_unit_y;
+    wire [15:0] mul_f16_unit_y;
+    wire [15:0] mul_f16_unit_copy2_y;
+    wire [15:0] mul_f16_unit_copy3_y;
+
+    assign in_ready = queue_in_ready;
+    wire queue_out_ready = out_ready;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_last = queue_out_last;
+    assign out_inside = queue_out_inside;
+    assign out_slot = queue_out_slot;
+    assign out_pixel = queue_out_pixel;
+    assign out_weight = queue_out_weight;
+    assign out_weighted_depth = queue_out_weighted_depth;
+    assign out_depth_low = queue_out_depth_low;
+    assign out_depth_high = queue_out_depth_high;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+
+    stream_skid_w162 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d10),
+        .in_ready(queue_in_ready),
+        .in_end(delay_10_from_0_out[0]),
+        .in_last(delay_10_from_0_out[1]),
+        .in_inside(delay_10_from_0_out[2]),
+        .in_slot(delay_10_from_0_out[3]),
+        .in_pixel(delay_10_from_0_out[9:4]),
+        .in_weight(weight_d10),
+        .in_weighted_depth(mul_u16_u24_unit_y),
+        .in_depth_low(delay_10_from_0_out[33:10]),
+        .in_depth_high(delay_10_from_0_out[57:34]),
+        .in_attribute_0(mul_f16_unit_y),
+        .in_attribute_1(mul_f16_unit_copy2_y),
+        .in_attribute_2(mul_f16_unit_copy3_y),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_last(queue_out_last),
+        .out_inside(queue_out_inside),
+        .out_slot(queue_out_slot),
+        .out_pixel(queue_out_pixel),
+        .out_weight(queue_out_weight),
+        .out_weighted_depth(queue_out_weighted_depth),
+        .out_depth_low(queue_out_depth_low),
+        .out_depth_high(queue_out_depth_high),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2)
+    );
+
+    float_from_fixed_s4_formatf16_w16_fraction16 to_float_u16q16_f16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(in_weight),
+        .y(to_float_u16q16_f16_unit_y)
+    );
+
+    integer_mul_s3_au16_bu24 mul_u16_u24_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(delay_7_from_0_out[15:0]),
+        .b(delay_7_from_0_out[39:16]),
+        .y(mul_u16_u24_unit_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_14_d4),
+        .y(mul_f16_unit_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_16_d4),
+        .y(mul_f16_unit_copy2_y)
+    );
+
+    float_mul_s6_ff16 mul_f16_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_float_u16q16_f16_unit_y),
+        .b(reinterpret_18_d4),
+        .y(mul_f16_unit_copy3_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            delay_7_from_0_pointer <= 3'd0;
+            delay_10_from_0_pointer <= 4'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+        end else if (queue_in_ready) begin
+            delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
+            delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+            valid_d1 <= in_valid;
+            valid_d2 <= valid_d1;
+            valid_d3 <= valid_d2;
+            valid_d4 <= valid_d3;
+            valid_d5 <= valid_d4;
+            valid_d6 <= valid_d5;
+            valid_d7 <= valid_d6;
+            valid_d8 <= valid_d7;
+            valid_d9 <= valid_d8;
+            valid_d10 <= valid_d9;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            weight_d8 <= delay_7_from_0_out[15:0];
+            weight_d9 <= weight_d8;
+            weight_d10 <= weight_d9;
+            reinterpret_14_d1 <= in_attribute_0;
+            reinterpret_14_d2 <= reinterpret_14_d1;
+            reinterpret_14_d3 <= reinterpret_14_d2;
+            reinterpret_14_d4 <= reinterpret_14_d3;
+            reinterpret_16_d1 <= in_attribute_1;
+            reinterpret_16_d2 <= reinterpret_16_d1;
+            reinterpret_16_d3 <= reinterpret_16_d2;
+            reinterpret_16_d4 <= reinterpret_16_d3;
+            reinterpret_18_d1 <= in_attribute_2;
+            reinterpret_18_d2 <= reinterpret_18_d1;
+            reinterpret_18_d3 <= reinterpret_18_d2;
+            reinterpret_18_d4 <= reinterpret_18_d3;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
+        end
+        if (queue_in_ready) begin
+            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_10_from_0[delay_10_from_0_pointer] <= {in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
+        end
+        if (queue_in_ready) begin
+            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        end
+    end
+endmodule
+
+// Floating-point product.
+// stages = 6
+// format = f16
+module float_mul_s6_ff16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    input  wire [15:0] b,
+    output reg  [15:0] y
+);
+    reg [3:0] a_zeros_s1;
+    reg [7:0] a_exponent_s1;
+    reg [10:0] a_significand_s1;
+    reg [3:0] b_zeros_s1;
+    reg [7:0] b_exponent_s1;
+    reg [10:0] b_significand_s1;
+    reg [10:0] left_s2;
+    reg [10:0] right_s2;
+    reg [7:0] exponent_s2;
+    reg [21:0] product_s3;
+    reg [7:0] exponent_s3;
+    reg [7:0] distance_s4;
+    reg [12:0] significand_s4;
+    reg [12:0] significand_s5;
+    reg [7:0] exponent_s4;
+    reg [7:0] exponent_s5;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg sign_s5;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg nan_s5;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg zero_s5;
+
+    wire [4:0] a_field = a[14:10];
+    wire term_1 = ~(|a_field);
+    wire [9:0] a_fraction = a[9:0];
+    wire term_2 = term_1 & ~a_fraction[9];
+    wire term_3 = term_2 & (~a_fraction[8] & ~a_fraction[7]);
+    wire term_4 = ~a_fraction[6] & ~a_fraction[5];
+    wire term_5 = term_3 & (term_4 & (~a_fraction[4] & ~a_fraction[3]));
+    wire term_6 = ~a_fraction[2] & ~a_fraction[1];
+    wire [1:0] choice_7 = term_3 ? {term_4, term_4 ? ~a_fraction[4] : ~a_fraction[6]} : {term_2, term_2 ? ~a_fraction[8] : term_1};
+    wire [2:0] choice_8 = term_5 ? {1'd0, term_6, term_6 ? ~a_fraction[0] : ~a_fraction[2]} : {term_3, choice_7};
+    wire [4:0] b_field = b[14:10];
+    wire term_9 = ~(|b_field);
+    wire [9:0] b_fraction = b[9:0];
+    wire term_10 = term_9 & ~b_fraction[9];
+    wire term_11 = term_10 & (~b_fraction[8] & ~b_fraction[7]);
+    wire term_12 = ~b_fraction[6] & ~b_fraction[5];
+    wire term_13 = term_11 & (term_12 & (~b_fraction[4] & ~b_fraction[3]));
+    wire term_14 = ~b_fraction[2] & ~b_fraction[1];
+    wire [2:0] joined_15 = {1'd0, term_14, term_14 ? ~b_fraction[0] : ~b_fraction[2]};
+    wire [1:0] choice_16 = term_11 ? {term_12, term_12 ? ~b_fraction[4] : ~b_fraction[6]} : {term_10, term_10 ? ~b_fraction[8] : term_9};
+    wire [7:0] sum_17 = exponent_s3 + {7'd0, product_s3[21]};
+    wire term_18 = sum_17[7] | (sum_17 == 8'd0);
+    wire [21:0] choice_19 = product_s3[21] ? product_s3 : (product_s3 << 1);
+    wire [12:0] choice_20 = distance_s4[3] ? (significand_s4 >> 8) : significand_s4;
+    wire [12:0] choice_21 = distance_s4[2] ? (choice_20 >> 4) : choice_20;
+    wire [12:0] choice_22 = distance_s4[1] ? (choice_21 >> 2) : choice_21;
+    wire [12:0] choice_23 = distance_s4[0] ? (choice_22 >> 1) : choice_22;
+    wire term_24 = (distance_s4[3] & |significand_s4[7:0]) | (distance_s4[2] & |choice_20[3:0]);
+    wire term_25 = term_24 | (distance_s4[1] & |choice_21[1:0]) | (distance_s4[0] & choice_22[0]);
+    wire term_26 = &a_field & (a_fraction == 10'd0);
+    wire term_27 = ~(|b_field | |b_fraction);
+    wire term_28 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_26 & term_27);
+    wire term_29 = ~(|a_field | |a_fraction);
+    wire term_30 = &b_field & (b_fraction == 10'd0);
+    wire [14:0] joined_31 = {exponent_s5[4:0] & {5{significand_s5[12]}}, significand_s5[11:2]};
+    wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
+    wire [14:0] rounded = joined_31 + {14'd0, round_up};
+    wire [14:0] choice_32 = (infinite_s5 | (~exponent_s5[7] & (8'd31 <= exponent_s5))) ? 15'h7c00 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_zeros_s1 <= {term_5, choice_8};
+            a_exponent_s1 <= {3'd0, a_field[4:1], a_field[0] | term_1};
+            a_significand_s1 <= {|a_field, a_fraction};
+            b_zeros_s1 <= {term_13, term_13 ? joined_15 : {term_11, choice_16}};
+            b_exponent_s1 <= {3'd0, b_field[4:1], b_field[0] | term_9};
+            b_significand_s1 <= {|b_field, b_fraction};
+            left_s2 <= a_significand_s1 << a_zeros_s1;
+            right_s2 <= b_significand_s1 << b_zeros_s1;
+            exponent_s2 <= (a_exponent_s1 - {4'd0, a_zeros_s1}) + (b_exponent_s1 - {4'd0, b_zeros_s1});
+            product_s3 <= {11'd0, left_s2} * {11'd0, right_s2};
+            exponent_s3 <= exponent_s2 - 8'd15;
+            distance_s4 <= (8'd1 - sum_17) & {8{term_18}};
+            significand_s4 <= {choice_19[21:10], |choice_19[9:0]};
+            significand_s5 <= |distance_s4[7:4] ? {12'd0, |significand_s4} : {choice_23[12:1], choice_23[0] | term_25};
+            exponent_s4 <= term_18 ? 8'd1 : sum_17;
+            exponent_s5 <= exponent_s4;
+            sign_s1 <= a[15] ^ b[15];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            sign_s5 <= sign_s4;
+            nan_s1 <= term_28 | (term_29 & term_30);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            infinite_s1 <= term_26 | term_30;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            zero_s1 <= term_29 | term_27;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            zero_s5 <= zero_s4;
+            y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : choice_32};
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Integer product, pipelined.
+// stages = 3
+// a = u16
+// b = u24
+module integer_mul_s3_au16_bu24 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    input  wire [23:0] b,
+    output reg  [39:0] y
+);
+    reg [15:0] a_s1;
+    reg [23:0] b_s1;
+    reg [27:0] partial_0_0_s2;
+    reg [27:0] partial_0_12_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_s1 <= a;
+            b_s1 <= b;
+            partial_0_0_s2 <= {12'd0, a_s1} * {16'd0, b_s1[11:0]};
+            partial_0_12_s2 <= {12'd0, a_s1} * {16'd0, b_s1[23:12]};
+            y <= {12'd0, partial_0_0_s2} + ({12'd0, partial_0_12_s2} << 12);
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Fixed to floating point.
+// stages = 4
+// format = f16
+// width = 16
+// fraction = 16
+// integer = unsigned
+module float_from_fixed_s4_formatf16_w16_fraction16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    output reg  [15:0] y
+);
+    reg [15:0] magnitude_s1;
+    reg [15:0] magnitude_s2;
+    reg [3:0] zeros_s2;
+    reg [5:0] distance_s3;
+    reg [12:0] significand_s3;
+    reg [5:0] exponent_s3;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+
+    wire term_1 = ~magnitude_s1[15] & ~magnitude_s1[14];
+    wire term_2 = term_1 & (~magnitude_s1[13] & ~magnitude_s1[12]);
+    wire term_3 = ~magnitude_s1[11] & ~magnitude_s1[10];
+    wire term_4 = term_2 & (term_3 & (~magnitude_s1[9] & ~magnitude_s1[8]));
+    wire term_5 = ~magnitude_s1[7] & ~magnitude_s1[6];
+    wire term_6 = term_5 & (~magnitude_s1[5] & ~magnitude_s1[4]);
+    wire term_7 = ~magnitude_s1[3] & ~magnitude_s1[2];
+    wire [1:0] choice_8 = term_6 ? {term_7, term_7 ? ~magnitude_s1[1] : ~magnitude_s1[3]} : {term_5, term_5 ? ~magnitude_s1[5] : ~magnitude_s1[7]};
+    wire [1:0] choice_9 = term_2 ? {term_3, term_3 ? ~magnitude_s1[9] : ~magnitude_s1[11]} : {term_1, term_1 ? ~magnitude_s1[13] : ~magnitude_s1[15]};
+    wire [5:0] difference_10 = 6'd14 - {2'd0, zeros_s2};
+    wire term_11 = difference_10[5] | (difference_10 == 6'd0);
+    wire [15:0] shifted_12 = magnitude_s2 << zeros_s2;
+    wire [12:0] choice_13 = distance_s3[3] ? (significand_s3 >> 8) : significand_s3;
+    wire [12:0] choice_14 = distance_s3[2] ? (choice_13 >> 4) : choice_13;
+    wire [12:0] choice_15 = distance_s3[1] ? (choice_14 >> 2) : choice_14;
+    wire [12:0] choice_16 = distance_s3[0] ? (choice_15 >> 1) : choice_15;
+    wire term_17 = (distance_s3[3] & |significand_s3[7:0]) | (distance_s3[2] & |choice_13[3:0]);
+    wire term_18 = term_17 | (distance_s3[1] & |choice_14[1:0]) | (distance_s3[0] & choice_15[0]);
+    wire [12:0] choice_19 = |distance_s3[5:4] ? {12'd0, |significand_s3} : {choice_16[12:1], choice_16[0] | term_18};
+    wire round_up = choice_19[1] & (choice_19[0] | choice_19[2]);
+    wire [14:0] rounded = {exponent_s3[4:0] & {5{choice_19[12]}}, choice_19[11:2]} + {14'd0, round_up};
+    wire [14:0] choice_20 = (~exponent_s3[5] & (6'd31 <= exponent_s3)) ? 15'h7c00 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            magnitude_s1 <= a;
+            magnitude_s2 <= magnitude_s1;
+            zeros_s2 <= {term_4, term_4 ? {term_6, choice_8} : {term_2, choice_9}};
+            distance_s3 <= (6'd1 - difference_10) & {6{term_11}};
+            significand_s3 <= {shifted_12[15:4], |shifted_12[3:0]};
+            exponent_s3 <= term_11 ? 6'd1 : difference_10;
+            zero_s1 <= a == 16'd0;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            y <= {1'd0, zero_s3 ? 15'd0 : choice_20};
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Queue of two in registers.
+// width = 162
+module stream_skid_w162 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    input  wire [39:0] in_weighted_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight,
+    output wire [39:0] out_weighted_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    reg second_valid;
+    reg [161:0] head;
+    reg [161:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [161:0] in_item = {
+        in_end,
+        in_last,
+        in_inside,
+        in_slot,
+        in_pixel,
+        in_weight,
+        in_weighted_depth,
+        in_depth_low,
+        in_depth_high,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2
+    };
+
+    assign out_end = head[161];
+    assign out_last = head[160];
+    assign out_inside = head[159];
+    assign out_slot = head[158];
+    assign out_pixel = head[157:152];
+    assign out_weight = head[151:136];
+    assign out_weighted_depth = head[135:96];
+    assign out_depth_low = head[95:72];
+    assign out_depth_high = head[71:48];
+    assign out_attribute_0 = head[47:32];
+    assign out_attribute_1 = head[31:16];
+    assign out_attribute_2 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Samples of a splat copy, one a cycle, with their kernel weights.
+module splat_rasterizer (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [7:0] in_tile,
+    input  wire in_slot,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    input  wire [15:0] filter_scale,
+    output reg  event_sample,
+    output reg  event_starved,
+    output reg  event_blocked
+);
+    reg busy;
+    reg idle;
+    reg is_end;
+    reg is_last;
+    reg slot;
+    reg [7:0] tile;
+    reg [2:0] column;
+    reg [2:0] row;
+    reg [2:0] left;
+    reg [2:0] right;
+    reg [2:0] bottom;
+    reg [27:0] center_x;
+    reg [27:0] center_y;
+    reg [17:0] ax;
+    reg [17:0] bx;
+    reg [17:0] ay;
+    reg [17:0] by;
+    reg [21:0] delta;
+    reg [17:0] mx;
+    reg [17:0] my;
+    reg [3:0] shift;
+
+    wire evaluation_in_ready;
+    wire evaluation_out_valid;
+    wire evaluation_out_end;
+    wire evaluation_out_last;
+    wire evaluation_out_inside;
+    wire evaluation_out_slot;
+    wire [5:0] evaluation_out_pixel;
+    wire [15:0] evaluation_out_weight;
+    wire shared_in_ready;
+    wire shared_out_valid;
+    wire [23:0] shared_out_depth;
+    wire [23:0] shared_out_depth_low;
+    wire [23:0] shared_out_depth_high;
+    wire [15:0] shared_out_attribute_0;
+    wire [15:0] shared_out_attribute_1;
+    wire [15:0] shared_out_attribute_2;
+
+    wire take = evaluation_in_ready & idle & shared_in_ready;
+    assign in_ready = take;
+    wire load = take & in_valid;
+    wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
+    wire term_2 = column == right;
+    wire [2:0] choice_3 = term_2 ? left : (column + 3'd1);
+    wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
+    wire term_5 = {choice_3, choice_4} == {right, bottom};
+
+    assign out_valid = evaluation_out_valid;
+    assign out_end = evaluation_out_end;
+    assign out_last = evaluation_out_last;
+    assign out_inside = evaluation_out_inside;
+    assign out_slot = evaluation_out_slot;
+    assign out_pixel = evaluation_out_pixel;
+    assign out_weight = evaluation_out_weight;
+    assign out_depth = shared_out_depth;
+    assign out_depth_low = shared_out_depth_low;
+    assign out_depth_high = shared_out_depth_high;
+    assign out_attribute_0 = shared_out_attribute_0;
+    assign out_attribute_1 = shared_out_attribute_1;
+    assign out_attribute_2 = shared_out_attribute_2;
+
+    splat_evaluation evaluation (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(busy),
+        .in_ready(evaluation_in_ready),
+        .in_end(is_end),
+        .in_last(is_last & ~is_end),
+        .in_slot(slot),
+        .in_column({tile[3:0], column}),
+        .in_row({tile[7:4], row}),
+        .in_center_x(center_x),
+        .in_center_y(center_y),
+        .in_ax(ax),
+        .in_bx(bx),
+        .in_ay(ay),
+        .in_by(by),
+        .in_delta(delta),
+        .in_mx(mx),
+        .in_my(my),
+        .in_shift(shift),
+        .filter_scale(filter_scale),
+        .out_valid(evaluation_out_valid),
+        .out_ready(out_ready),
+        .out_end(evaluation_out_end),
+        .out_last(evaluation_out_last),
+        .out_inside(evaluation_out_inside),
+        .out_slot(evaluation_out_slot),
+        .out_pixel(evaluation_out_pixel),
+        .out_weight(evaluation_out_weight)
+    );
+
+    stream_fifo_w120 shared (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(load & ~in_end),
+        .in_ready(shared_in_ready),
+        .in_depth(in_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .out_valid(shared_out_valid),
+        .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
+        .out_depth(shared_out_depth),
+        .out_depth_low(shared_out_depth_low),
+        .out_depth_high(shared_out_depth_high),
+        .out_attribute_0(shared_out_attribute_0),
+        .out_attribute_1(shared_out_attribute_1),
+        .out_attribute_2(shared_out_attribute_2)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            busy <= 1'd0;
+            idle <= 1'd1;
+            event_sample <= 1'd0;
+            event_starved <= 1'd0;
+            event_blocked <= 1'd0;
+        end else begin
+            if (evaluation_in_ready) begin
+                busy <= load | (busy & ~is_last);
+                idle <= load ? term_1 : (~busy | (is_last | term_5));
+            end
+            event_sample <= evaluation_in_ready & busy & ~is_end;
+            event_starved <= evaluation_in_ready & ~busy;
+            event_blocked <= busy & ~evaluation_in_ready;
+        end
+    end
+    always @(posedge clk) begin
+        if (take) begin
+            is_end <= in_end;
+            slot <= in_slot;
+            tile <= in_tile;
+            left <= in_left;
+            right <= in_right;
+            bottom <= in_bottom;
+            center_x <= in_center_x;
+            center_y <= in_center_y;
+            ax <= in_ax;
+            bx <= in_bx;
+            ay <= in_ay;
+            by <= in_by;
+            delta <= in_delta;
+            mx <= in_mx;
+            my <= in_my;
+            shift <= in_shift;
+        end
+        if (evaluation_in_ready) begin
+            is_last <= load ? term_1 : term_5;
+            column <= load ? in_left : choice_3;
+            row <= load ? in_top : choice_4;
+        end
+    end
+
+    wire _unused = &{1'b0, shared_out_valid};
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 120
+module stream_fifo_w120 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    (* no_rw_check *)
+    reg [119:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [119:0] item;
+
+    wire has_room = ~held[6];
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_depth = item[119:96];
+    assign out_depth_low = item[95:72];
+    assign out_depth_high = item[71:48];
+    assign out_attribute_0 = item[47:32];
+    assign out_attribute_1 = item[31:16];
+    assign out_attribute_2 = item[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2};
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+`ifdef RTL_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Distance of a sample from its splat's centre, and its kernel weight.
+// latency = 39
+// initiation_interval = 1
+module splat_evaluation (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_slot,
+    input  wire [6:0] in_column,
+    input  wire [6:0] in_row,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [15:0] filter_scale,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight
+);
+    (* ram_style = "distributed" *)
+    reg delay_11_from_0 [0:9];
+    (* ram_style = "distributed" *)
+    reg delay_15_from_0 [0:13];
+    (* ram_style = "distributed" *)
+    reg delay_18_from_0 [0:16];
+    (* ram_style = "distributed" *)
+    reg delay_19_from_0 [0:17];
+    (* ram_style = "distributed" *)
+    reg [3:0] delay_20_from_0 [0:18];
+    (* ram_style = "distributed" *)
+    reg [15:0] delay_27_from_0 [0:25];
+    (* ram_style = "distributed" *)
+    reg [6:0] delay_39_from_0 [0:37];
+    reg [3:0] delay_11_from_0_pointer;
+    reg delay_11_from_0_out;
+    reg [3:0] delay_15_from_0_pointer;
+    reg delay_15_from_0_out;
+    reg [4:0] delay_18_from_0_pointer;
+    reg delay_18_from_0_out;
+    reg [4:0] delay_19_from_0_pointer;
+    reg delay_19_from_0_out;
+    reg [4:0] delay_20_from_0_pointer;
+    reg [3:0] delay_20_from_0_out;
+    reg [4:0] delay_27_from_0_pointer;
+    reg [15:0] delay_27_from_0_out;
+    reg [5:0] delay_39_from_0_pointer;
+    reg [6:0] delay_39_from_0_out;
+    reg end_d19;
+    reg [24:0] resize_33_d1;
+    reg bits_34_d1;
+    reg bits_38_d1;
+    reg bits_42_d1;
+    reg [17:0] resize_45_d1;
+    reg [24:0] resize_48_d1;
+    reg [17:0] resize_57_d1;
+    reg [17:0] reinterpret_58_d1;
+    reg [17:0] reinterpret_58_d2;
+    reg [17:0] reinterpret_60_d1;
+    reg [17:0] reinterpret_60_d2;
+    reg [35:0] sub_62_d1;
+    reg [17:0] reinterpret_63_d1;
+    reg [17:0] reinterpret_63_d2;
+    reg [17:0] reinterpret_65_d1;
+    reg [17:0] reinterpret_65_d2;
+    reg [35:0] sub_67_d1;
+    reg [17:0] reinterpret_69_d1;
+    reg [17:0] reinterpret_69_d2;
+    reg [17:0] reinterpret_71_d1;
+    reg [17:0] reinterpret_71_d2;
+    reg [35:0] mul_72_d1;
+    reg [36:0] shl_76_d1;
+    reg [36:0] shl_76_d2;
+    reg [36:0] shl_76_d3;
+    reg [36:0] shl_76_d4;
+    reg [36:0] add_77_d1;
+    reg [36:0] add_78_d1;
+    reg [35:0] bits_82_d1;
+    reg [35:0] bits_82_d2;
+    reg [34:0] bits_86_d1;
+    reg [35:0] resize_87_d1;
+    reg [35:0] resize_87_d2;
+    reg [34:0] bits_91_d1;
+    reg [35:0] resize_92_d1;
+    reg [35:0] resize_92_d2;
+    reg equal_96_d1;
+    reg equal_98_d1;
+    reg equal_100_d1;
+    reg not_102_d1;
+    reg and_103_d1;
+    reg and_103_d2;
+    reg and_103_d3;
+    reg [35:0] select_105_d1;
+    reg [35:0] select_105_d2;
+    reg [35:0] select_107_d1;
+    reg [35:0] select_107_d2;
+    reg [35:0] select_109_d1;
+    reg [35:0] select_109_d2;
+    reg equal_112_d1;
+    reg equal_114_d1;
+    reg equal_116_d1;
+    reg and_119_d1;
+    reg or_120_d1;
+    reg [32:0] bits_123_d1;
+    reg [32:0] bits_126_d1;
+    reg [32:0] bits_129_d1;
+    reg equal_132_d1;
+    reg equal_134_d1;
+    reg equal_136_d1;
+    reg and_139_d1;
+    reg or_140_d1;
+    reg [24:0] bits_143_d1;
+    reg [24:0] bits_146_d1;
+    reg [24:0] bits_149_d1;
+    reg equal_152_d1;
+    reg equal_154_d1;
+    reg equal_156_d1;
+    reg and_159_d1;
+    reg equal_172_d1;
+    reg and_177_d1;
+    reg or_180_d1;
+    reg [18:0] bits_183_d1;
+    reg [18:0] bits_186_d1;
+    reg [18:0] bits_189_d1;
+    reg equal_191_d1;
+    reg not_197_d1;
+    reg [17:0] bits_202_d1;
+    reg [17:0] bits_205_d1;
+    reg [17:0] bits_208_d1;
+    reg [35:0] mul_209_d1;
+    reg [36:0] add_214_d1;
+    reg lt_216_d1;
+    reg not_217_d1;
+    reg not_217_d2;
+    reg not_217_d3;
+    reg not_217_d4;
+    reg [23:0] resize_221_d1;
+    reg [23:0] resize_221_d2;
+    reg [23:0] resize_221_d3;
+    reg [23:0] resize_221_d4;
+    reg [23:0] resize_221_d5;
+    reg [23:0] resize_221_d6;
+    reg [23:0] resize_221_d7;
+    reg [23:0] resize_221_d8;
+    reg [23:0] resize_221_d9;
+    reg [23:0] resize_221_d10;
+    reg [23:0] resize_221_d11;
+    reg [23:0] resize_221_d12;
+    reg [23:0] resize_221_d13;
+    reg [23:0] resize_221_d14;
+    reg [23:0] resize_221_d15;
+    reg [23:0] resize_221_d16;
+    reg [23:0] shl_223_d1;
+    reg not_228_d1;
+    reg [23:0] shl_230_d1;
+    reg [1:0] concat_236_d1;
+    reg [23:0] shl_238_d1;
+    reg [2:0] concat_244_d1;
+    reg [23:0] shl_246_d1;
+    reg [3:0] concat_252_d1;
+    reg [23:0] shl_254_d1;
+    reg [4:0] concat_260_d1;
+    reg [23:0] shl_262_d1;
+    reg [5:0] concat_268_d1;
+    reg [23:0] shl_270_d1;
+    reg [6:0] concat_276_d1;
+    reg [23:0] shl_278_d1;
+    reg [7:0] concat_284_d1;
+    reg [23:0] shl_286_d1;
+    reg [8:0] concat_292_d1;
+    reg [23:0] shl_294_d1;
+    reg [9:0] concat_300_d1;
+    reg [23:0] shl_302_d1;
+    reg [10:0] concat_308_d1;
+    reg [23:0] shl_310_d1;
+    reg [11:0] concat_316_d1;
+    reg [23:0] shl_318_d1;
+    reg [12:0] concat_324_d1;
+    reg [23:0] shl_326_d1;
+    reg [13:0] concat_332_d1;
+    reg [23:0] shl_334_d1;
+    reg [14:0] concat_340_d1;
+    reg [23:0] shl_342_d1;
+    reg [15:0] concat_346_d1;
+    reg [15:0] select_348_d1;
+    reg [11:0] bits_349_d1;
+    reg or_354_d1;
+    reg [17:0] reinterpret_356_d1;
+    reg [11:0] bits_359_d1;
+    reg or_362_d1;
+    reg [17:0] reinterpret_364_d1;
+    reg and_368_d1;
+    reg and_368_d2;
+    reg [3:0] bits_369_d1;
+    reg and_371_d1;
+    reg and_371_d2;
+    reg [17:0] bits_372_d1;
+    reg and_377_d1;
+    reg [15:0] bits_378_d1;
+    reg [15:0] min_381_d1;
+    reg and_383_d1;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+    reg valid_d11;
+    reg valid_d12;
+    reg valid_d13;
+    reg valid_d14;
+    reg valid_d15;
+    reg valid_d16;
+    reg valid_d17;
+    reg valid_d18;
+    reg valid_d19;
+    reg valid_d20;
+    reg valid_d21;
+    reg valid_d22;
+    reg valid_d23;
+    reg valid_d24;
+    reg valid_d25;
+    reg valid_d26;
+    reg valid_d27;
+    reg valid_d28;
+    reg valid_d29;
+    reg valid_d30;
+    reg valid_d31;
+    reg valid_d32;
+    reg valid_d33;
+    reg valid_d34;
+    reg valid_d35;
+    reg valid_d36;
+    reg valid_d37;
+    reg valid_d38;
+    reg valid_d39;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire queue_out_last;
+    wire queue_out_inside;
+    wire queue_out_slot;
+    wire [5:0] queue_out_pixel;
+    wire [15:0] queue_out_weight;
+    wire [35:0] mul_s18_s18_unit_y;
+    wire [35:0] mul_s18_s18_unit_copy2_y;
+    wire [35:0] mul_s18_s18_unit_copy3_y;
+    wire [35:0] mul_s18_s18_unit_copy4_y;
+    wire [35:0] mul_s18_s18_unit_copy5_y;
+    wire [35:0] mul_s18_s18_unit_copy6_y;
+    wire [35:0] mul_s18_s18_unit_copy7_y;
+    wire [35:0] mul_s18_s18_unit_copy8_y;
+    wire [35:0] mul_u18_u18_unit_y;
+    wire [35:0] mul_u18_u18_unit_copy2_y;
+    wire [35:0] mul_u18_u18_unit_copy3_y;
+    wire [33:0] mul_u18_u16_unit_y;
+    wire [15:0] interpolate_8_8_16_unit_y;
+
+    assign in_ready = queue_in_ready;
+    wire queue_out_ready = out_ready;
+    wire [28:0] sub_23 = ({21'd0, in_column, 1'd1} << 13) - {in_center_x[27], in_center_x};
+    wire [28:0] select_32 = in_shift[3] ? {{8{sub_23[28]}}, sub_23[28:8]} : sub_23;
+    wire [24:0] select_36 = bits_34_d1 ? {{4{resize_33_d1[24]}}, resize_33_d1[24:4]} : resize_33_d1;
+    wire [20:0] select_40 = bits_38_d1 ? {{2{select_36[20]}}, select_36[20:2]} : select_36[20:0];
+    wire [18:0] select_44 = bits_42_d1 ? {select_40[18], select_40[18:1]} : select_40[18:0];
+    wire [28:0] sub_29 = ({21'd0, in_row, 1'd1} << 13) - {in_center_y[27], in_center_y};
+    wire [28:0] select_47 = in_shift[3] ? {{8{sub_29[28]}}, sub_29[28:8]} : sub_29;
+    wire [24:0] select_50 = bits_34_d1 ? {{4{resize_48_d1[24]}}, resize_48_d1[24:4]} : resize_48_d1;
+    wire [20:0] select_53 = bits_38_d1 ? {{2{select_50[20]}}, select_50[20:2]} : select_50[20:0];
+    wire [18:0] select_56 = bits_42_d1 ? {select_53[18], select_53[18:1]} : select_53[18:0];
+    wire [35:0] sub_62 = mul_s18_s18_unit_y - mul_s18_s18_unit_copy2_y;
+    wire [35:0] sub_67 = mul_s18_s18_unit_copy3_y - mul_s18_s18_unit_copy4_y;
+    wire [36:0] add_77 = {mul_s18_s18_unit_copy5_y[35], mul_s18_s18_unit_copy5_y} + shl_76_d4;
+    wire [36:0] add_78 = {mul_72_d1[35], mul_72_d1} + add_77_d1;
+    wire [36:0] not_80 = ~add_78_d1;
+    wire [36:0] select_81 = add_78_d1[36] ? not_80 : add_78_d1;
+    wire [35:0] not_84 = ~sub_62_d1;
+    wire [35:0] select_85 = sub_62_d1[35] ? not_84 : sub_62_d1;
+    wire [35:0] not_89 = ~sub_67_d1;
+    wire [35:0] select_90 = sub_67_d1[35] ? not_89 : sub_67_d1;
+    wire equal_96 = bits_82_d1[35:4] == 32'd0;
+    wire equal_98 = 32'd0 == {1'd0, bits_86_d1[34:4]};
+    wire equal_100 = 32'd0 == {1'd0, bits_91_d1[34:4]};
+    wire and_101 = equal_98_d1 & equal_100_d1;
+    wire not_102 = ~and_101;
+    wire and_103 = equal_96_d1 & not_102_d1;
+    wire [35:0] select_105 = equal_96_d1 ? (bits_82_d2 << 32) : bits_82_d2;
+    wire [35:0] select_107 = equal_96_d1 ? (resize_87_d2 << 32) : resize_87_d2;
+    wire [35:0] select_109 = equal_96_d1 ? (resize_92_d2 << 32) : resize_92_d2;
+    wire equal_112 = select_105_d1[35:20] == 16'd0;
+    wire equal_114 = 16'd0 == select_107_d1[35:20];
+    wire equal_116 = 16'd0 == select_109_d1[35:20];
+    wire and_117 = equal_114_d1 & equal_116_d1;
+    wire not_118 = ~and_117;
+    wire and_119 = equal_112_d1 & not_118;
+    wire or_120 = and_103_d3 | and_119_d1;
+    wire [35:0] select_122 = equal_112_d1 ? (select_105_d2 << 16) : select_105_d2;
+    wire [35:0] select_125 = equal_112_d1 ? (select_107_d2 << 16) : select_107_d2;
+    wire [35:0] select_128 = equal_112_d1 ? (select_109_d2 << 16) : select_109_d2;
+    wire equal_132 = select_122[35:28] == 8'd0;
+    wire equal_134 = 8'd0 == select_125[35:28];
+    wire equal_136 = 8'd0 == select_128[35:28];
+    wire and_137 = equal_134_d1 & equal_136_d1;
+    wire not_138 = ~and_137;
+    wire and_139 = equal_132_d1 & not_138;
+    wire or_140 = or_120_d1 | and_139_d1;
+    wire [32:0] select_142 = equal_132_d1 ? (bits_123_d1 << 8) : bits_123_d1;
+    wire [32:0] select_145 = equal_132_d1 ? (bits_126_d1 << 8) : bits_126_d1;
+    wire [32:0] select_148 = equal_132_d1 ? (bits_129_d1 << 8) : bits_129_d1;
+    wire equal_152 = select_142[32:29] == 4'd0;
+    wire equal_154 = 4'd0 == select_145[32:29];
+    wire equal_156 = 4'd0 == select_148[32:29];
+    wire and_157 = equal_154_d1 & equal_156_d1;
+    wire not_158 = ~and_157;
+    wire and_159 = equal_152_d1 & not_158;
+    wire [24:0] select_162 = equal_152_d1 ? (bits_143_d1 << 4) : bits_143_d1;
+    wire equal_172 = select_162[24:23] == 2'd0;
+    wire [24:0] select_165 = equal_152_d1 ? (bits_146_d1 << 4) : bits_146_d1;
+    wire equal_174 = 2'd0 == select_165[24:23];
+    wire [24:0] select_168 = equal_152_d1 ? (bits_149_d1 << 4) : bits_149_d1;
+    wire equal_176 = 2'd0 == select_168[24:23];
+    wire and_177 = equal_174 & equal_176;
+    wire or_160 = or_140_d1 | and_159_d1;
+    wire not_178 = ~and_177_d1;
+    wire and_179 = equal_172_d1 & not_178;
+    wire or_180 = or_160 | and_179;
+    wire [20:0] select_182 = equal_172 ? (select_162[24:4] << 2) : select_162[24:4];
+    wire [20:0] select_185 = equal_172 ? (select_165[24:4] << 2) : select_165[24:4];
+    wire [20:0] select_188 = equal_172 ? (select_168[24:4] << 2) : select_168[24:4];
+    wire equal_191 = ~bits_183_d1[18];
+    wire equal_193 = ~bits_186_d1[18];
+    wire equal_195 = ~bits_189_d1[18];
+    wire and_196 = equal_193 & equal_195;
+    wire not_197 = ~and_196;
+    wire [18:0] select_201 = equal_191 ? (bits_183_d1 << 1) : bits_183_d1;
+    wire [18:0] select_204 = equal_191 ? (bits_186_d1 << 1) : bits_186_d1;
+    wire [18:0] select_207 = equal_191 ? (bits_189_d1 << 1) : bits_189_d1;
+    wire [36:0] add_214 = {1'd0, mul_u18_u18_unit_copy2_y} + {1'd0, mul_u18_u18_unit_copy3_y};
+    wire lt_216 = add_214_d1 < {1'd0, mul_209_d1};
+    wire and_198 = equal_191_d1 & not_197_d1;
+    wire or_199 = or_180_d1 | and_198;
+    wire not_217 = ~or_199;
+    wire [23:0] sub_224 = shl_223_d1 - resize_221_d1;
+    wire not_228 = ~sub_224[23];
+    wire [23:0] select_226 = sub_224[23] ? shl_223_d1 : sub_224;
+    wire [23:0] sub_231 = shl_230_d1 - resize_221_d2;
+    wire not_235 = ~sub_231[23];
+    wire [23:0] select_233 = sub_231[23] ? shl_230_d1 : sub_231;
+    wire [23:0] sub_239 = shl_238_d1 - resize_221_d3;
+    wire not_243 = ~sub_239[23];
+    wire [23:0] select_241 = sub_239[23] ? shl_238_d1 : sub_239;
+    wire [23:0] sub_247 = shl_246_d1 - resize_221_d4;
+    wire not_251 = ~sub_247[23];
+    wire [23:0] select_249 = sub_247[23] ? shl_246_d1 : sub_247;
+    wire [23:0] sub_255 = shl_254_d1 - resize_221_d5;
+    wire not_259 = ~sub_255[23];
+    wire [23:0] select_257 = sub_255[23] ? shl_254_d1 : sub_255;
+    wire [23:0] sub_263 = shl_262_d1 - resize_221_d6;
+    wire not_267 = ~sub_263[23];
+    wire [23:0] select_265 = sub_263[23] ? shl_262_d1 : sub_263;
+    wire [23:0] sub_271 = shl_270_d1 - resize_221_d7;
+    wire not_275 = ~sub_271[23];
+    wire [23:0] select_273 = sub_271[23] ? shl_270_d1 : sub_271;
+    wire [23:0] sub_279 = shl_278_d1 - resize_221_d8;
+    wire not_283 = ~sub_279[23];
+    wire [23:0] select_281 = sub_279[23] ? shl_278_d1 : sub_279;
+    wire [23:0] sub_287 = shl_286_d1 - resize_221_d9;
+    wire not_291 = ~sub_287[23];
+    wire [23:0] select_289 = sub_287[23] ? shl_286_d1 : sub_287;
+    wire [23:0] sub_295 = shl_294_d1 - resize_221_d10;
+    wire not_299 = ~sub_295[23];
+    wire [23:0] select_297 = sub_295[23] ? shl_294_d1 : sub_295;
+    wire [23:0] sub_303 = shl_302_d1 - resize_221_d11;
+    wire not_307 = ~sub_303[23];
+    wire [23:0] select_305 = sub_303[23] ? shl_302_d1 : sub_303;
+    wire [23:0] sub_311 = shl_310_d1 - resize_221_d12;
+    wire not_315 = ~sub_311[23];
+    wire [23:0] select_313 = sub_311[23] ? shl_310_d1 : sub_311;
+    wire [23:0] sub_319 = shl_318_d1 - resize_221_d13;
+    wire not_323 = ~sub_319[23];
+    wire [23:0] select_321 = sub_319[23] ? shl_318_d1 : sub_319;
+    wire [23:0] sub_327 = shl_326_d1 - resize_221_d14;
+    wire not_331 = ~sub_327[23];
+    wire [23:0] select_329 = sub_327[23] ? shl_326_d1 : sub_327;
+    wire [23:0] sub_335 = shl_334_d1 - resize_221_d15;
+    wire not_339 = ~sub_335[23];
+    wire [23:0] select_337 = sub_335[23] ? shl_334_d1 : sub_335;
+    wire [23:0] sub_343 = shl_342_d1 - resize_221_d16;
+    wire not_345 = ~sub_343[23];
+    wire [15:0] select_348 = delay_15_from_0_out ? concat_346_d1 : 16'hffff;
+    wire equal_352 = bits_349_d1 == 12'd0;
+    wire equal_353 = bits_349_d1 == 12'hfff;
+    wire or_354 = equal_352 | equal_353;
+    wire equal_360 = 12'd0 == bits_359_d1;
+    wire equal_361 = 12'hfff == bits_359_d1;
+    wire or_362 = equal_360 | equal_361;
+    wire and_368 = or_354_d1 & or_362_d1;
+    wire [35:0] add_367 = mul_s18_s18_unit_copy7_y + mul_s18_s18_unit_copy8_y;
+    wire equal_370 = 4'd0 == bits_369_d1;
+    wire and_371 = and_368_d2 & equal_370;
+    wire equal_376 = 8'd0 == mul_u18_u16_unit_y[33:26];
+    wire and_377 = and_371_d2 & equal_376;
+    wire [15:0] min_381 = (delay_27_from_0_out < select_348_d1) ? delay_27_from_0_out : select_348_d1;
+    wire and_218 = lt_216_d1 & not_217_d4;
+    wire or_380 = and_218 | delay_11_from_0_out;
+    wire not_382 = ~delay_18_from_0_out;
+    wire and_383 = or_380 & not_382;
+    wire or_384 = delay_19_from_0_out | and_383_d1;
+    wire or_385 = end_d19 | or_384;
+    wire [15:0] select_379 = and_377_d1 ? bits_378_d1 : 16'hffff;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_last = queue_out_last;
+    assign out_inside = queue_out_inside;
+    assign out_slot = queue_out_slot;
+    assign out_pixel = queue_out_pixel;
+    assign out_weight = queue_out_weight;
+
+    stream_skid_w26 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(valid_d39 & delay_20_from_0_out[3]),
+        .in_ready(queue_in_ready),
+        .in_end(delay_20_from_0_out[0]),
+        .in_last(delay_20_from_0_out[1]),
+        .in_inside(delay_20_from_0_out[2]),
+        .in_slot(delay_39_from_0_out[0]),
+        .in_pixel(delay_39_from_0_out[6:1]),
+        .in_weight(interpolate_8_8_16_unit_y),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_last(queue_out_last),
+        .out_inside(queue_out_inside),
+        .out_slot(queue_out_slot),
+        .out_pixel(queue_out_pixel),
+        .out_weight(queue_out_weight)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(resize_45_d1),
+        .b(reinterpret_58_d2),
+        .y(mul_s18_s18_unit_y)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(resize_57_d1),
+        .b(reinterpret_60_d2),
+        .y(mul_s18_s18_unit_copy2_y)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(resize_45_d1),
+        .b(reinterpret_63_d2),
+        .y(mul_s18_s18_unit_copy3_y)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy4 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(resize_57_d1),
+        .b(reinterpret_65_d2),
+        .y(mul_s18_s18_unit_copy4_y)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy5 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(resize_45_d1),
+        .b(reinterpret_69_d2),
+        .y(mul_s18_s18_unit_copy5_y)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy6 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(resize_57_d1),
+        .b(reinterpret_71_d2),
+        .y(mul_s18_s18_unit_copy6_y)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy7 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(reinterpret_356_d1),
+        .b(reinterpret_356_d1),
+        .y(mul_s18_s18_unit_copy7_y)
+    );
+
+    integer_mul_s2_as18_bs18 mul_s18_s18_unit_copy8 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(reinterpret_364_d1),
+        .b(reinterpret_364_d1),
+        .y(mul_s18_s18_unit_copy8_y)
+    );
+
+    integer_mul_s2_au18_bu18 mul_u18_u18_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(bits_202_d1),
+        .b(bits_202_d1),
+        .y(mul_u18_u18_unit_y)
+    );
+
+    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(bits_205_d1),
+        .b(bits_205_d1),
+        .y(mul_u18_u18_unit_copy2_y)
+    );
+
+    integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(bits_208_d1),
+        .b(bits_208_d1),
+        .y(mul_u18_u18_unit_copy3_y)
+    );
+
+    integer_mul_s2_au18_bu16 mul_u18_u16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(bits_372_d1),
+        .b(filter_scale),
+        .y(mul_u18_u16_unit_y)
+    );
+
+    float_table interpolate_8_8_16_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(min_381_d1),
+        .y(interpolate_8_8_16_unit_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            delay_11_from_0_pointer <= 4'd0;
+            delay_15_from_0_pointer <= 4'd0;
+            delay_18_from_0_pointer <= 5'd0;
+            delay_19_from_0_pointer <= 5'd0;
+            delay_20_from_0_pointer <= 5'd0;
+            delay_27_from_0_pointer <= 5'd0;
+            delay_39_from_0_pointer <= 6'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+            valid_d11 <= 1'd0;
+            valid_d12 <= 1'd0;
+            valid_d13 <= 1'd0;
+            valid_d14 <= 1'd0;
+            valid_d15 <= 1'd0;
+            valid_d16 <= 1'd0;
+            valid_d17 <= 1'd0;
+            valid_d18 <= 1'd0;
+            valid_d19 <= 1'd0;
+            valid_d20 <= 1'd0;
+            valid_d21 <= 1'd0;
+            valid_d22 <= 1'd0;
+            valid_d23 <= 1'd0;
+            valid_d24 <= 1'd0;
+            valid_d25 <= 1'd0;
+            valid_d26 <= 1'd0;
+            valid_d27 <= 1'd0;
+            valid_d28 <= 1'd0;
+            valid_d29 <= 1'd0;
+            valid_d30 <= 1'd0;
+            valid_d31 <= 1'd0;
+            valid_d32 <= 1'd0;
+            valid_d33 <= 1'd0;
+            valid_d34 <= 1'd0;
+            valid_d35 <= 1'd0;
+            valid_d36 <= 1'd0;
+            valid_d37 <= 1'd0;
+            valid_d38 <= 1'd0;
+            valid_d39 <= 1'd0;
+        end else if (queue_in_ready) begin
+            delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
+            delay_15_from_0_pointer <= (delay_15_from_0_pointer == 4'd13) ? (delay_15_from_0_pointer - 4'd13) : (delay_15_from_0_pointer + 4'd1);
+            delay_18_from_0_pointer <= (delay_18_from_0_pointer == 5'd16) ? (delay_18_from_0_pointer - 5'd16) : (delay_18_from_0_pointer + 5'd1);
+            delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
+            delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
+            delay_27_from_0_pointer <= (delay_27_from_0_pointer == 5'd25) ? (delay_27_from_0_pointer - 5'd25) : (delay_27_from_0_pointer + 5'd1);
+            delay_39_from_0_pointer <= (delay_39_from_0_pointer == 6'd37) ? (delay_39_from_0_pointer - 6'd37) : (delay_39_from_0_pointer + 6'd1);
+            valid_d1 <= in_valid;
+            valid_d2 <= valid_d1;
+            valid_d3 <= valid_d2;
+            valid_d4 <= valid_d3;
+            valid_d5 <= valid_d4;
+            valid_d6 <= valid_d5;
+            valid_d7 <= valid_d6;
+            valid_d8 <= valid_d7;
+            valid_d9 <= valid_d8;
+            valid_d10 <= valid_d9;
+            valid_d11 <= valid_d10;
+            valid_d12 <= valid_d11;
+            valid_d13 <= valid_d12;
+            valid_d14 <= valid_d13;
+            valid_d15 <= valid_d14;
+            valid_d16 <= valid_d15;
+            valid_d17 <= valid_d16;
+            valid_d18 <= valid_d17;
+            valid_d19 <= valid_d18;
+            valid_d20 <= valid_d19;
+            valid_d21 <= valid_d20;
+            valid_d22 <= valid_d21;
+            valid_d23 <= valid_d22;
+            valid_d24 <= valid_d23;
+            valid_d25 <= valid_d24;
+            valid_d26 <= valid_d25;
+            valid_d27 <= valid_d26;
+            valid_d28 <= valid_d27;
+            valid_d29 <= valid_d28;
+            valid_d30 <= valid_d29;
+            valid_d31 <= valid_d30;
+            valid_d32 <= valid_d31;
+            valid_d33 <= valid_d32;
+            valid_d34 <= valid_d33;
+            valid_d35 <= valid_d34;
+            valid_d36 <= valid_d35;
+            valid_d37 <= valid_d36;
+            valid_d38 <= valid_d37;
+            valid_d39 <= valid_d38;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            end_d19 <= delay_18_from_0_out;
+            resize_33_d1 <= select_32[24:0];
+            bits_34_d1 <= in_shift[2];
+            bits_38_d1 <= in_shift[1];
+            bits_42_d1 <= in_shift[0];
+            resize_45_d1 <= select_44[17:0];
+            resize_48_d1 <= select_47[24:0];
+            resize_57_d1 <= select_56[17:0];
+            reinterpret_58_d1 <= in_ay;
+            reinterpret_58_d2 <= reinterpret_58_d1;
+            reinterpret_60_d1 <= in_ax;
+            reinterpret_60_d2 <= reinterpret_60_d1;
+            sub_62_d1 <= sub_62;
+            reinterpret_63_d1 <= in_by;
+            reinterpret_63_d2 <= reinterpret_63_d1;
+            reinterpret_65_d1 <= in_bx;
+            reinterpret_65_d2 <= reinterpret_65_d1;
+            sub_67_d1 <= sub_67;
+            reinterpret_69_d1 <= in_mx;
+            reinterpret_69_d2 <= reinterpret_69_d1;
+            reinterpret_71_d1 <= in_my;
+            reinterpret_71_d2 <= reinterpret_71_d1;
+            mul_72_d1 <= mul_s18_s18_unit_copy6_y;
+            shl_76_d1 <= {{15{in_delta[21]}}, in_delta} << 14;
+            shl_76_d2 <= shl_76_d1;
+            shl_76_d3 <= shl_76_d2;
+            shl_76_d4 <= shl_76_d3;
+            add_77_d1 <= add_77;
+            add_78_d1 <= add_78;
+            bits_82_d1 <= select_81[35:0];
+            bits_82_d2 <= bits_82_d1;
+            bits_86_d1 <= select_85[34:0];
+            resize_87_d1 <= {1'd0, bits_86_d1};
+            resize_87_d2 <= resize_87_d1;
+            bits_91_d1 <= select_90[34:0];
+            resize_92_d1 <= {1'd0, bits_91_d1};
+            resize_92_d2 <= resize_92_d1;
+            equal_96_d1 <= equal_96;
+            equal_98_d1 <= equal_98;
+            equal_100_d1 <= equal_100;
+            not_102_d1 <= not_102;
+            and_103_d1 <= and_103;
+            and_103_d2 <= and_103_d1;
+            and_103_d3 <= and_103_d2;
+            select_105_d1 <= select_105;
+            select_105_d2 <= select_105_d1;
+            select_107_d1 <= select_107;
+            select_107_d2 <= select_107_d1;
+            select_109_d1 <= select_109;
+            select_109_d2 <= select_109_d1;
+            equal_112_d1 <= equal_112;
+            equal_114_d1 <= equal_114;
+            equal_116_d1 <= equal_116;
+            and_119_d1 <= and_119;
+            or_120_d1 <= or_120;
+            bits_123_d1 <= select_122[35:3];
+            bits_126_d1 <= select_125[35:3];
+            bits_129_d1 <= select_128[35:3];
+            equal_132_d1 <= equal_132;
+            equal_134_d1 <= equal_134;
+            equal_136_d1 <= equal_136;
+            and_139_d1 <= and_139;
+            or_140_d1 <= or_140;
+            bits_143_d1 <= select_142[32:8];
+            bits_146_d1 <= select_145[32:8];
+            bits_149_d1 <= select_148[32:8];
+            equal_152_d1 <= equal_152;
+            equal_154_d1 <= equal_154;
+            equal_156_d1 <= equal_156;
+            and_159_d1 <= and_159;
+            equal_172_d1 <= equal_172;
+            and_177_d1 <= and_177;
+            or_180_d1 <= or_180;
+            bits_183_d1 <= select_182[20:2];
+            bits_186_d1 <= select_185[20:2];
+            bits_189_d1 <= select_188[20:2];
+            equal_191_d1 <= equal_191;
+            not_197_d1 <= not_197;
+            bits_202_d1 <= select_201[18:1];
+            bits_205_d1 <= select_204[18:1];
+            bits_208_d1 <= select_207[18:1];
+            mul_209_d1 <= mul_u18_u18_unit_y;
+            add_214_d1 <= add_214;
+            lt_216_d1 <= lt_216;
+            not_217_d1 <= not_217;
+            not_217_d2 <= not_217_d1;
+            not_217_d3 <= not_217_d2;
+            not_217_d4 <= not_217_d3;
+            resize_221_d1 <= {2'd0, mul_u18_u18_unit_y[35:14]};
+            resize_221_d2 <= resize_221_d1;
+            resize_221_d3 <= resize_221_d2;
+            resize_221_d4 <= resize_221_d3;
+            resize_221_d5 <= resize_221_d4;
+            resize_221_d6 <= resize_221_d5;
+            resize_221_d7 <= resize_221_d6;
+            resize_221_d8 <= resize_221_d7;
+            resize_221_d9 <= resize_221_d8;
+            resize_221_d10 <= resize_221_d9;
+            resize_221_d11 <= resize_221_d10;
+            resize_221_d12 <= resize_221_d11;
+            resize_221_d13 <= resize_221_d12;
+            resize_221_d14 <= resize_221_d13;
+            resize_221_d15 <= resize_221_d14;
+            resize_221_d16 <= resize_221_d15;
+            shl_223_d1 <= {2'd0, add_214[35:14]} << 1;
+            not_228_d1 <= not_228;
+            shl_230_d1 <= {2'd0, select_226[21:0]} << 1;
+            concat_236_d1 <= {not_228_d1, not_235};
+            shl_238_d1 <= {2'd0, select_233[21:0]} << 1;
+            concat_244_d1 <= {concat_236_d1, not_243};
+            shl_246_d1 <= {2'd0, select_241[21:0]} << 1;
+            concat_252_d1 <= {concat_244_d1, not_251};
+            shl_254_d1 <= {2'd0, select_249[21:0]} << 1;
+            concat_260_d1 <= {concat_252_d1, not_259};
+            shl_262_d1 <= {2'd0, select_257[21:0]} << 1;
+            concat_268_d1 <= {concat_260_d1, not_267};
+            shl_270_d1 <= {2'd0, select_265[21:0]} << 1;
+            concat_276_d1 <= {concat_268_d1, not_275};
+            shl_278_d1 <= {2'd0, select_273[21:0]} << 1;
+            concat_284_d1 <= {concat_276_d1, not_283};
+            shl_286_d1 <= {2'd0, select_281[21:0]} << 1;
+            concat_292_d1 <= {concat_284_d1, not_291};
+            shl_294_d1 <= {2'd0, select_289[21:0]} << 1;
+            concat_300_d1 <= {concat_292_d1, not_299};
+            shl_302_d1 <= {2'd0, select_297[21:0]} << 1;
+            concat_308_d1 <= {concat_300_d1, not_307};
+            shl_310_d1 <= {2'd0, select_305[21:0]} << 1;
+            concat_316_d1 <= {concat_308_d1, not_315};
+            shl_318_d1 <= {2'd0, select_313[21:0]} << 1;
+            concat_324_d1 <= {concat_316_d1, not_323};
+            shl_326_d1 <= {2'd0, select_321[21:0]} << 1;
+            concat_332_d1 <= {concat_324_d1, not_331};
+            shl_334_d1 <= {2'd0, select_329[21:0]} << 1;
+            concat_340_d1 <= {concat_332_d1, not_339};
+            shl_342_d1 <= {2'd0, select_337[21:0]} << 1;
+            concat_346_d1 <= {concat_340_d1, not_345};
+            select_348_d1 <= select_348;
+            bits_349_d1 <= sub_23[28:17];
+            or_354_d1 <= or_354;
+            reinterpret_356_d1 <= sub_23[17:0];
+            bits_359_d1 <= sub_29[28:17];
+            or_362_d1 <= or_362;
+            reinterpret_364_d1 <= sub_29[17:0];
+            and_368_d1 <= and_368;
+            and_368_d2 <= and_368_d1;
+            bits_369_d1 <= add_367[35:32];
+            and_371_d1 <= and_371;
+            and_371_d2 <= and_371_d1;
+            bits_372_d1 <= add_367[31:14];
+            and_377_d1 <= and_377;
+            bits_378_d1 <= mul_u18_u16_unit_y[25:10];
+            min_381_d1 <= min_381;
+            and_383_d1 <= and_383;
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_11_from_0[delay_11_from_0_pointer] <= and_377_d1;
+        end
+        if (queue_in_ready) begin
+            delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_15_from_0[delay_15_from_0_pointer] <= and_218;
+        end
+        if (queue_in_ready) begin
+            delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_18_from_0[delay_18_from_0_pointer] <= in_end;
+        end
+        if (queue_in_ready) begin
+            delay_18_from_0_out <= delay_18_from_0[delay_18_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_19_from_0[delay_19_from_0_pointer] <= in_last;
+        end
+        if (queue_in_ready) begin
+            delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_20_from_0[delay_20_from_0_pointer] <= {or_385, and_383_d1, delay_19_from_0_out, end_d19};
+        end
+        if (queue_in_ready) begin
+            delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_27_from_0[delay_27_from_0_pointer] <= select_379;
+        end
+        if (queue_in_ready) begin
+            delay_27_from_0_out <= delay_27_from_0[delay_27_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (queue_in_ready) begin
+            delay_39_from_0[delay_39_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
+        end
+        if (queue_in_ready) begin
+            delay_39_from_0_out <= delay_39_from_0[delay_39_from_0_pointer];
+        end
+    end
+
+    wire _unused = &{
+        1'b0,
+        add_367[13:0],
+        mul_u18_u16_unit_y[9:0],
+        select_122[2:0],
+        select_125[2:0],
+        select_128[2:0],
+        select_142[7:0],
+        select_145[7:0],
+        select_148[7:0],
+        select_162[3:0],
+        select_165[3:0],
+        select_168[3:0],
+        select_182[1:0],
+        select_185[1:0],
+        select_188[1:0],
+        select_201[0],
+        select_204[0],
+        select_207[0],
+        select_226[23:22],
+        select_233[23:22],
+        select_241[23:22],
+        select_249[23:22],
+        select_257[23:22],
+        select_265[23:22],
+        select_273[23:22],
+        select_281[23:22],
+        select_289[23:22],
+        select_297[23:22],
+        select_305[23:22],
+        select_313[23:22],
+        select_32[28:25],
+        select_321[23:22],
+        select_329[23:22],
+        select_337[23:22],
+        select_36[24:21],
+        select_40[20:19],
+        select_44[18],
+        select_47[28:25],
+        select_50[24:21],
+        select_53[20:19],
+        select_56[18],
+        select_81[36],
+        select_85[35],
+        select_90[35],
+        sub_343[22:0]
+    };
+endmodule
+
+// Sampled function, interpolated linearly.
+// stages = 4
+// index_bits = 8
+// fraction_bits = 8
+module float_table (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [15:0] a,
+    output reg  [15:0] y
+);
+    reg [32:0] entry_s1;
+    reg [7:0] fraction_s1;
+    reg [16:0] slope_s2;
+    reg [7:0] fraction_s2;
+    reg [15:0] rise_s3;
+    reg [15:0] start_s2;
+    reg [15:0] start_s3;
+
+    reg [32:0] samples;
+    always @(*) begin
+        case (a[15:8])
+            8'd0: samples = 33'h1fffffe02;
+            8'd1: samples = 33'h1fc03fe06;
+            8'd2: samples = 33'h1f80ffe0a;
+            8'd3: samples = 33'h1f423fe0e;
+            8'd4: samples = 33'h1f03ffe11;
+            8'd5: samples = 33'h1ec61fe16;
+            8'd6: samples = 33'h1e88dfe19;
+            8'd7: samples = 33'h1e4bffe1d;
+            8'd8: samples = 33'h1e0f9fe21;
+            8'd9: samples = 33'h1dd3bfe25;
+            8'd10: samples = 33'h1d985fe28;
+            8'd11: samples = 33'h1d5d5fe2c;
+            8'd12: samples = 33'h1d22dfe30;
+            8'd13: samples = 33'h1ce8dfe33;
+            8'd14: samples = 33'h1caf3fe37;
+            8'd15: samples = 33'h1c761fe3a;
+            8'd16: samples = 33'h1c3d5fe3e;
+            8'd17: samples = 33'h1c051fe42;
+            8'd18: samples = 33'h1bcd5fe45;
+            8'd19: samples = 33'h1b95ffe48;
+            8'd20: samples = 33'h1b5effe4c;
+            8'd21: samples = 33'h1b287fe4f;
+            8'd22: samples = 33'h1af25fe53;
+            8'd23: samples = 33'h1abcbfe55;
+            8'd24: samples = 33'h1a875fe5a;
+            8'd25: samples = 33'h1a529fe5c;
+            8'd26: samples = 33'h1a1e1fe60;
+            8'd27: samples = 33'h19ea1fe63;
+            8'd28: samples = 33'h19b67fe66;
+            8'd29: samples = 33'h19833fe69;
+            8'd30: samples = 33'h19505fe6d;
+            8'd31: samples = 33'h191dffe70;
+            8'd32: samples = 33'h18ebffe73;
+            8'd33: samples = 33'h18ba5fe75;
+            8'd34: samples = 33'h1888ffe79;
+            8'd35: samples = 33'h18581fe7c;
+            8'd36: samples = 33'h18279fe7f;
+            8'd37: samples = 33'h17f77fe82;
+            8'd38: samples = 33'h17c7bfe85;
+            8'd39: samples = 33'h17985fe88;
+            8'd40: samples = 33'h17695fe8b;
+            8'd41: samples = 33'h173abfe8e;
+            8'd42: samples = 33'h170c7fe91;
+            8'd43: samples = 33'h16de9fe93;
+            8'd44: samples = 33'h16b0ffe97;
+            8'd45: samples = 33'h1683dfe99;
+            8'd46: samples = 33'h1656ffe9c;
+            8'd47: samples = 33'h162a7fe9f;
+            8'd48: samples = 33'h15fe5fea1;
+            8'd49: samples = 33'h15d27fea4;
+            8'd50: samples = 33'h15a6ffea7;
+            8'd51: samples = 33'h157bdfeaa;
+            8'd52: samples = 33'h15511feac;
+            8'd53: samples = 33'h15269feaf;
+            8'd54: samples = 33'h14fc7feb1;
+            8'd55: samples = 33'h14d29feb5;
+            8'd56: samples = 33'h14a93feb6;
+            8'd57: samples = 33'h147fffeba;
+            8'd58: samples = 33'h14573febb;
+            8'd59: samples = 33'h142e9febf;
+            8'd60: samples = 33'h14067fec1;
+            8'd61: samples = 33'h13de9fec3;
+            8'd62: samples = 33'h13b6ffec6;
+            8'd63: samples = 33'h138fbfec8;
+            8'd64: samples = 33'h1368bfecb;
+            8'd65: samples = 33'h13421fecd;
+            8'd66: samples = 33'h131bbfecf;
+            8'd67: samples = 33'h12f59fed2;
+            8'd68: samples = 33'h12cfdfed4;
+            8'd69: samples = 33'h12aa5fed7;
+            8'd70: samples = 33'h12853fed9;
+            8'd71: samples = 33'h12605fedb;
+            8'd72: samples = 33'h123bbfedd;
+            8'd73: samples = 33'h12175fee0;
+            8'd74: samples = 33'h11f35fee2;
+            8'd75: samples = 33'h11cf9fee4;
+            8'd76: samples = 33'h11ac1fee6;
+            8'd77: samples = 33'h1188dfee9;
+            8'd78: samples = 33'h1165ffeea;
+            8'd79: samples = 33'h11433feed;
+            8'd80: samples = 33'h1120dfeef;
+            8'd81: samples = 33'h10febfef2;
+            8'd82: samples = 33'h10dcffef3;
+            8'd83: samples = 33'h10bb5fef5;
+            8'd84: samples = 33'h1099ffef8;
+            8'd85: samples = 33'h1078ffef9;
+            8'd86: samples = 33'h10581fefc;
+            8'd87: samples = 33'h10379fefd;
+            8'd88: samples = 33'h10173ff00;
+            8'd89: samples = 33'hff73ff01;
+            8'd90: samples = 33'hfd75ff04;
+            8'd91: samples = 33'hfb7dff05;
+            8'd92: samples = 33'hf987ff08;
+            8'd93: samples = 33'hf797ff09;
+            8'd94: samples = 33'hf5a9ff0b;
+            8'd95: samples = 33'hf3bfff0e;
+            8'd96: samples = 33'hf1dbff0f;
+            8'd97: samples = 33'heff9ff11;
+            8'd98: samples = 33'hee1bff12;
+            8'd99: samples = 33'hec3fff15;
+            8'd100: samples = 33'hea69ff17;
+            8'd101: samples = 33'he897ff18;
+            8'd102: samples = 33'he6c7ff1a;
+            8'd103: samples = 33'he4fbff1c;
+            8'd104: samples = 33'he333ff1e;
+            8'd105: samples = 33'he16fff1f;
+            8'd106: samples = 33'hdfadff21;
+            8'd107: samples = 33'hddefff23;
+            8'd108: samples = 33'hdc35ff25;
+            8'd109: samples = 33'hda7fff26;
+            8'd110: samples = 33'hd8cbff28;
+            8'd111: samples = 33'hd71bff2a;
+            8'd112: samples = 33'hd56fff2b;
+            8'd113: samples = 33'hd3c5ff2e;
+            8'd114: samples = 33'hd221ff2e;
+            8'd115: samples = 33'hd07dff31;
+            8'd116: samples = 33'hcedfff31;
+            8'd117: samples = 33'hcd41ff34;
+            8'd118: samples = 33'hcba9ff35;
+            8'd119: samples = 33'hca13ff37;
+            8'd120: samples = 33'hc881ff38;
+            8'd121: samples = 33'hc6f1ff3a;
+            8'd122: samples = 33'hc565ff3b;
+            8'd123: samples = 33'hc3dbff3d;
+            8'd124: samples = 33'hc255ff3f;
+            8'd125: samples = 33'hc0d3ff40;
+            8'd126: samples = 33'hbf53ff41;
+            8'd127: samples = 33'hbdd5ff43;
+            8'd128: samples = 33'hbc5bff44;
+            8'd129: samples = 33'hbae3ff46;
+            8'd130: samples = 33'hb96fff47;
+            8'd131: samples = 33'hb7fdff49;
+            8'd132: samples = 33'hb68fff4a;
+            8'd133: samples = 33'hb523ff4c;
+            8'd134: samples = 33'hb3bbff4d;
+            8'd135: samples = 33'hb255ff4e;
+            8'd136: samples = 33'hb0f1ff50;
+            8'd137: samples = 33'haf91ff51;
+            8'd138: samples = 33'hae33ff53;
+            8'd139: samples = 33'hacd9ff53;
+            8'd140: samples = 33'hab7fff56;
+            8'd141: samples = 33'haa2bff56;
+            8'd142: samples = 33'ha8d7ff58;
+            8'd143: samples = 33'ha787ff59;
+            8'd144: samples = 33'ha639ff5b;
+            8'd145: samples = 33'ha4efff5b;
+            8'd146: samples = 33'ha3a5ff5d;
+            8'd147: samples = 33'ha25fff5f;
+            8'd148: samples = 33'ha11dff5f;
+            8'd149: samples = 33'h9fdbff61;
+            8'd150: samples = 33'h9e9dff62;
+            8'd151: samples = 33'h9d61ff63;
+            8'd152: samples = 33'h9c27ff65;
+            8'd153: samples = 33'h9af1ff65;
+            8'd154: samples = 33'h99bbff67;
+            8'd155: samples = 33'h9889ff68;
+            8'd156: samples = 33'h9759ff69;
+            8'd157: samples = 33'h962bff6b;
+            8'd158: samples = 33'h9501ff6b;
+            8'd159: samples = 33'h93d7ff6d;
+            8'd160: samples = 33'h92b1ff6e;
+            8'd161: samples = 33'h918dff6f;
+            8'd162: samples = 33'h906bff70;
+            8'd163: samples = 33'h8f4bff71;
+            8'd164: samples = 33'h8e2dff73;
+            8'd165: samples = 33'h8d13ff73;
+            8'd166: samples = 33'h8bf9ff75;
+            8'd167: samples = 33'h8ae3ff76;
+            8'd168: samples = 33'h89cfff76;
+            8'd169: samples = 33'h88bbff78;
+            8'd170: samples = 33'h87abff79;
+            8'd171: samples = 33'h869dff7a;
+            8'd172: samples = 33'h8591ff7b;
+            8'd173: samples = 33'h8487ff7c;
+            8'd174: samples = 33'h837fff7d;
+            8'd175: samples = 33'h8279ff7e;
+            8'd176: samples = 33'h8175ff7f;
+            8'd177: samples = 33'h8073ff80;
+            8'd178: samples = 33'h7f73ff81;
+            8'd179: samples = 33'h7e75ff82;
+            8'd180: samples = 33'h7d79ff83;
+            8'd181: samples = 33'h7c7fff84;
+            8'd182: samples = 33'h7b87ff85;
+            8'd183: samples = 33'h7a91ff86;
+            8'd184: samples = 33'h799dff87;
+            8'd185: samples = 33'h78abff88;
+            8'd186: samples = 33'h77bbff88;
+            8'd187: samples = 33'h76cbff8a;
+            8'd188: samples = 33'h75dfff8b;
+            8'd189: samples = 33'h74f5ff8b;
+            8'd190: samples = 33'h740bff8d;
+            8'd191: samples = 33'h7325ff8d;
+            8'd192: samples = 33'h723fff8e;
+            8'd193: samples = 33'h715bff8f;
+            8'd194: samples = 33'h7079ff90;
+            8'd195: samples = 33'h6f99ff91;
+            8'd196: samples = 33'h6ebbff92;
+            8'd197: samples = 33'h6ddfff92;
+            8'd198: samples = 33'h6d03ff94;
+            8'd199: samples = 33'h6c2bff94;
+            8'd200: samples = 33'h6b53ff95;
+            8'd201: samples = 33'h6a7dff96;
+            8'd202: samples = 33'h69a9ff97;
+            8'd203: samples = 33'h68d7ff97;
+            8'd204: samples = 33'h6805ff99;
+            8'd205: samples = 33'h6737ff99;
+            8'd206: samples = 33'h6669ff9a;
+            8'd207: samples = 33'h659dff9b;
+            8'd208: samples = 33'h64d3ff9b;
+            8'd209: samples = 33'h6409ff9d;
+            8'd210: samples = 33'h6343ff9d;
+            8'd211: samples = 33'h627dff9e;
+            8'd212: samples = 33'h61b9ff9e;
+            8'd213: samples = 33'h60f5ffa0;
+            8'd214: samples = 33'h6035ffa0;
+            8'd215: samples = 33'h5f75ffa1;
+            8'd216: samples = 33'h5eb7ffa1;
+            8'd217: samples = 33'h5df9ffa3;
+            8'd218: samples = 33'h5d3fffa3;
+            8'd219: samples = 33'h5c85ffa4;
+            8'd220: samples = 33'h5bcdffa4;
+            8'd221: samples = 33'h5b15ffa6;
+            8'd222: samples = 33'h5a61ffa6;
+            8'd223: samples = 33'h59adffa6;
+            8'd224: samples = 33'h58f9ffa8;
+            8'd225: samples = 33'h5849ffa8;
+            8'd226: samples = 33'h5799ffa8;
+            8'd227: samples = 33'h56e9ffaa;
+            8'd228: samples = 33'h563dffaa;
+            8'd229: samples = 33'h5591ffab;
+            8'd230: samples = 33'h54e7ffab;
+            8'd231: samples = 33'h543dffac;
+            8'd232: samples = 33'h5395ffad;
+            8'd233: samples = 33'h52efffad;
+            8'd234: samples = 33'h5249ffae;
+            8'd235: samples = 33'h51a5ffaf;
+            8'd236: samples = 33'h5103ffaf;
+            8'd237: samples = 33'h5061ffb0;
+            8'd238: samples = 33'h4fc1ffb1;
+            8'd239: samples = 33'h4f23ffb1;
+            8'd240: samples = 33'h4e85ffb2;
+            8'd241: samples = 33'h4de9ffb2;
+            8'd242: samples = 33'h4d4dffb3;
+            8'd243: samples = 33'h4cb3ffb4;
+            8'd244: samples = 33'h4c1bffb4;
+            8'd245: samples = 33'h4b83ffb5;
+            8'd246: samples = 33'h4aedffb5;
+            8'd247: samples = 33'h4a57ffb6;
+            8'd248: samples = 33'h49c3ffb7;
+            8'd249: samples = 33'h4931ffb7;
+            8'd250: samples = 33'h489fffb8;
+            8'd251: samples = 33'h480fffb8;
+            8'd252: samples = 33'h477fffb9;
+            8'd253: samples = 33'h46f1ffb9;
+            8'd254: samples = 33'h4663ffba;
+            default: samples = 33'h45d7ffba;
+        endcase
+    end
+    wire [8:0] joined_1 = {1'd0, fraction_s2};
+    wire [25:0] product_2 = $signed({{9{slope_s2[16]}}, slope_s2}) * $signed({{17{joined_1[8]}}, joined_1});
+
+    always @(posedge clk) begin
+        if (enable) begin
+            entry_s1 <= samples;
+            fraction_s1 <= a[7:0];
+            slope_s2 <= entry_s1[16:0];
+            fraction_s2 <= fraction_s1;
+            rise_s3 <= product_2[23:8];
+            start_s2 <= entry_s1[32:17];
+            start_s3 <= start_s2;
+            y <= start_s3 + rise_s3;
+        end
+    end
+
+    wire _unused = &{1'b0, product_2[7:0], product_2[25:24], rst};
+endmodule
+
+// Integer product, pipelined.
+// stages = 2
+// a = u18
+// b = u16
+module integer_mul_s2_au18_bu16 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [17:0] a,
+    input  wire [15:0] b,
+    output reg  [33:0] y
+);
+    reg [17:0] a_s1;
+    reg [15:0] b_s1;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_s1 <= a;
+            b_s1 <= b;
+            y <= {16'd0, a_s1} * {18'd0, b_s1};
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Integer product, pipelined.
+// stages = 2
+// a = u18
+// b = u18
+module integer_mul_s2_au18_bu18 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [17:0] a,
+    input  wire [17:0] b,
+    output reg  [35:0] y
+);
+    reg [17:0] a_s1;
+    reg [17:0] b_s1;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_s1 <= a;
+            b_s1 <= b;
+            y <= {18'd0, a_s1} * {18'd0, b_s1};
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Integer product, pipelined.
+// stages = 2
+// a = s18
+// b = s18
+module integer_mul_s2_as18_bs18 (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [17:0] a,
+    input  wire [17:0] b,
+    output reg  [35:0] y
+);
+    reg [17:0] a_s1;
+    reg [17:0] b_s1;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_s1 <= a;
+            b_s1 <= b;
+            y <= $signed({{18{a_s1[17]}}, a_s1}) * $signed({{18{b_s1[17]}}, b_s1});
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Queue of two in registers.
+// width = 26
+module stream_skid_w26 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire in_last,
+    input  wire in_inside,
+    input  wire in_slot,
+    input  wire [5:0] in_pixel,
+    input  wire [15:0] in_weight,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire out_last,
+    output wire out_inside,
+    output wire out_slot,
+    output wire [5:0] out_pixel,
+    output wire [15:0] out_weight
+);
+    reg second_valid;
+    reg [25:0] head;
+    reg [25:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [25:0] in_item = {in_end, in_last, in_inside, in_slot, in_pixel, in_weight};
+
+    assign out_end = head[25];
+    assign out_last = head[24];
+    assign out_inside = head[23];
+    assign out_slot = head[22];
+    assign out_pixel = head[21:16];
+    assign out_weight = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Control of the tile slots: placement, exchange with memory, end of frame.
+// slots = 2
+module splat_tile_cache (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [7:0] in_tile,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [27:0] out_center_x,
+    output wire [27:0] out_center_y,
+    output wire [17:0] out_ax,
+    output wire [17:0] out_bx,
+    output wire [17:0] out_ay,
+    output wire [17:0] out_by,
+    output wire [21:0] out_delta,
+    output wire [17:0] out_mx,
+    output wire [17:0] out_my,
+    output wire [3:0] out_shift,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [7:0] out_tile,
+    output wire out_slot,
+    output reg  read_valid,
+    input  wire read_ready,
+    output reg  [7:0] read_tile,
+    input  wire data_valid,
+    output wire data_ready,
+    input  wire [27:0] data_weight,
+    input  wire [51:0] data_depth,
+    input  wire [15:0] data_attribute_0,
+    input  wire [15:0] data_attribute_1,
+    input  wire [15:0] data_attribute_2,
+    output wire write_valid,
+    input  wire write_ready,
+    output wire [7:0] write_tile,
+    output wire [5:0] write_pixel,
+    output wire [27:0] write_weight,
+    output wire [51:0] write_depth,
+    output wire [15:0] write_attribute_0,
+    output wire [15:0] write_attribute_1,
+    output wire [15:0] write_attribute_2,
+    output wire pixel_valid,
+    input  wire pixel_ready,
+    output wire pixel_end,
+    output wire [7:0] pixel_tile,
+    output wire [5:0] pixel_pixel,
+    output wire [27:0] pixel_weight,
+    output wire [51:0] pixel_depth,
+    output wire [15:0] pixel_attribute_0,
+    output wire [15:0] pixel_attribute_1,
+    output wire [15:0] pixel_attribute_2,
+    output wire [1:0] slot_ready,
+    input  wire retire_valid,
+    input  wire retire_slot,
+    input  wire frame_end,
+    output reg  fill_valid,
+    output wire fill_slot,
+    output reg  [5:0] fill_pixel,
+    output reg  [27:0] fill_weight,
+    output reg  [51:0] fill_depth,
+    output reg  [15:0] fill_attribute_0,
+    output reg  [15:0] fill_attribute_1,
+    output reg  [15:0] fill_attribute_2,
+    output wire drain_enable,
+    output wire drain_slot,
+    output wire [5:0] drain_pixel,
+    input  wire [27:0] drain_weight,
+    input  wire [51:0] drain_depth,
+    input  wire [15:0] drain_attribute_0,
+    input  wire [15:0] drain_attribute_1,
+    input  wire [15:0] drain_attribute_2
+);
+    (* no_rw_check *)
+    reg touched_tiles [0:255];
+    reg head_valid;
+    reg head_end;
+    reg [27:0] head_center_x;
+    reg [27:0] head_center_y;
+    reg [17:0] head_ax;
+    reg [17:0] head_bx;
+    reg [17:0] head_ay;
+    reg [17:0] head_by;
+    reg [21:0] head_delta;
+    reg [17:0] head_mx;
+    reg [17:0] head_my;
+    reg [3:0] head_shift;
+    reg [23:0] head_depth;
+    reg [23:0] head_depth_low;
+    reg [23:0] head_depth_high;
+    reg [15:0] head_attribute_0;
+    reg [15:0] head_attribute_1;
+    reg [15:0] head_attribute_2;
+    reg [2:0] head_left;
+    reg [2:0] head_right;
+    reg [2:0] head_top;
+    reg [2:0] head_bottom;
+    reg [7:0] head_tile;
+    reg [2:0] mode;
+    reg frame_ended;
+    reg [7:0] code;
+    reg code_read;
+    reg looking;
+    reg looked;
+    reg moving;
+    reg slot;
+    reg evict;
+    reg [7:0] evict_tile;
+    reg load;
+    reg [6:0] drained;
+    reg showing;
+    reg [5:0] shown_pixel;
+    reg holding;
+    reg [5:0] held_pixel;
+    reg [6:0] filled;
+    reg next;
+    reg [7:0] tile_0;
+    reg resident_0;
+    reg ready_0;
+    reg [7:0] in_flight_0;
+    reg is_of_copy_0;
+    reg is_of_code_0;
+    reg [7:0] tile_1;
+    reg resident_1;
+    reg ready_1;
+    reg [7:0] in_flight_1;
+    reg is_of_copy_1;
+    reg is_of_code_1;
+    reg stored_touched;
+    reg touched;
+
+    wire in_queue_in_ready;
+    wire in_queue_out_valid;
+    wire in_queue_out_end;
+    wire [27:0] in_queue_out_center_x;
+    wire [27:0] in_queue_out_center_y;
+    wire [17:0] in_queue_out_ax;
+    wire [17:0] in_queue_out_bx;
+    wire [17:0] in_queue_out_ay;
+    wire [17:0] in_queue_out_by;
+    wire [21:0] in_queue_out_delta;
+    wire [17:0] in_queue_out_mx;
+    wire [17:0] in_queue_out_my;
+    wire [3:0] in_queue_out_shift;
+    wire [23:0] in_queue_out_depth;
+    wire [23:0] in_queue_out_depth_low;
+    wire [23:0] in_queue_out_depth_high;
+    wire [15:0] in_queue_out_attribute_0;
+    wire [15:0] in_queue_out_attribute_1;
+    wire [15:0] in_queue_out_attribute_2;
+    wire [2:0] in_queue_out_left;
+    wire [2:0] in_queue_out_right;
+    wire [2:0] in_queue_out_top;
+    wire [2:0] in_queue_out_bottom;
+    wire [7:0] in_queue_out_tile;
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire out_queue_out_end;
+    wire [27:0] out_queue_out_center_x;
+    wire [27:0] out_queue_out_center_y;
+    wire [17:0] out_queue_out_ax;
+    wire [17:0] out_queue_out_bx;
+    wire [17:0] out_queue_out_ay;
+    wire [17:0] out_queue_out_by;
+    wire [21:0] out_queue_out_delta;
+    wire [17:0] out_queue_out_mx;
+    wire [17:0] out_queue_out_my;
+    wire [3:0] out_queue_out_shift;
+    wire [23:0] out_queue_out_depth;
+    wire [23:0] out_queue_out_depth_low;
+    wire [23:0] out_queue_out_depth_high;
+    wire [15:0] out_queue_out_attribute_0;
+    wire [15:0] out_queue_out_attribute_1;
+    wire [15:0] out_queue_out_attribute_2;
+    wire [2:0] out_queue_out_left;
+    wire [2:0] out_queue_out_right;
+    wire [2:0] out_queue_out_top;
+    wire [2:0] out_queue_out_bottom;
+    wire [7:0] out_queue_out_tile;
+    wire out_queue_out_slot;
+    wire write_queue_in_ready;
+    wire write_queue_out_valid;
+    wire [7:0] write_queue_out_tile;
+    wire [5:0] write_queue_out_pixel;
+    wire [27:0] write_queue_out_weight;
+    wire [51:0] write_queue_out_depth;
+    wire [15:0] write_queue_out_attribute_0;
+    wire [15:0] write_queue_out_attribute_1;
+    wire [15:0] write_queue_out_attribute_2;
+    wire pixel_queue_in_ready;
+    wire pixel_queue_out_valid;
+    wire pixel_queue_out_end;
+    wire [7:0] pixel_queue_out_tile;
+    wire [5:0] pixel_queue_out_pixel;
+    wire [27:0] pixel_queue_out_weight;
+    wire [51:0] pixel_queue_out_depth;
+    wire [15:0] pixel_queue_out_attribute_0;
+    wire [15:0] pixel_queue_out_attribute_1;
+    wire [15:0] pixel_queue_out_attribute_2;
+
+    assign in_ready = in_queue_in_ready;
+    wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
+    wire term_1 = mode == 3'd6;
+    wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
+    assign data_ready = take_data;
+    wire term_2 = mode == 3'd5;
+    wire draining = term_2 | (moving & evict);
+    wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
+    wire drain_step = draining & term_3;
+    wire head_takes = ~head_valid;
+    wire in_queue_out_ready = head_takes;
+    wire head_waits = (mode == 3'd1) & head_valid;
+    wire term_4 = head_waits & ~head_end;
+    wire term_5 = resident_0 & is_of_copy_0;
+    wire copy_slot = resident_1 & is_of_copy_1;
+    wire copy_hit = |{term_5, copy_slot};
+    wire term_6 = out_queue_in_ready & ~((term_5 & &in_flight_0) | (copy_slot & &in_flight_1));
+    wire send = term_4 & (copy_hit & term_6);
+    wire send_end = head_waits & (head_end & out_queue_in_ready);
+    wire term_7 = send | send_end;
+    wire out_queue_out_ready = out_ready;
+    wire held_leaves = holding & drain_step;
+    wire write_queue_out_ready = write_ready;
+    wire close = (mode == 3'd7) & pixel_queue_in_ready;
+    wire beat = take_data & data_valid;
+    wire term_8 = term_1 & beat;
+    wire [27:0] choice_9 = term_2 ? drain_weight : data_weight;
+    wire visible = |choice_9;
+    wire pixel_queue_out_ready = pixel_ready;
+    wire term_10 = mode == 3'd0;
+    wire last_code = &code;
+    wire term_11 = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & term_11);
+    wire term_12 = mode == 3'd3;
+    wire term_13 = showing | holding;
+    wire term_14 = (term_2 & (drained[6] & ~term_13)) | (term_1 & drained[6]);
+    wire term_15 = mode == 3'd4;
+    wire next_tile = term_14 | (term_15 & ~touched);
+    wire sent_slot = resident_1 & is_of_code_1;
+    wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
+    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_15 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_12 & code_read) ? 3'd4 : choice_16;
+    wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
+    wire start = term_4 & (~copy_hit & (term_11 & term_18));
+    wire term_19 = ~evict | (drained[6] & ~(term_13 | write_queue_out_valid));
+    wire done = moving & (filled[6] & (~fill_valid & term_19));
+    wire term_20 = start | term_15;
+    wire term_21 = touched & (looked | (term_15 & ~sent_hit));
+    wire term_22 = looked | term_15;
+    wire drain_next = drain_step & ~drained[6];
+    wire fill = may_fill & (~load | data_valid);
+    wire term_23 = start & ~next;
+    wire term_24 = done & ~slot;
+    wire term_25 = send & ~copy_slot;
+    wire term_26 = retire_valid & ~retire_slot;
+    wire term_27 = start & next;
+    wire term_28 = done & slot;
+    wire term_29 = send & copy_slot;
+    wire term_30 = retire_valid & retire_slot;
+
+    assign out_valid = out_queue_out_valid;
+    assign out_end = out_queue_out_end;
+    assign out_center_x = out_queue_out_center_x;
+    assign out_center_y = out_queue_out_center_y;
+    assign out_ax = out_queue_out_ax;
+    assign out_bx = out_queue_out_bx;
+    assign out_ay = out_queue_out_ay;
+    assign out_by = out_queue_out_by;
+    assign out_delta = out_queue_out_delta;
+    assign out_mx = out_queue_out_mx;
+    assign out_my = out_queue_out_my;
+    assign out_shift = out_queue_out_shift;
+    assign out_depth = out_queue_out_depth;
+    assign out_depth_low = out_queue_out_depth_low;
+    assign out_depth_high = out_queue_out_depth_high;
+    assign out_attribute_0 = out_queue_out_attribute_0;
+    assign out_attribute_1 = out_queue_out_attribute_1;
+    assign out_attribute_2 = out_queue_out_attribute_2;
+    assign out_left = out_queue_out_left;
+    assign out_right = out_queue_out_right;
+    assign out_top = out_queue_out_top;
+    assign out_bottom = out_queue_out_bottom;
+    assign out_tile = out_queue_out_tile;
+    assign out_slot = out_queue_out_slot;
+    assign write_valid = write_queue_out_valid;
+    assign write_tile = write_queue_out_tile;
+    assign write_pixel = write_queue_out_pixel;
+    assign write_weight = write_queue_out_weight;
+    assign write_depth = write_queue_out_depth;
+    assign write_attribute_0 = write_queue_out_attribute_0;
+    assign write_attribute_1 = write_queue_out_attribute_1;
+    assign write_attribute_2 = write_queue_out_attribute_2;
+    assign pixel_valid = pixel_queue_out_valid;
+    assign pixel_end = pixel_queue_out_end;
+    assign pixel_tile = pixel_queue_out_tile;
+    assign pixel_pixel = pixel_queue_out_pixel;
+    assign pixel_weight = pixel_queue_out_weight;
+    assign pixel_depth = pixel_queue_out_depth;
+    assign pixel_attribute_0 = pixel_queue_out_attribute_0;
+    assign pixel_attribute_1 = pixel_queue_out_attribute_1;
+    assign pixel_attribute_2 = pixel_queue_out_attribute_2;
+    assign slot_ready = {ready_1, ready_0};
+    assign fill_slot = slot;
+    assign drain_enable = drain_step;
+    assign drain_slot = slot;
+    assign drain_pixel = drained[5:0];
+
+    stream_half_buffer_w331 in_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(in_queue_in_ready),
+        .in_end(in_end),
+        .in_center_x(in_center_x),
+        .in_center_y(in_center_y),
+        .in_ax(in_ax),
+        .in_bx(in_bx),
+        .in_ay(in_ay),
+        .in_by(in_by),
+        .in_delta(in_delta),
+        .in_mx(in_mx),
+        .in_my(in_my),
+        .in_shift(in_shift),
+        .in_depth(in_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .in_left(in_left),
+        .in_right(in_right),
+        .in_top(in_top),
+        .in_bottom(in_bottom),
+        .in_tile(in_tile),
+        .out_valid(in_queue_out_valid),
+        .out_ready(in_queue_out_ready),
+        .out_end(in_queue_out_end),
+        .out_center_x(in_queue_out_center_x),
+        .out_center_y(in_queue_out_center_y),
+        .out_ax(in_queue_out_ax),
+        .out_bx(in_queue_out_bx),
+        .out_ay(in_queue_out_ay),
+        .out_by(in_queue_out_by),
+        .out_delta(in_queue_out_delta),
+        .out_mx(in_queue_out_mx),
+        .out_my(in_queue_out_my),
+        .out_shift(in_queue_out_shift),
+        .out_depth(in_queue_out_depth),
+        .out_depth_low(in_queue_out_depth_low),
+        .out_depth_high(in_queue_out_depth_high),
+        .out_attribute_0(in_queue_out_attribute_0),
+        .out_attribute_1(in_queue_out_attribute_1),
+        .out_attribute_2(in_queue_out_attribute_2),
+        .out_left(in_queue_out_left),
+        .out_right(in_queue_out_right),
+        .out_top(in_queue_out_top),
+        .out_bottom(in_queue_out_bottom),
+        .out_tile(in_queue_out_tile)
+    );
+
+    stream_half_buffer_w332 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(term_7),
+        .in_ready(out_queue_in_ready),
+        .in_end(head_end),
+        .in_center_x(head_center_x),
+        .in_center_y(head_center_y),
+        .in_ax(head_ax),
+        .in_bx(head_bx),
+        .in_ay(head_ay),
+        .in_by(head_by),
+        .in_delta(head_delta),
+        .in_mx(head_mx),
+        .in_my(head_my),
+        .in_shift(head_shift),
+        .in_depth(head_depth),
+        .in_depth_low(head_depth_low),
+        .in_depth_high(head_depth_high),
+        .in_attribute_0(head_attribute_0),
+        .in_attribute_1(head_attribute_1),
+        .in_attribute_2(head_attribute_2),
+        .in_left(head_left),
+        .in_right(head_right),
+        .in_top(head_top),
+        .in_bottom(head_bottom),
+        .in_tile(head_tile),
+        .in_slot(copy_slot),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_shift(out_queue_out_shift),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile),
+        .out_slot(out_queue_out_slot)
+    );
+
+    stream_skid_w142 write_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(moving & held_leaves),
+        .in_ready(write_queue_in_ready),
+        .in_tile(evict_tile),
+        .in_pixel(held_pixel),
+        .in_weight(drain_weight),
+        .in_depth(drain_depth),
+        .in_attribute_0(drain_attribute_0),
+        .in_attribute_1(drain_attribute_1),
+        .in_attribute_2(drain_attribute_2),
+        .out_valid(write_queue_out_valid),
+        .out_ready(write_queue_out_ready),
+        .out_tile(write_queue_out_tile),
+        .out_pixel(write_queue_out_pixel),
+        .out_weight(write_queue_out_weight),
+        .out_depth(write_queue_out_depth),
+        .out_attribute_0(write_queue_out_attribute_0),
+        .out_attribute_1(write_queue_out_attribute_1),
+        .out_attribute_2(write_queue_out_attribute_2)
+    );
+
+    stream_skid_w143 pixel_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(close | (((term_2 & held_leaves) | term_8) & visible)),
+        .in_ready(pixel_queue_in_ready),
+        .in_end(close),
+        .in_tile(code),
+        .in_pixel(term_2 ? held_pixel : drained[5:0]),
+        .in_weight(choice_9),
+        .in_depth(term_2 ? drain_depth : data_depth),
+        .in_attribute_0(term_2 ? drain_attribute_0 : data_attribute_0),
+        .in_attribute_1(term_2 ? drain_attribute_1 : data_attribute_1),
+        .in_attribute_2(term_2 ? drain_attribute_2 : data_attribute_2),
+        .out_valid(pixel_queue_out_valid),
+        .out_ready(pixel_queue_out_ready),
+        .out_end(pixel_queue_out_end),
+        .out_tile(pixel_queue_out_tile),
+        .out_pixel(pixel_queue_out_pixel),
+        .out_weight(pixel_queue_out_weight),
+        .out_depth(pixel_queue_out_depth),
+        .out_attribute_0(pixel_queue_out_attribute_0),
+        .out_attribute_1(pixel_queue_out_attribute_1),
+        .out_attribute_2(pixel_queue_out_attribute_2)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            head_valid <= 1'd0;
+            mode <= 3'd0;
+            frame_ended <= 1'd0;
+            code <= 8'd0;
+            code_read <= 1'd0;
+            looking <= 1'd0;
+            looked <= 1'd0;
+            moving <= 1'd0;
+            read_valid <= 1'd0;
+            showing <= 1'd0;
+            holding <= 1'd0;
+            next <= 1'd0;
+            resident_0 <= 1'd0;
+            ready_0 <= 1'd0;
+            in_flight_0 <= 8'd0;
+            resident_1 <= 1'd0;
+            ready_1 <= 1'd0;
+            in_flight_1 <= 8'd0;
+            fill_valid <= 1'd0;
+        end else begin
+            head_valid <= head_valid ? ~term_7 : in_queue_out_valid;
+            mode <= ((term_10 & last_code) | close) ? 3'd1 : choice_17;
+            code_read <= term_12 & ~code_read;
+            looking <= start;
+            looked <= looking;
+            fill_valid <= fill;
+            if (frame_end | finish) begin
+                frame_ended <= frame_end;
+            end
+            if (term_10 | next_tile) begin
+                code <= code + 8'd1;
+            end
+            if (looked | done) begin
+                moving <= looked;
+            end
+            if (term_21 | read_ready) begin
+                read_valid <= term_21;
+            end
+            if (drain_step) begin
+                showing <= drain_next;
+                holding <= showing;
+            end
+            if (start | close) begin
+                next <= (next | close) ? 1'd0 : (next + 1'd1);
+            end
+            if (term_23 | close) begin
+                resident_0 <= term_23;
+            end
+            if (term_24 | term_23 | finish) begin
+                ready_0 <= term_24;
+            end
+            if (term_25 ^ term_26) begin
+                in_flight_0 <= term_25 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
+            end
+            if (term_27 | close) begin
+                resident_1 <= term_27;
+            end
+            if (term_28 | term_27 | finish) begin
+                ready_1 <= term_28;
+            end
+            if (term_29 ^ term_30) begin
+                in_flight_1 <= term_29 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (head_takes) begin
+            head_end <= in_queue_out_end;
+            head_center_x <= in_queue_out_center_x;
+            head_center_y <= in_queue_out_center_y;
+            head_ax <= in_queue_out_ax;
+            head_bx <= in_queue_out_bx;
+            head_ay <= in_queue_out_ay;
+            head_by <= in_queue_out_by;
+            head_delta <= in_queue_out_delta;
+            head_mx <= in_queue_out_mx;
+            head_my <= in_queue_out_my;
+            head_shift <= in_queue_out_shift;
+            head_depth <= in_queue_out_depth;
+            head_depth_low <= in_queue_out_depth_low;
+            head_depth_high <= in_queue_out_depth_high;
+            head_attribute_0 <= in_queue_out_attribute_0;
+            head_attribute_1 <= in_queue_out_attribute_1;
+            head_attribute_2 <= in_queue_out_attribute_2;
+            head_left <= in_queue_out_left;
+            head_right <= in_queue_out_right;
+            head_top <= in_queue_out_top;
+            head_bottom <= in_queue_out_bottom;
+            head_tile <= in_queue_out_tile;
+        end
+        if (term_20) begin
+            slot <= term_15 ? sent_slot : next;
+            read_tile <= term_15 ? code : head_tile;
+        end
+        if (start) begin
+            evict <= (~next & resident_0) | (next & resident_1);
+            evict_tile <= ({8{~next}} & tile_0) | ({8{next}} & tile_1);
+        end
+        if (looked) begin
+            load <= touched;
+        end
+        if (term_22 | (drain_next | term_8)) begin
+            drained <= term_22 ? 7'd0 : (drained + 7'd1);
+        end
+        if (drain_next) begin
+            shown_pixel <= drained[5:0];
+        end
+        if (drain_step) begin
+            held_pixel <= shown_pixel;
+        end
+        if (term_22 | fill) begin
+            filled <= term_22 ? 7'd0 : (filled + 7'd1);
+        end
+        if (term_23) begin
+            tile_0 <= head_tile;
+        end
+        is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_23);
+        is_of_code_0 <= tile_0 == code;
+        is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
+        is_of_code_1 <= tile_1 == code;
+        touched <= stored_touched;
+        if (term_27) begin
+            tile_1 <= head_tile;
+        end
+        if (fill) begin
+            fill_pixel <= filled[5:0];
+            fill_weight <= load ? data_weight : 28'd0;
+            fill_depth <= load ? data_depth : 52'd0;
+            fill_attribute_0 <= load ? data_attribute_0 : 16'd0;
+            fill_attribute_1 <= load ? data_attribute_1 : 16'd0;
+            fill_attribute_2 <= load ? data_attribute_2 : 16'd0;
+        end
+    end
+    always @(posedge clk) begin
+        if (looked | (term_10 | (term_15 & touched))) begin
+            touched_tiles[looked ? read_tile : code] <= looked;
+        end
+        stored_touched <= touched_tiles[term_12 ? code : head_tile];
+`ifdef RTL_ASSERT
+        if ((looked | (term_10 | (term_15 & touched))) && (looked ? read_tile : code) == (term_12 ? code : head_tile)) begin
+            stored_touched <= ~touched_tiles[term_12 ? code : head_tile];
+        end
+`endif
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(~term_26 | |in_flight_0)) begin
+`ifdef FORMAL
+                slot_0_retires_what_entered: assert (0);
+`else
+                $display("assertion failed: slot_0_retires_what_entered in %m");
+                $stop;
+`endif
+            end
+            if (!(~term_30 | |in_flight_1)) begin
+`ifdef FORMAL
+                slot_1_retires_what_entered: assert (0);
+`else
+                $display("assertion failed: slot_1_retires_what_entered in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 143
+module stream_skid_w143 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [7:0] in_tile,
+    input  wire [5:0] in_pixel,
+    input  wire [27:0] in_weight,
+    input  wire [51:0] in_depth,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [7:0] out_tile,
+    output wire [5:0] out_pixel,
+    output wire [27:0] out_weight,
+    output wire [51:0] out_depth,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    reg second_valid;
+    reg [142:0] head;
+    reg [142:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [142:0] in_item = {in_end, in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
+
+    assign out_end = head[142];
+    assign out_tile = head[141:134];
+    assign out_pixel = head[133:128];
+    assign out_weight = head[127:100];
+    assign out_depth = head[99:48];
+    assign out_attribute_0 = head[47:32];
+    assign out_attribute_1 = head[31:16];
+    assign out_attribute_2 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 142
+module stream_skid_w142 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [7:0] in_tile,
+    input  wire [5:0] in_pixel,
+    input  wire [27:0] in_weight,
+    input  wire [51:0] in_depth,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [7:0] out_tile,
+    output wire [5:0] out_pixel,
+    output wire [27:0] out_weight,
+    output wire [51:0] out_depth,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    reg second_valid;
+    reg [141:0] head;
+    reg [141:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [141:0] in_item = {in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
+
+    assign out_tile = head[141:134];
+    assign out_pixel = head[133:128];
+    assign out_weight = head[127:100];
+    assign out_depth = head[99:48];
+    assign out_attribute_0 = head[47:32];
+    assign out_attribute_1 = head[31:16];
+    assign out_attribute_2 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// One item in a register, at half rate.
+// width = 332
+module stream_half_buffer_w332 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [7:0] in_tile,
+    input  wire in_slot,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [27:0] out_center_x,
+    output wire [27:0] out_center_y,
+    output wire [17:0] out_ax,
+    output wire [17:0] out_bx,
+    output wire [17:0] out_ay,
+    output wire [17:0] out_by,
+    output wire [21:0] out_delta,
+    output wire [17:0] out_mx,
+    output wire [17:0] out_my,
+    output wire [3:0] out_shift,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [7:0] out_tile,
+    output wire out_slot
+);
+    reg full;
+    reg [331:0] item;
+
+    assign in_ready = ~full;
+
+    assign out_valid = full;
+    assign out_end = item[331];
+    assign out_center_x = item[330:303];
+    assign out_center_y = item[302:275];
+    assign out_ax = item[274:257];
+    assign out_bx = item[256:239];
+    assign out_ay = item[238:221];
+    assign out_by = item[220:203];
+    assign out_delta = item[202:181];
+    assign out_mx = item[180:163];
+    assign out_my = item[162:145];
+    assign out_shift = item[144:141];
+    assign out_depth = item[140:117];
+    assign out_depth_low = item[116:93];
+    assign out_depth_high = item[92:69];
+    assign out_attribute_0 = item[68:53];
+    assign out_attribute_1 = item[52:37];
+    assign out_attribute_2 = item[36:21];
+    assign out_left = item[20:18];
+    assign out_right = item[17:15];
+    assign out_top = item[14:12];
+    assign out_bottom = item[11:9];
+    assign out_tile = item[8:1];
+    assign out_slot = item[0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            full <= 1'd0;
+        end else begin
+            full <= full ? ~out_ready : in_valid;
+        end
+    end
+    always @(posedge clk) begin
+        if (in_ready) begin
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_shift,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile,
+                in_slot
+            };
+        end
+    end
+endmodule
+
+// Orders splat copies by tile; their payloads wait in a memory.
+// levels = 6
+module splat_reorder (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [7:0] in_tile,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [27:0] out_center_x,
+    output wire [27:0] out_center_y,
+    output wire [17:0] out_ax,
+    output wire [17:0] out_bx,
+    output wire [17:0] out_ay,
+    output wire [17:0] out_by,
+    output wire [21:0] out_delta,
+    output wire [17:0] out_mx,
+    output wire [17:0] out_my,
+    output wire [3:0] out_shift,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [7:0] out_tile
+);
+    (* no_rw_check *)
+    reg [287:0] payloads_0 [0:63];
+    (* no_rw_check *)
+    reg [33:0] payloads_288 [0:63];
+    reg free_valid;
+    reg [5:0] free;
+    reg [6:0] fresh;
+    reg draining;
+    reg stage_valid;
+    reg [7:0] stage_tile;
+    reg [287:0] stage_payload_0;
+    reg [33:0] stage_payload_288;
+
+    wire in_queue_in_ready;
+    wire in_queue_out_valid;
+    wire in_queue_out_end;
+    wire [27:0] in_queue_out_center_x;
+    wire [27:0] in_queue_out_center_y;
+    wire [17:0] in_queue_out_ax;
+    wire [17:0] in_queue_out_bx;
+    wire [17:0] in_queue_out_ay;
+    wire [17:0] in_queue_out_by;
+    wire [21:0] in_queue_out_delta;
+    wire [17:0] in_queue_out_mx;
+    wire [17:0] in_queue_out_my;
+    wire [3:0] in_queue_out_shift;
+    wire [23:0] in_queue_out_depth;
+    wire [23:0] in_queue_out_depth_low;
+    wire [23:0] in_queue_out_depth_high;
+    wire [15:0] in_queue_out_attribute_0;
+    wire [15:0] in_queue_out_attribute_1;
+    wire [15:0] in_queue_out_attribute_2;
+    wire [2:0] in_queue_out_left;
+    wire [2:0] in_queue_out_right;
+    wire [2:0] in_queue_out_top;
+    wire [2:0] in_queue_out_bottom;
+    wire [7:0] in_queue_out_tile;
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire out_queue_out_end;
+    wire [27:0] out_queue_out_center_x;
+    wire [27:0] out_queue_out_center_y;
+    wire [17:0] out_queue_out_ax;
+    wire [17:0] out_queue_out_bx;
+    wire [17:0] out_queue_out_ay;
+    wire [17:0] out_queue_out_by;
+    wire [21:0] out_queue_out_delta;
+    wire [17:0] out_queue_out_mx;
+    wire [17:0] out_queue_out_my;
+    wire [3:0] out_queue_out_shift;
+    wire [23:0] out_queue_out_depth;
+    wire [23:0] out_queue_out_depth_low;
+    wire [23:0] out_queue_out_depth_high;
+    wire [15:0] out_queue_out_attribute_0;
+    wire [15:0] out_queue_out_attribute_1;
+    wire [15:0] out_queue_out_attribute_2;
+    wire [2:0] out_queue_out_left;
+    wire [2:0] out_queue_out_right;
+    wire [2:0] out_queue_out_top;
+    wire [2:0] out_queue_out_bottom;
+    wire [7:0] out_queue_out_tile;
+    wire caught_in_ready;
+    wire caught_out_valid;
+    wire caught_out_end;
+    wire [27:0] caught_out_center_x;
+    wire [27:0] caught_out_center_y;
+    wire [17:0] caught_out_ax;
+    wire [17:0] caught_out_bx;
+    wire [17:0] caught_out_ay;
+    wire [17:0] caught_out_by;
+    wire [21:0] caught_out_delta;
+    wire [17:0] caught_out_mx;
+    wire [17:0] caught_out_my;
+    wire [3:0] caught_out_shift;
+    wire [23:0] caught_out_depth;
+    wire [23:0] caught_out_depth_low;
+    wire [23:0] caught_out_depth_high;
+    wire [15:0] caught_out_attribute_0;
+    wire [15:0] caught_out_attribute_1;
+    wire [15:0] caught_out_attribute_2;
+    wire [2:0] caught_out_left;
+    wire [2:0] caught_out_right;
+    wire [2:0] caught_out_top;
+    wire [2:0] caught_out_bottom;
+    wire [7:0] caught_out_tile;
+    wire heap_in_ready;
+    wire heap_out_valid;
+    wire [7:0] heap_out_tile;
+    wire [5:0] heap_out_pointer;
+    wire heap_empty;
+    wire returned_in_ready;
+    wire returned_out_valid;
+    wire [5:0] returned_out_pointer;
+
+    assign in_ready = in_queue_in_ready;
+    wire open = in_queue_out_valid & ~draining;
+    wire offer = open & ~in_queue_out_end & free_valid;
+    wire insert = offer & heap_in_ready;
+    wire take_end = open & in_queue_out_end;
+    wire in_queue_out_ready = insert | take_end;
+    wire caught_out_ready = out_queue_in_ready;
+    wire out_queue_out_ready = out_ready;
+    wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
+    wire advance = ~stage_valid | caught_in_ready;
+    wire heap_out_ready = advance;
+    wire leaving = heap_out_valid & heap_out_ready;
+    wire all_used = fresh[6];
+    wire returned_out_ready = ~free_valid & all_used;
+
+    assign out_valid = out_queue_out_valid;
+    assign out_end = out_queue_out_end;
+    assign out_center_x = out_queue_out_center_x;
+    assign out_center_y = out_queue_out_center_y;
+    assign out_ax = out_queue_out_ax;
+    assign out_bx = out_queue_out_bx;
+    assign out_ay = out_queue_out_ay;
+    assign out_by = out_queue_out_by;
+    assign out_delta = out_queue_out_delta;
+    assign out_mx = out_queue_out_mx;
+    assign out_my = out_queue_out_my;
+    assign out_shift = out_queue_out_shift;
+    assign out_depth = out_queue_out_depth;
+    assign out_depth_low = out_queue_out_depth_low;
+    assign out_depth_high = out_queue_out_depth_high;
+    assign out_attribute_0 = out_queue_out_attribute_0;
+    assign out_attribute_1 = out_queue_out_attribute_1;
+    assign out_attribute_2 = out_queue_out_attribute_2;
+    assign out_left = out_queue_out_left;
+    assign out_right = out_queue_out_right;
+    assign out_top = out_queue_out_top;
+    assign out_bottom = out_queue_out_bottom;
+    assign out_tile = out_queue_out_tile;
+
+    stream_half_buffer_w331 in_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(in_valid),
+        .in_ready(in_queue_in_ready),
+        .in_end(in_end),
+        .in_center_x(in_center_x),
+        .in_center_y(in_center_y),
+        .in_ax(in_ax),
+        .in_bx(in_bx),
+        .in_ay(in_ay),
+        .in_by(in_by),
+        .in_delta(in_delta),
+        .in_mx(in_mx),
+        .in_my(in_my),
+        .in_shift(in_shift),
+        .in_depth(in_depth),
+        .in_depth_low(in_depth_low),
+        .in_depth_high(in_depth_high),
+        .in_attribute_0(in_attribute_0),
+        .in_attribute_1(in_attribute_1),
+        .in_attribute_2(in_attribute_2),
+        .in_left(in_left),
+        .in_right(in_right),
+        .in_top(in_top),
+        .in_bottom(in_bottom),
+        .in_tile(in_tile),
+        .out_valid(in_queue_out_valid),
+        .out_ready(in_queue_out_ready),
+        .out_end(in_queue_out_end),
+        .out_center_x(in_queue_out_center_x),
+        .out_center_y(in_queue_out_center_y),
+        .out_ax(in_queue_out_ax),
+        .out_bx(in_queue_out_bx),
+        .out_ay(in_queue_out_ay),
+        .out_by(in_queue_out_by),
+        .out_delta(in_queue_out_delta),
+        .out_mx(in_queue_out_mx),
+        .out_my(in_queue_out_my),
+        .out_shift(in_queue_out_shift),
+        .out_depth(in_queue_out_depth),
+        .out_depth_low(in_queue_out_depth_low),
+        .out_depth_high(in_queue_out_depth_high),
+        .out_attribute_0(in_queue_out_attribute_0),
+        .out_attribute_1(in_queue_out_attribute_1),
+        .out_attribute_2(in_queue_out_attribute_2),
+        .out_left(in_queue_out_left),
+        .out_right(in_queue_out_right),
+        .out_top(in_queue_out_top),
+        .out_bottom(in_queue_out_bottom),
+        .out_tile(in_queue_out_tile)
+    );
+
+    stream_half_buffer_w331 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(caught_out_valid & caught_out_ready),
+        .in_ready(out_queue_in_ready),
+        .in_end(caught_out_end),
+        .in_center_x(caught_out_center_x),
+        .in_center_y(caught_out_center_y),
+        .in_ax(caught_out_ax),
+        .in_bx(caught_out_bx),
+        .in_ay(caught_out_ay),
+        .in_by(caught_out_by),
+        .in_delta(caught_out_delta),
+        .in_mx(caught_out_mx),
+        .in_my(caught_out_my),
+        .in_shift(caught_out_shift),
+        .in_depth(caught_out_depth),
+        .in_depth_low(caught_out_depth_low),
+        .in_depth_high(caught_out_depth_high),
+        .in_attribute_0(caught_out_attribute_0),
+        .in_attribute_1(caught_out_attribute_1),
+        .in_attribute_2(caught_out_attribute_2),
+        .in_left(caught_out_left),
+        .in_right(caught_out_right),
+        .in_top(caught_out_top),
+        .in_bottom(caught_out_bottom),
+        .in_tile(caught_out_tile),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_shift(out_queue_out_shift),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile)
+    );
+
+    stream_half_buffer_w331 caught (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(close | (stage_valid & caught_in_ready)),
+        .in_ready(caught_in_ready),
+        .in_end(close),
+        .in_center_x(stage_payload_288[33:6]),
+        .in_center_y({stage_payload_288[5:0], stage_payload_0[287:266]}),
+        .in_ax(stage_payload_0[265:248]),
+        .in_bx(stage_payload_0[247:230]),
+        .in_ay(stage_payload_0[229:212]),
+        .in_by(stage_payload_0[211:194]),
+        .in_delta(stage_payload_0[193:172]),
+        .in_mx(stage_payload_0[171:154]),
+        .in_my(stage_payload_0[153:136]),
+        .in_shift(stage_payload_0[135:132]),
+        .in_depth(stage_payload_0[131:108]),
+        .in_depth_low(stage_payload_0[107:84]),
+        .in_depth_high(stage_payload_0[83:60]),
+        .in_attribute_0(stage_payload_0[59:44]),
+        .in_attribute_1(stage_payload_0[43:28]),
+        .in_attribute_2(stage_payload_0[27:12]),
+        .in_left(stage_payload_0[11:9]),
+        .in_right(stage_payload_0[8:6]),
+        .in_top(stage_payload_0[5:3]),
+        .in_bottom(stage_payload_0[2:0]),
+        .in_tile(stage_tile),
+        .out_valid(caught_out_valid),
+        .out_ready(caught_out_ready),
+        .out_end(caught_out_end),
+        .out_center_x(caught_out_center_x),
+        .out_center_y(caught_out_center_y),
+        .out_ax(caught_out_ax),
+        .out_bx(caught_out_bx),
+        .out_ay(caught_out_ay),
+        .out_by(caught_out_by),
+        .out_delta(caught_out_delta),
+        .out_mx(caught_out_mx),
+        .out_my(caught_out_my),
+        .out_shift(caught_out_shift),
+        .out_depth(caught_out_depth),
+        .out_depth_low(caught_out_depth_low),
+        .out_depth_high(caught_out_depth_high),
+        .out_attribute_0(caught_out_attribute_0),
+        .out_attribute_1(caught_out_attribute_1),
+        .out_attribute_2(caught_out_attribute_2),
+        .out_left(caught_out_left),
+        .out_right(caught_out_right),
+        .out_top(caught_out_top),
+        .out_bottom(caught_out_bottom),
+        .out_tile(caught_out_tile)
+    );
+
+    splat_heap heap (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(offer),
+        .in_ready(heap_in_ready),
+        .in_tile(in_queue_out_tile),
+        .in_pointer(free),
+        .out_valid(heap_out_valid),
+        .out_ready(heap_out_ready),
+        .out_tile(heap_out_tile),
+        .out_pointer(heap_out_pointer),
+        .empty(heap_empty)
+    );
+
+    stream_fifo_w6 returned (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(leaving),
+        .in_ready(returned_in_ready),
+        .in_pointer(heap_out_pointer),
+        .out_valid(returned_out_valid),
+        .out_ready(returned_out_ready),
+        .out_pointer(returned_out_pointer)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            free_valid <= 1'd0;
+            fresh <= 7'd0;
+            draining <= 1'd0;
+            stage_valid <= 1'd0;
+        end else begin
+            free_valid <= free_valid ? ~insert : (~all_used | returned_out_valid);
+            if (~(free_valid | all_used)) begin
+                fresh <= fresh + 7'd1;
+            end
+            if (take_end | close) begin
+                draining <= take_end;
+            end
+            if (advance) begin
+                stage_valid <= leaving;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (~free_valid) begin
+            free <= all_used ? returned_out_pointer : fresh[5:0];
+        end
+        if (advance) begin
+            stage_tile <= heap_out_tile;
+        end
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_0[free] <= {
+                in_queue_out_center_y[21:0],
+                in_queue_out_ax,
+                in_queue_out_bx,
+                in_queue_out_ay,
+                in_queue_out_by,
+                in_queue_out_delta,
+                in_queue_out_mx,
+                in_queue_out_my,
+                in_queue_out_shift,
+                in_queue_out_depth,
+                in_queue_out_depth_low,
+                in_queue_out_depth_high,
+                in_queue_out_attribute_0,
+                in_queue_out_attribute_1,
+                in_queue_out_attribute_2,
+                in_queue_out_left,
+                in_queue_out_right,
+                in_queue_out_top,
+                in_queue_out_bottom
+            };
+        end
+        if (advance) begin
+            stage_payload_0 <= payloads_0[heap_out_pointer];
+        end
+`ifdef RTL_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_0 <= ~payloads_0[heap_out_pointer];
+        end
+`endif
+    end
+    always @(posedge clk) begin
+        if (offer) begin
+            payloads_288[free] <= {in_queue_out_center_x, in_queue_out_center_y[27:22]};
+        end
+        if (advance) begin
+            stage_payload_288 <= payloads_288[heap_out_pointer];
+        end
+`ifdef RTL_ASSERT
+        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
+            stage_payload_288 <= ~payloads_288[heap_out_pointer];
+        end
+`endif
+    end
+
+    wire _unused = &{1'b0, returned_in_ready};
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(~leaving | returned_in_ready)) begin
+`ifdef FORMAL
+                pointers_fit: assert (0);
+`else
+                $display("assertion failed: pointers_fit in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 64
+// width = 6
+module stream_fifo_w6 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [5:0] in_pointer,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [5:0] out_pointer
+);
+    (* no_rw_check *)
+    reg [5:0] entries [0:63];
+    reg [6:0] held;
+    reg [6:0] waiting;
+    reg [5:0] write_address;
+    reg [5:0] read_address;
+    reg [5:0] item;
+
+    wire has_room = ~held[6];
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_pointer = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 7'd0;
+            waiting <= 7'd0;
+            write_address <= 6'd0;
+            read_address <= 6'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {6'd0, push}) - {6'd0, pop};
+            waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 6'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 6'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= in_pointer;
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+`ifdef RTL_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 7'd64)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {6'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Pipelined heap that orders splat copies by tile, then by arrival.
+// levels = 6
+// interval = 2
+// sequence_bits = 10
+module splat_heap (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [7:0] in_tile,
+    input  wire [5:0] in_pointer,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire [7:0] out_tile,
+    output wire [5:0] out_pointer,
+    output wire empty
+);
+    reg lower;
+    reg [5:0] count;
+    reg [9:0] arrival;
+    reg [5:0] alive_even;
+    reg [5:0] alive_odd;
+    reg occupied;
+    reg full;
+    reg fresh_epoch_blocked;
+    reg [7:0] current;
+    reg sweep;
+    reg last_epoch;
+    reg [7:0] newcomer_tile;
+
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire [7:0] out_queue_out_tile;
+    wire [5:0] out_queue_out_pointer;
+    wire [24:0] stage_0_root;
+    wire stage_0_below_valid;
+    wire stage_0_below_hole;
+    wire stage_0_below_carry;
+    wire stage_0_below_right;
+    wire stage_0_below_left_exists;
+    wire stage_0_below_right_exists;
+    wire stage_0_below_follows;
+    wire [24:0] stage_0_below_entry;
+    wire [18:0] stage_0_below_rival;
+    wire [1:0] stage_0_below_row;
+    wire [24:0] stage_2_rise_entry;
+    wire stage_2_rise_exists;
+    wire stage_2_rise_ahead;
+    wire stage_2_rise_right;
+    wire stage_2_rise_childless;
+    wire [1:0] stage_2_rise_node;
+    wire stage_2_below_valid;
+    wire stage_2_below_hole;
+    wire stage_2_below_carry;
+    wire stage_2_below_right;
+    wire stage_2_below_left_exists;
+    wire stage_2_below_right_exists;
+    wire stage_2_below_follows;
+    wire [24:0] stage_2_below_entry;
+    wire [18:0] stage_2_below_rival;
+    wire [3:0] stage_2_below_row;
+    wire [24:0] stage_4_rise_entry;
+    wire stage_4_rise_exists;
+    wire stage_4_rise_ahead;
+    wire stage_4_rise_right;
+    wire stage_4_rise_childless;
+    wire [3:0] stage_4_rise_node;
+
+    wire begins = ~lower;
+    wire pop = begins & (occupied & out_queue_in_ready);
+    wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
+    assign in_ready = ready;
+    wire out_queue_out_ready = out_ready;
+    wire push = ready & in_valid;
+    wire newcomer_sweep = sweep ^ (newcomer_tile < current);
+    wire term_1 = push & ~arrival[9];
+    wire term_2 = push & arrival[9];
+
+    assign out_valid = out_queue_out_valid;
+    assign out_tile = out_queue_out_tile;
+    assign out_pointer = out_queue_out_pointer;
+    assign empty = ~(|count | out_queue_out_valid);
+
+    stream_skid_w14 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(pop),
+        .in_ready(out_queue_in_ready),
+        .in_tile(stage_0_root[23:16]),
+        .in_pointer(stage_0_root[5:0]),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_tile(out_queue_out_tile),
+        .out_pointer(out_queue_out_pointer)
+    );
+
+    splat_heap_stage_level0 stage_0 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .step_valid(push | pop),
+        .step_hole(pop),
+        .step_carry(push),
+        .step_right(1'd1),
+        .step_left_exists(1'd0),
+        .step_right_exists(occupied),
+        .step_follows(1'd1),
+        .step_entry({1'd0, in_tile, arrival, in_pointer}),
+        .step_rival(19'd0),
+        .newcomer_sweep(newcomer_sweep),
+        .below_rise_entry(stage_2_rise_entry),
+        .below_rise_exists(stage_2_rise_exists),
+        .below_rise_ahead(stage_2_rise_ahead),
+        .below_rise_right(stage_2_rise_right),
+        .below_rise_childless(stage_2_rise_childless),
+        .below_rise_node(stage_2_rise_node),
+        .root(stage_0_root),
+        .below_valid(stage_0_below_valid),
+        .below_hole(stage_0_below_hole),
+        .below_carry(stage_0_below_carry),
+        .below_right(stage_0_below_right),
+        .below_left_exists(stage_0_below_left_exists),
+        .below_right_exists(stage_0_below_right_exists),
+        .below_follows(stage_0_below_follows),
+        .below_entry(stage_0_below_entry),
+        .below_rival(stage_0_below_rival),
+        .below_row(stage_0_below_row)
+    );
+
+    splat_heap_stage_level2 stage_2 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .step_valid(stage_0_below_valid),
+        .step_hole(stage_0_below_hole),
+        .step_carry(stage_0_below_carry),
+        .step_right(stage_0_below_right),
+        .step_left_exists(stage_0_below_left_exists),
+        .step_right_exists(stage_0_below_right_exists),
+        .step_follows(stage_0_below_follows),
+        .step_entry(stage_0_below_entry),
+        .step_rival(stage_0_below_rival),
+        .step_row(stage_0_below_row),
+        .below_rise_entry(stage_4_rise_entry),
+        .below_rise_exists(stage_4_rise_exists),
+        .below_rise_ahead(stage_4_rise_ahead),
+        .below_rise_right(stage_4_rise_right),
+        .below_rise_childless(stage_4_rise_childless),
+        .below_rise_node(stage_4_rise_node),
+        .rise_entry(stage_2_rise_entry),
+        .rise_exists(stage_2_rise_exists),
+        .rise_ahead(stage_2_rise_ahead),
+        .rise_right(stage_2_rise_right),
+        .rise_childless(stage_2_rise_childless),
+        .rise_node(stage_2_rise_node),
+        .below_valid(stage_2_below_valid),
+        .below_hole(stage_2_below_hole),
+        .below_carry(stage_2_below_carry),
+        .below_right(stage_2_below_right),
+        .below_left_exists(stage_2_below_left_exists),
+        .below_right_exists(stage_2_below_right_exists),
+        .below_follows(stage_2_below_follows),
+        .below_entry(stage_2_below_entry),
+        .below_rival(stage_2_below_rival),
+        .below_row(stage_2_below_row)
+    );
+
+    splat_heap_stage_level4 stage_4 (
+        .clk(clk),
+        .rst(rst),
+        .sweep(sweep),
+        .last_epoch(last_epoch),
+        .step_valid(stage_2_below_valid),
+        .step_hole(stage_2_below_hole),
+        .step_carry(stage_2_below_carry),
+        .step_right(stage_2_below_right),
+        .step_left_exists(stage_2_below_left_exists),
+        .step_right_exists(stage_2_below_right_exists),
+        .step_follows(stage_2_below_follows),
+        .step_entry(stage_2_below_entry),
+        .step_rival(stage_2_below_rival),
+        .step_row(stage_2_below_row),
+        .rise_entry(stage_4_rise_entry),
+        .rise_exists(stage_4_rise_exists),
+        .rise_ahead(stage_4_rise_ahead),
+        .rise_right(stage_4_rise_right),
+        .rise_childless(stage_4_rise_childless),
+        .rise_node(stage_4_rise_node)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            lower <= 1'd0;
+            count <= 6'd0;
+            arrival <= 10'd0;
+            alive_even <= 6'd0;
+            alive_odd <= 6'd0;
+            occupied <= 1'd0;
+            full <= 1'd0;
+            fresh_epoch_blocked <= 1'd0;
+            current <= 8'd0;
+            sweep <= 1'd0;
+        end else begin
+            lower <= begins;
+            occupied <= |count;
+            full <= &count;
+            fresh_epoch_blocked <= (arrival[8:0] == 9'd0) & (arrival[9] ? |alive_odd : |alive_even);
+            if (push ^ pop) begin
+                count <= push ? (count + 6'd1) : (count - 6'd1);
+            end
+            if (push) begin
+                arrival <= arrival + 10'd1;
+            end
+            if (term_1 ^ (pop & ~stage_0_root[15])) begin
+                alive_even <= term_1 ? (alive_even + 6'd1) : (alive_even - 6'd1);
+            end
+            if (term_2 ^ (pop & stage_0_root[15])) begin
+                alive_odd <= term_2 ? (alive_odd + 6'd1) : (alive_odd - 6'd1);
+            end
+            if (pop) begin
+                current <= stage_0_root[23:16];
+                sweep <= stage_0_root[24];
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            last_epoch <= arrival[9];
+        end
+        newcomer_tile <= in_tile;
+    end
+
+    wire _unused = &{1'b0, stage_0_root[14:6]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 4
+// levels = 6
+// interval = 2
+module splat_heap_stage_level4 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [24:0] step_entry,
+    input  wire [18:0] step_rival,
+    input  wire [3:0] step_row,
+    output wire [24:0] rise_entry,
+    output wire rise_exists,
+    output wire rise_ahead,
+    output wire rise_right,
+    output wire rise_childless,
+    output wire [3:0] rise_node
+);
+    (* no_rw_check *)
+    reg [27:0] left_nodes [0:31];
+    (* no_rw_check *)
+    reg [27:0] right_nodes [0:31];
+    reg lower;
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [24:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [18:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [18:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [24:0] compared_entry;
+    reg compared_right_below;
+    reg compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [24:0] settled_entry;
+    reg settled_right_below;
+    reg settled_left_count;
+    reg [27:0] stored;
+    reg [4:0] row;
+    reg [4:0] row_before;
+    reg [5:0] last_row;
+    reg [5:0] last_row_before;
+    reg [27:0] left_shown;
+    reg [27:0] right_shown;
+
+    wire [24:0] chosen_entry = compared_chosen_stored ? stored[27:3] : compared_entry;
+    wire term_1 = compared_carried[24] == sweep;
+    wire [17:0] joined_2 = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
+    wire [17:0] joined_3 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
+    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? term_1 : (joined_2 < joined_3);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [24:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [17:0] joined_4 = {compared_parent_rival[17:10], compared_parent_rival[9] == last_epoch, compared_parent_rival[8:0]};
+    wire rival_stays = (compared_parent_rival[18] ^ chosen_entry[24]) ? (compared_parent_rival[18] == sweep) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~rival_stays;
+    wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
+    wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
+    wire term_6 = ~(chosen_left_count | chosen_right_below);
+    wire choice_7 = lower ? compared_hole : step_hole;
+    wire choice_8 = lower ? compared_follows : step_follows;
+    wire choice_9 = lower ? chosen_left_count : step_left_exists;
+    wire choice_10 = lower ? chosen_right_below : step_right_exists;
+    wire newer = choice_8 & settled_valid;
+    wire [5:0] choice_11 = lower ? last_row_before : {1'd0, row_before};
+    wire side = choice_11[0];
+    wire choice_12 = lower ? 1'd0 : compared_exists;
+    wire term_13 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_12) & term_13) : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_14 = (choice_9 & choice_10) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_10;
+    wire goes_right = choice_7 ? choice_14 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire same_side = goes_right ^ ~side;
+    wire [18:0] rival = compared_rival_stored ? stored[27:9] : compared_rival;
+    wire [24:0] choice_15 = ~goes_right ? right_shown[27:3] : left_shown[27:3];
+    wire term_16 = joined_2 < {rival[17:10], rival[9] == last_epoch, rival[8:0]};
+    wire before_rival = (compared_carried[24] ^ rival[18]) ? term_1 : term_16;
+    wire term_17 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [24:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
+    wire term_18 = settled_hole & ~settled_carry & choice_12;
+    wire choice_19 = lower ? 1'd0 : compared_right;
+    wire term_20 = settled_right_below & ~(term_18 & choice_19 & (lower ? 1'd0 : term_6));
+    wire term_21 = ~settled_hole & settled_existed;
+    wire term_22 = ~choice_19;
+    wire sum_23 = settled_left_count + ((term_18 & term_22) | (term_21 & term_22));
+    wire [27:0] node_to_store = {
+        entry_to_store,
+        first_side ^ (settled_rival_exists & settled_rival_mark),
+        term_20 | (term_21 & choice_19),
+        sum_23
+    };
+    wire [5:0] next_row = {row, goes_right};
+    wire [4:0] choice_24 = lower ? {1'd0, step_row} : next_row[4:0];
+
+    assign rise_entry = first;
+    assign rise_exists = compared_exists;
+    assign rise_ahead = term_5;
+    assign rise_right = compared_right;
+    assign rise_childless = term_6;
+    assign rise_node = row_before[3:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            lower <= 1'd0;
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            lower <= ~lower;
+            compared_valid <= lower ? (compared_valid & compared_exists) : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_7;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_8 & same_side;
+        compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
+        compared_exists <= goes_right ? choice_10 : choice_9;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_14;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_15[24:6];
+        compared_rival_exists <= goes_right ? choice_9 : choice_10;
+        compared_rival_mark <= ~goes_right ? right_shown[2] : left_shown[2];
+        compared_entry <= goes_right ? right_shown[27:3] : left_shown[27:3];
+        compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
+        compared_left_count <= goes_right ? right_shown[0] : left_shown[0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_17;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
+        settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & compared_exists;
+        stored <= node_to_store;
+        row <= choice_24;
+        row_before <= row;
+        last_row <= next_row;
+        last_row_before <= last_row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_11[5:1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_24];
+`ifdef RTL_ASSERT
+        if ((settled_valid & ~side) && (choice_11[5:1]) == (choice_24)) begin
+            left_shown <= ~left_nodes[choice_24];
+        end
+`endif
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_11[5:1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_24];
+`ifdef RTL_ASSERT
+        if ((settled_valid & side) && (choice_11[5:1]) == (choice_24)) begin
+            right_shown <= ~right_nodes[choice_24];
+        end
+`endif
+    end
+
+    wire _unused = &{1'b0, choice_15[5:0]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 2
+// levels = 6
+// interval = 2
+module splat_heap_stage_level2 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [24:0] step_entry,
+    input  wire [18:0] step_rival,
+    input  wire [1:0] step_row,
+    input  wire [24:0] below_rise_entry,
+    input  wire below_rise_exists,
+    input  wire below_rise_ahead,
+    input  wire below_rise_right,
+    input  wire below_rise_childless,
+    input  wire [3:0] below_rise_node,
+    output wire [24:0] rise_entry,
+    output wire rise_exists,
+    output wire rise_ahead,
+    output wire rise_right,
+    output wire rise_childless,
+    output wire [1:0] rise_node,
+    output wire below_valid,
+    output wire below_hole,
+    output wire below_carry,
+    output wire below_right,
+    output wire below_left_exists,
+    output wire below_right_exists,
+    output wire below_follows,
+    output wire [24:0] below_entry,
+    output wire [18:0] below_rival,
+    output wire [3:0] below_row
+);
+    (* no_rw_check *)
+    reg [29:0] left_nodes [0:7];
+    (* no_rw_check *)
+    reg [29:0] right_nodes [0:7];
+    reg lower;
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [24:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [18:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [18:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [24:0] compared_entry;
+    reg compared_right_below;
+    reg [2:0] compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [24:0] settled_entry;
+    reg settled_right_below;
+    reg [2:0] settled_left_count;
+    reg [29:0] stored;
+    reg [2:0] row;
+    reg [2:0] row_before;
+    reg [29:0] left_shown;
+    reg [29:0] right_shown;
+
+    wire [24:0] chosen_entry = compared_chosen_stored ? stored[29:5] : compared_entry;
+    wire term_1 = compared_carried[24] == sweep;
+    wire [17:0] joined_2 = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
+    wire [17:0] joined_3 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
+    wire before_chosen = (compared_carried[24] ^ chosen_entry[24]) ? term_1 : (joined_2 < joined_3);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [24:0] first = carried_first ? compared_carried : chosen_entry;
+    wire [17:0] joined_4 = {compared_parent_rival[17:10], compared_parent_rival[9] == last_epoch, compared_parent_rival[8:0]};
+    wire rival_stays = (compared_parent_rival[18] ^ chosen_entry[24]) ? (compared_parent_rival[18] == sweep) : (joined_4 < joined_3);
+    wire term_5 = compared_exists & ~rival_stays;
+    wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
+    wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
+    wire term_6 = ~(|chosen_left_count | chosen_right_below);
+    wire term_7 = compared_valid & compared_exists;
+    wire term_8 = &chosen_left_count[1:0] & (chosen_left_count[2] | ~lower);
+    wire [24:0] choice_9 = carried_first ? chosen_entry : compared_carried;
+    wire [18:0] rival = compared_rival_stored ? stored[29:11] : compared_rival;
+    wire choice_10 = lower ? compared_hole : step_hole;
+    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
+    wire choice_12 = lower ? chosen_right_below : step_right_exists;
+    wire choice_13 = lower ? compared_follows : step_follows;
+    wire newer = choice_13 & settled_valid;
+    wire [3:0] choice_14 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_14[0];
+    wire choice_15 = lower ? below_rise_exists : compared_exists;
+    wire term_16 = ~settled_rival_exists | settled_ahead | (lower ? below_rise_ahead : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_15) & term_16) : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
+    wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
+    wire [3:0] next_row = {row, goes_right};
+    wire same_side = goes_right ^ ~side;
+    wire [24:0] choice_18 = ~goes_right ? right_shown[29:5] : left_shown[29:5];
+    wire term_19 = joined_2 < {rival[17:10], rival[9] == last_epoch, rival[8:0]};
+    wire before_rival = (compared_carried[24] ^ rival[18]) ? term_1 : term_19;
+    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire [24:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_21 = settled_hole & ~settled_carry & choice_15;
+    wire choice_22 = lower ? below_rise_right : compared_right;
+    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
+    wire term_24 = ~settled_hole & settled_existed;
+    wire term_25 = ~choice_22;
+    wire term_26 = term_21 & term_25;
+    wire [2:0] sum_27 = settled_left_count + {{2{term_26}}, term_26 | (term_24 & term_25)};
+    wire [29:0] node_to_store = {
+        entry_to_store,
+        first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_23) | (term_24 & choice_22),
+        sum_27
+    };
+    wire [2:0] choice_28 = lower ? {1'd0, step_row} : next_row[2:0];
+
+    assign rise_entry = first;
+    assign rise_exists = compared_exists;
+    assign rise_ahead = term_5;
+    assign rise_right = compared_right;
+    assign rise_childless = term_6;
+    assign rise_node = row_before[1:0];
+    assign below_valid = term_7;
+    assign below_hole = compared_hole;
+    assign below_carry = compared_carry;
+    assign below_right = term_8;
+    assign below_left_exists = |chosen_left_count;
+    assign below_right_exists = chosen_right_below;
+    assign below_follows = compared_follows;
+    assign below_entry = choice_9;
+    assign below_rival = rival;
+    assign below_row = next_row;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            lower <= 1'd0;
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            lower <= ~lower;
+            compared_valid <= lower ? term_7 : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_10;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_13 & same_side;
+        compared_carried <= lower ? choice_9 : step_entry;
+        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_17;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_18[24:6];
+        compared_rival_exists <= goes_right ? choice_11 : choice_12;
+        compared_rival_mark <= ~goes_right ? right_shown[4] : left_shown[4];
+        compared_entry <= goes_right ? right_shown[29:5] : left_shown[29:5];
+        compared_right_below <= goes_right ? right_shown[3] : left_shown[3];
+        compared_left_count <= goes_right ? right_shown[2:0] : left_shown[2:0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
+        settled_entry <= first;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & {3{compared_exists}};
+        stored <= node_to_store;
+        row <= choice_28;
+        row_before <= row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_14[3:1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_28];
+`ifdef RTL_ASSERT
+        if ((settled_valid & ~side) && (choice_14[3:1]) == (choice_28)) begin
+            left_shown <= ~left_nodes[choice_28];
+        end
+`endif
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_14[3:1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_28];
+`ifdef RTL_ASSERT
+        if ((settled_valid & side) && (choice_14[3:1]) == (choice_28)) begin
+            right_shown <= ~right_nodes[choice_28];
+        end
+`endif
+    end
+
+    wire _unused = &{1'b0, choice_18[5:0]};
+endmodule
+
+// Two neighboring levels of the pipelined heap.
+// level = 0
+// levels = 6
+// interval = 2
+module splat_heap_stage_level0 (
+    input  wire clk,
+    input  wire rst,
+    input  wire sweep,
+    input  wire last_epoch,
+    input  wire step_valid,
+    input  wire step_hole,
+    input  wire step_carry,
+    input  wire step_right,
+    input  wire step_left_exists,
+    input  wire step_right_exists,
+    input  wire step_follows,
+    input  wire [24:0] step_entry,
+    input  wire [18:0] step_rival,
+    input  wire newcomer_sweep,
+    input  wire [24:0] below_rise_entry,
+    input  wire below_rise_exists,
+    input  wire below_rise_ahead,
+    input  wire below_rise_right,
+    input  wire below_rise_childless,
+    input  wire [1:0] below_rise_node,
+    output wire [24:0] root,
+    output wire below_valid,
+    output wire below_hole,
+    output wire below_carry,
+    output wire below_right,
+    output wire below_left_exists,
+    output wire below_right_exists,
+    output wire below_follows,
+    output wire [24:0] below_entry,
+    output wire [18:0] below_rival,
+    output wire [1:0] below_row
+);
+    (* no_rw_check *)
+    reg [31:0] left_nodes [0:1];
+    (* no_rw_check *)
+    reg [31:0] right_nodes [0:1];
+    reg lower;
+    reg compared_valid;
+    reg compared_hole;
+    reg compared_carry;
+    reg compared_follows;
+    reg [24:0] compared_carried;
+    reg compared_exists;
+    reg compared_right;
+    reg compared_was_first;
+    reg [18:0] compared_parent_rival;
+    reg compared_chosen_stored;
+    reg compared_rival_stored;
+    reg [18:0] compared_rival;
+    reg compared_rival_exists;
+    reg compared_rival_mark;
+    reg [24:0] compared_entry;
+    reg compared_right_below;
+    reg [4:0] compared_left_count;
+    reg settled_valid;
+    reg settled_hole;
+    reg settled_carry;
+    reg settled_existed;
+    reg settled_ahead;
+    reg settled_rival_exists;
+    reg settled_rival_mark;
+    reg [24:0] settled_entry;
+    reg settled_right_below;
+    reg [4:0] settled_left_count;
+    reg [31:0] stored;
+    reg row;
+    reg row_before;
+    reg [31:0] left_shown;
+    reg [31:0] right_shown;
+
+    wire choice_1 = lower ? compared_follows : step_follows;
+    wire newer = choice_1 & settled_valid;
+    wire choice_2 = lower ? newcomer_sweep : compared_carried[24];
+    wire [24:0] chosen_entry = compared_chosen_stored ? stored[31:7] : compared_entry;
+    wire term_3 = choice_2 == sweep;
+    wire [17:0] joined_4 = {compared_carried[23:16], compared_carried[15] == last_epoch, compared_carried[14:6]};
+    wire [17:0] joined_5 = {chosen_entry[23:16], chosen_entry[15] == last_epoch, chosen_entry[14:6]};
+    wire before_chosen = (choice_2 ^ chosen_entry[24]) ? term_3 : (joined_4 < joined_5);
+    wire carried_first = compared_carry & (~compared_exists | before_chosen);
+    wire [24:0] joined_6 = {choice_2, compared_carried[23:0]};
+    wire [24:0] first = carried_first ? joined_6 : chosen_entry;
+    wire [24:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_7 = compared_valid & compared_exists;
+    wire [4:0] chosen_left_count = compared_chosen_stored ? stored[4:0] : compared_left_count;
+    wire term_8 = &chosen_left_count[3:0] & (chosen_left_count[4] | ~lower);
+    wire chosen_right_below = compared_chosen_stored ? stored[5] : compared_right_below;
+    wire [24:0] choice_9 = carried_first ? chosen_entry : joined_6;
+    wire [18:0] rival = compared_rival_stored ? stored[31:13] : compared_rival;
+    wire choice_10 = lower ? compared_hole : step_hole;
+    wire choice_11 = lower ? |chosen_left_count : step_left_exists;
+    wire choice_12 = lower ? chosen_right_below : step_right_exists;
+    wire [1:0] choice_13 = lower ? below_rise_node : {1'd0, row_before};
+    wire side = choice_13[0];
+    wire choice_14 = lower ? below_rise_exists : compared_exists;
+    wire [17:0] joined_15 = {compared_parent_rival[17:10], compared_parent_rival[9] == last_epoch, compared_parent_rival[8:0]};
+    wire rival_stays = (compared_parent_rival[18] ^ chosen_entry[24]) ? (compared_parent_rival[18] == sweep) : (joined_15 < joined_5);
+    wire choice_16 = lower ? below_rise_ahead : (compared_exists & ~rival_stays);
+    wire term_17 = (settled_carry | choice_14) & (~settled_rival_exists | settled_ahead | choice_16);
+    wire is_first = settled_hole ? term_17 : settled_ahead;
+    wire first_side = side ^ ~is_first;
+    wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
+    wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
+    wire [1:0] next_row = {row, goes_right};
+    wire same_side = goes_right ^ ~side;
+    wire [24:0] choice_19 = ~goes_right ? right_shown[31:7] : left_shown[31:7];
+    wire term_20 = joined_4 < {rival[17:10], rival[9] == last_epoch, rival[8:0]};
+    wire before_rival = (choice_2 ^ rival[18]) ? term_3 : term_20;
+    wire term_21 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
+    wire term_22 = settled_hole & ~settled_carry & choice_14;
+    wire choice_23 = lower ? below_rise_right : compared_right;
+    wire choice_24 = lower ? below_rise_childless : ~(|chosen_left_count | chosen_right_below);
+    wire term_25 = ~settled_hole & settled_existed;
+    wire term_26 = (settled_right_below & ~(term_22 & choice_23 & choice_24)) | (term_25 & choice_23);
+    wire term_27 = ~choice_23;
+    wire term_28 = term_22 & term_27;
+    wire [4:0] sum_29 = settled_left_count + {{4{term_28}}, term_28 | (term_25 & term_27)};
+    wire [31:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_26, sum_29};
+    wire choice_30 = lower ? 1'd0 : next_row[0];
+
+    assign root = newer ? entry_to_store : right_shown[31:7];
+    assign below_valid = term_7;
+    assign below_hole = compared_hole;
+    assign below_carry = compared_carry;
+    assign below_right = term_8;
+    assign below_left_exists = |chosen_left_count;
+    assign below_right_exists = chosen_right_below;
+    assign below_follows = compared_follows;
+    assign below_entry = choice_9;
+    assign below_rival = rival;
+    assign below_row = next_row;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            lower <= 1'd0;
+            compared_valid <= 1'd0;
+            settled_valid <= 1'd0;
+        end else begin
+            lower <= ~lower;
+            compared_valid <= lower ? term_7 : step_valid;
+            settled_valid <= compared_valid & (compared_exists | ~compared_hole);
+        end
+    end
+    always @(posedge clk) begin
+        compared_hole <= choice_10;
+        compared_carry <= lower ? compared_carry : step_carry;
+        compared_follows <= choice_1 & same_side;
+        compared_carried <= lower ? choice_9 : step_entry;
+        compared_exists <= goes_right ? choice_12 : choice_11;
+        compared_right <= goes_right;
+        compared_was_first <= goes_right == choice_18;
+        compared_parent_rival <= lower ? rival : step_rival;
+        compared_chosen_stored <= newer & same_side;
+        compared_rival_stored <= newer & ~same_side;
+        compared_rival <= choice_19[24:6];
+        compared_rival_exists <= goes_right ? choice_11 : choice_12;
+        compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
+        compared_entry <= goes_right ? right_shown[31:7] : left_shown[31:7];
+        compared_right_below <= goes_right ? right_shown[5] : left_shown[5];
+        compared_left_count <= goes_right ? right_shown[4:0] : left_shown[4:0];
+        settled_hole <= compared_hole;
+        settled_carry <= compared_carry;
+        settled_existed <= compared_exists;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_21;
+        settled_rival_exists <= compared_rival_exists;
+        settled_rival_mark <= compared_rival_stored ? stored[6] : compared_rival_mark;
+        settled_entry <= first;
+        settled_right_below <= chosen_right_below & compared_exists;
+        settled_left_count <= chosen_left_count & {5{compared_exists}};
+        stored <= node_to_store;
+        row <= choice_30;
+        row_before <= row;
+    end
+    always @(posedge clk) begin
+        if (settled_valid & ~side) begin
+            left_nodes[choice_13[1]] <= node_to_store;
+        end
+        left_shown <= left_nodes[choice_30];
+`ifdef RTL_ASSERT
+        if ((settled_valid & ~side) && (choice_13[1]) == (choice_30)) begin
+            left_shown <= ~left_nodes[choice_30];
+        end
+`endif
+    end
+    always @(posedge clk) begin
+        if (settled_valid & side) begin
+            right_nodes[choice_13[1]] <= node_to_store;
+        end
+        right_shown <= right_nodes[choice_30];
+`ifdef RTL_ASSERT
+        if ((settled_valid & side) && (choice_13[1]) == (choice_30)) begin
+            right_shown <= ~right_nodes[choice_30];
+        end
+`endif
+    end
+
+    wire _unused = &{1'b0, choice_19[5:0]};
+endmodule
+
+// Queue of two in registers.
+// width = 14
+module stream_skid_w14 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [7:0] in_tile,
+    input  wire [5:0] in_pointer,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [7:0] out_tile,
+    output wire [5:0] out_pointer
+);
+    reg second_valid;
+    reg [13:0] head;
+    reg [13:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [13:0] in_item = {in_tile, in_pointer};
+
+    assign out_tile = head[13:6];
+    assign out_pointer = head[5:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Splits a splat's rectangle into one copy per tile.
+module splat_splitter (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [6:0] in_left,
+    input  wire [6:0] in_right,
+    input  wire [6:0] in_top,
+    input  wire [6:0] in_bottom,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [27:0] out_center_x,
+    output wire [27:0] out_center_y,
+    output wire [17:0] out_ax,
+    output wire [17:0] out_bx,
+    output wire [17:0] out_ay,
+    output wire [17:0] out_by,
+    output wire [21:0] out_delta,
+    output wire [17:0] out_mx,
+    output wire [17:0] out_my,
+    output wire [3:0] out_shift,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [7:0] out_tile
+);
+    reg busy;
+    reg idle;
+    reg last;
+    reg splat_end;
+    reg [27:0] splat_center_x;
+    reg [27:0] splat_center_y;
+    reg [17:0] splat_ax;
+    reg [17:0] splat_bx;
+    reg [17:0] splat_ay;
+    reg [17:0] splat_by;
+    reg [21:0] splat_delta;
+    reg [17:0] splat_mx;
+    reg [17:0] splat_my;
+    reg [3:0] splat_shift;
+    reg [23:0] splat_depth;
+    reg [23:0] splat_depth_low;
+    reg [23:0] splat_depth_high;
+    reg [15:0] splat_attribute_0;
+    reg [15:0] splat_attribute_1;
+    reg [15:0] splat_attribute_2;
+    reg [6:0] splat_left;
+    reg [6:0] splat_right;
+    reg [6:0] splat_top;
+    reg [6:0] splat_bottom;
+    reg [3:0] column;
+    reg [3:0] row;
+
+    wire out_queue_in_ready;
+    wire out_queue_out_valid;
+    wire out_queue_out_end;
+    wire [27:0] out_queue_out_center_x;
+    wire [27:0] out_queue_out_center_y;
+    wire [17:0] out_queue_out_ax;
+    wire [17:0] out_queue_out_bx;
+    wire [17:0] out_queue_out_ay;
+    wire [17:0] out_queue_out_by;
+    wire [21:0] out_queue_out_delta;
+    wire [17:0] out_queue_out_mx;
+    wire [17:0] out_queue_out_my;
+    wire [3:0] out_queue_out_shift;
+    wire [23:0] out_queue_out_depth;
+    wire [23:0] out_queue_out_depth_low;
+    wire [23:0] out_queue_out_depth_high;
+    wire [15:0] out_queue_out_attribute_0;
+    wire [15:0] out_queue_out_attribute_1;
+    wire [15:0] out_queue_out_attribute_2;
+    wire [2:0] out_queue_out_left;
+    wire [2:0] out_queue_out_right;
+    wire [2:0] out_queue_out_top;
+    wire [2:0] out_queue_out_bottom;
+    wire [7:0] out_queue_out_tile;
+
+    wire ready = out_queue_in_ready & idle;
+    assign in_ready = ready;
+    wire right_most = column == splat_right[6:3];
+    wire out_queue_out_ready = out_ready;
+    wire take = ready & in_valid;
+    wire term_1 = {in_top[6:3], in_left[6:3]} == {in_bottom[6:3], in_right[6:3]};
+    wire term_2 = in_end | term_1;
+    wire [3:0] choice_3 = right_most ? (row + 4'd1) : row;
+    wire [3:0] choice_4 = right_most ? splat_left[6:3] : (column + 4'd1);
+    wire term_5 = {choice_3, choice_4} == {splat_bottom[6:3], splat_right[6:3]};
+
+    assign out_valid = out_queue_out_valid;
+    assign out_end = out_queue_out_end;
+    assign out_center_x = out_queue_out_center_x;
+    assign out_center_y = out_queue_out_center_y;
+    assign out_ax = out_queue_out_ax;
+    assign out_bx = out_queue_out_bx;
+    assign out_ay = out_queue_out_ay;
+    assign out_by = out_queue_out_by;
+    assign out_delta = out_queue_out_delta;
+    assign out_mx = out_queue_out_mx;
+    assign out_my = out_queue_out_my;
+    assign out_shift = out_queue_out_shift;
+    assign out_depth = out_queue_out_depth;
+    assign out_depth_low = out_queue_out_depth_low;
+    assign out_depth_high = out_queue_out_depth_high;
+    assign out_attribute_0 = out_queue_out_attribute_0;
+    assign out_attribute_1 = out_queue_out_attribute_1;
+    assign out_attribute_2 = out_queue_out_attribute_2;
+    assign out_left = out_queue_out_left;
+    assign out_right = out_queue_out_right;
+    assign out_top = out_queue_out_top;
+    assign out_bottom = out_queue_out_bottom;
+    assign out_tile = out_queue_out_tile;
+
+    stream_half_buffer_w331 out_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(out_queue_in_ready & busy),
+        .in_ready(out_queue_in_ready),
+        .in_end(splat_end),
+        .in_center_x(splat_center_x),
+        .in_center_y(splat_center_y),
+        .in_ax(splat_ax),
+        .in_bx(splat_bx),
+        .in_ay(splat_ay),
+        .in_by(splat_by),
+        .in_delta(splat_delta),
+        .in_mx(splat_mx),
+        .in_my(splat_my),
+        .in_shift(splat_shift),
+        .in_depth(splat_depth),
+        .in_depth_low(splat_depth_low),
+        .in_depth_high(splat_depth_high),
+        .in_attribute_0(splat_attribute_0),
+        .in_attribute_1(splat_attribute_1),
+        .in_attribute_2(splat_attribute_2),
+        .in_left((column == splat_left[6:3]) ? splat_left[2:0] : 3'd0),
+        .in_right(right_most ? splat_right[2:0] : 3'd7),
+        .in_top((row == splat_top[6:3]) ? splat_top[2:0] : 3'd0),
+        .in_bottom((row == splat_bottom[6:3]) ? splat_bottom[2:0] : 3'd7),
+        .in_tile({row, column}),
+        .out_valid(out_queue_out_valid),
+        .out_ready(out_queue_out_ready),
+        .out_end(out_queue_out_end),
+        .out_center_x(out_queue_out_center_x),
+        .out_center_y(out_queue_out_center_y),
+        .out_ax(out_queue_out_ax),
+        .out_bx(out_queue_out_bx),
+        .out_ay(out_queue_out_ay),
+        .out_by(out_queue_out_by),
+        .out_delta(out_queue_out_delta),
+        .out_mx(out_queue_out_mx),
+        .out_my(out_queue_out_my),
+        .out_shift(out_queue_out_shift),
+        .out_depth(out_queue_out_depth),
+        .out_depth_low(out_queue_out_depth_low),
+        .out_depth_high(out_queue_out_depth_high),
+        .out_attribute_0(out_queue_out_attribute_0),
+        .out_attribute_1(out_queue_out_attribute_1),
+        .out_attribute_2(out_queue_out_attribute_2),
+        .out_left(out_queue_out_left),
+        .out_right(out_queue_out_right),
+        .out_top(out_queue_out_top),
+        .out_bottom(out_queue_out_bottom),
+        .out_tile(out_queue_out_tile)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            busy <= 1'd0;
+            idle <= 1'd1;
+        end else if (out_queue_in_ready) begin
+            busy <= take | (busy & ~last);
+            idle <= take ? term_2 : (~busy | (last | term_5));
+        end
+    end
+    always @(posedge clk) begin
+        if (out_queue_in_ready) begin
+            last <= take ? term_2 : term_5;
+            column <= take ? in_left[6:3] : choice_4;
+            row <= take ? in_top[6:3] : choice_3;
+        end
+        if (ready) begin
+            splat_end <= in_end;
+            splat_center_x <= in_center_x;
+            splat_center_y <= in_center_y;
+            splat_ax <= in_ax;
+            splat_bx <= in_bx;
+            splat_ay <= in_ay;
+            splat_by <= in_by;
+            splat_delta <= in_delta;
+            splat_mx <= in_mx;
+            splat_my <= in_my;
+            splat_shift <= in_shift;
+            splat_depth <= in_depth;
+            splat_depth_low <= in_depth_low;
+            splat_depth_high <= in_depth_high;
+            splat_attribute_0 <= in_attribute_0;
+            splat_attribute_1 <= in_attribute_1;
+            splat_attribute_2 <= in_attribute_2;
+            splat_left <= in_left;
+            splat_right <= in_right;
+            splat_top <= in_top;
+            splat_bottom <= in_bottom;
+        end
+    end
+endmodule
+
+// One item in a register, at half rate.
+// width = 331
+module stream_half_buffer_w331 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [2:0] in_left,
+    input  wire [2:0] in_right,
+    input  wire [2:0] in_top,
+    input  wire [2:0] in_bottom,
+    input  wire [7:0] in_tile,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [27:0] out_center_x,
+    output wire [27:0] out_center_y,
+    output wire [17:0] out_ax,
+    output wire [17:0] out_bx,
+    output wire [17:0] out_ay,
+    output wire [17:0] out_by,
+    output wire [21:0] out_delta,
+    output wire [17:0] out_mx,
+    output wire [17:0] out_my,
+    output wire [3:0] out_shift,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [2:0] out_left,
+    output wire [2:0] out_right,
+    output wire [2:0] out_top,
+    output wire [2:0] out_bottom,
+    output wire [7:0] out_tile
+);
+    reg full;
+    reg [330:0] item;
+
+    assign in_ready = ~full;
+
+    assign out_valid = full;
+    assign out_end = item[330];
+    assign out_center_x = item[329:302];
+    assign out_center_y = item[301:274];
+    assign out_ax = item[273:256];
+    assign out_bx = item[255:238];
+    assign out_ay = item[237:220];
+    assign out_by = item[219:202];
+    assign out_delta = item[201:180];
+    assign out_mx = item[179:162];
+    assign out_my = item[161:144];
+    assign out_shift = item[143:140];
+    assign out_depth = item[139:116];
+    assign out_depth_low = item[115:92];
+    assign out_depth_high = item[91:68];
+    assign out_attribute_0 = item[67:52];
+    assign out_attribute_1 = item[51:36];
+    assign out_attribute_2 = item[35:20];
+    assign out_left = item[19:17];
+    assign out_right = item[16:14];
+    assign out_top = item[13:11];
+    assign out_bottom = item[10:8];
+    assign out_tile = item[7:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            full <= 1'd0;
+        end else begin
+            full <= full ? ~out_ready : in_valid;
+        end
+    end
+    always @(posedge clk) begin
+        if (in_ready) begin
+            item <= {
+                in_end,
+                in_center_x,
+                in_center_y,
+                in_ax,
+                in_bx,
+                in_ay,
+                in_by,
+                in_delta,
+                in_mx,
+                in_my,
+                in_shift,
+                in_depth,
+                in_depth_low,
+                in_depth_high,
+                in_attribute_0,
+                in_attribute_1,
+                in_attribute_2,
+                in_left,
+                in_right,
+                in_top,
+                in_bottom,
+                in_tile
+            };
+        end
+    end
+endmodule
+
+// Footprint, depth band and bounding rectangle of a splat.
+// latency = 160
+// initiation_interval = 16
+module splat_setup (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [23:0] in_center_x,
+    input  wire [23:0] in_center_y,
+    input  wire [23:0] in_center_z,
+    input  wire [23:0] in_tangent1_x,
+    input  wire [23:0] in_tangent1_y,
+    input  wire [23:0] in_tangent1_z,
+    input  wire [23:0] in_tangent2_x,
+    input  wire [23:0] in_tangent2_y,
+    input  wire [23:0] in_tangent2_z,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [23:0] filter_radius,
+    input  wire [23:0] scale_x,
+    input  wire [23:0] origin_x,
+    input  wire [23:0] scale_y,
+    input  wire [23:0] origin_y,
+    input  wire [23:0] depth_b,
+    input  wire [23:0] depth_a,
+    input  wire [23:0] epsilon_scale,
+    input  wire [23:0] epsilon_bias,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [27:0] out_center_x,
+    output wire [27:0] out_center_y,
+    output wire [17:0] out_ax,
+    output wire [17:0] out_bx,
+    output wire [17:0] out_ay,
+    output wire [17:0] out_by,
+    output wire [21:0] out_delta,
+    output wire [17:0] out_mx,
+    output wire [17:0] out_my,
+    output wire [3:0] out_shift,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [6:0] out_left,
+    output wire [6:0] out_right,
+    output wire [6:0] out_top,
+    output wire [6:0] out_bottom
+);
+    (* ram_style = "distributed" *)
+    reg [37:0] delay_5_from_0 [0:3];
+    (* ram_style = "distributed" *)
+    reg [16:0] delay_6_from_0 [0:4];
+    (* ram_style = "distributed" *)
+    reg delay_9_from_0 [0:7];
+    (* ram_style = "distributed" *)
+    reg [47:0] delay_10_from_0 [0:8];
+    (* ram_style = "distributed" *)
+    reg delay_6_from_1 [0:4];
+    (* ram_style = "distributed" *)
+    reg [63:0] delay_6_from_4 [0:4];
+    (* ram_style = "distributed" *)
+    reg [20:0] delay_5_from_14 [0:3];
+    (* ram_style = "distributed" *)
+    reg [15:0] delay_6_from_14 [0:4];
+    (* ram_style = "distributed" *)
+    reg delay_7_from_14 [0:5];
+    (* ram_style = "distributed" *)
+    reg [20:0] delay_5_from_15 [0:3];
+    (* ram_style = "distributed" *)
+    reg [36:0] delay_6_from_15 [0:4];
+    (* ram_style = "distributed" *)
+    reg [2:0] delay_7_from_15 [0:5];
+    reg [3:0] phase;
+    reg load_0;
+    reg load_1;
+    reg load_2;
+    reg load_3;
+    reg load_4;
+    reg load_5;
+    reg load_6;
+    reg load_7;
+    reg load_8;
+    reg load_9;
+    reg load_10;
+    reg load_11;
+    reg load_12;
+    reg load_13;
+    reg load_14;
+    reg load_15;
+    reg [1:0] delay_5_from_0_pointer;
+    reg [37:0] delay_5_from_0_out;
+    reg [2:0] delay_6_from_0_pointer;
+    reg [16:0] delay_6_from_0_out;
+    reg [2:0] delay_9_from_0_pointer;
+    reg delay_9_from_0_out;
+    reg [3:0] delay_10_from_0_pointer;
+    reg [47:0] delay_10_from_0_out;
+    reg [2:0] delay_6_from_1_pointer;
+    reg delay_6_from_1_out;
+    reg [2:0] delay_6_from_4_pointer;
+    reg [63:0] delay_6_from_4_out;
+    reg [1:0] delay_5_from_14_pointer;
+    reg [20:0] delay_5_from_14_out;
+    reg [2:0] delay_6_from_14_pointer;
+    reg [15:0] delay_6_from_14_out;
+    reg [2:0] delay_7_from_14_pointer;
+    reg delay_7_from_14_out;
+    reg [1:0] delay_5_from_15_pointer;
+    reg [20:0] delay_5_from_15_out;
+    reg [2:0] delay_6_from_15_pointer;
+    reg [36:0] delay_6_from_15_out;
+    reg [2:0] delay_7_from_15_pointer;
+    reg [2:0] delay_7_from_15_out;
+    reg end_d10;
+    reg [23:0] recip_15_d1;
+    reg [23:0] reinterpret_16_d1;
+    reg [23:0] reinterpret_16_d2;
+    reg [23:0] mul_17_d1;
+    reg [23:0] mul_17_d2;
+    reg [23:0] reinterpret_18_d1;
+    reg [23:0] reinterpret_18_d2;
+    reg [23:0] mul_19_d1;
+    reg [23:0] mul_19_d2;
+    reg [23:0] add_22_d1;
+    reg [23:0] add_22_d2;
+    reg [23:0] recip_25_d1;
+    reg [23:0] reinterpret_28_d1;
+    reg [23:0] reinterpret_28_d2;
+    reg [23:0] mul_29_d1;
+    reg [23:0] reinterpret_30_d1;
+    reg [23:0] reinterpret_30_d2;
+    reg [23:0] mul_31_d1;
+    reg [23:0] mul_35_d1;
+    reg [23:0] reinterpret_36_d1;
+    reg [23:0] reinterpret_36_d2;
+    reg [23:0] mul_37_d1;
+    reg [23:0] mul_41_d1;
+    reg [23:0] add_44_d1;
+    reg [23:0] add_44_d2;
+    reg [23:0] mul_45_d1;
+    reg [23:0] add_47_d1;
+    reg [23:0] mul_50_d1;
+    reg [23:0] add_52_d1;
+    reg [23:0] mul_53_d1;
+    reg [23:0] add_57_d1;
+    reg [23:0] add_57_d2;
+    reg [23:0] neg_58_d1;
+    reg [23:0] add_62_d1;
+    reg [23:0] add_62_d2;
+    reg [23:0] add_62_d3;
+    reg [23:0] add_64_d1;
+    reg [23:0] add_64_d2;
+    reg [23:0] add_64_d3;
+    reg [21:0] shr_72_d1;
+    reg [21:0] shr_80_d1;
+    reg [21:0] min_82_d1;
+    reg [6:0] resize_85_d1;
+    reg [6:0] resize_85_d2;
+    reg [6:0] resize_85_d3;
+    reg [6:0] resize_86_d1;
+    reg [6:0] resize_86_d2;
+    reg [23:0] reinterpret_90_d1;
+    reg [23:0] reinterpret_90_d2;
+    reg [23:0] mul_91_d1;
+    reg [23:0] reinterpret_92_d1;
+    reg [23:0] reinterpret_92_d2;
+    reg [23:0] mul_93_d1;
+    reg [23:0] mul_97_d1;
+    reg [23:0] reinterpret_98_d1;
+    reg [23:0] reinterpret_98_d2;
+    reg [23:0] mul_99_d1;
+    reg [23:0] mul_103_d1;
+    reg [23:0] add_106_d1;
+    reg [23:0] add_106_d2;
+    reg [23:0] add_109_d1;
+    reg [23:0] add_114_d1;
+    reg [23:0] mul_115_d1;
+    reg [23:0] add_116_d1;
+    reg [23:0] add_119_d1;
+    reg [23:0] add_119_d2;
+    reg [23:0] neg_120_d1;
+    reg [23:0] add_123_d1;
+    reg [23:0] add_123_d2;
+    reg [23:0] add_123_d3;
+    reg [23:0] add_125_d1;
+    reg [23:0] add_125_d2;
+    reg [23:0] add_125_d3;
+    reg [21:0] shr_131_d1;
+    reg [21:0] shr_137_d1;
+    reg [21:0] min_138_d1;
+    reg [6:0] resize_140_d1;
+    reg [6:0] resize_140_d2;
+    reg [6:0] resize_140_d3;
+    reg [6:0] resize_141_d1;
+    reg [6:0] resize_141_d2;
+    reg equal_153_d1;
+    reg [7:0] bits_154_d1;
+    reg lt_156_d1;
+    reg [23:0] mul_167_d1;
+    reg [23:0] mul_167_d2;
+    reg [23:0] mul_167_d3;
+    reg [23:0] add_169_d1;
+    reg [23:0] add_169_d2;
+    reg [23:0] add_172_d1;
+    reg [23:0] abs_173_d1;
+    reg [23:0] sqrt_174_d1;
+    reg [23:0] mul_175_d1;
+    reg [23:0] mul_176_d1;
+    reg [23:0] select_180_d1;
+    reg [23:0] select_180_d2;
+    reg [23:0] min_181_d1;
+    reg [23:0] select_182_d1;
+    reg [23:0] add_186_d1;
+    reg le_187_d1;
+    reg and_188_d1;
+    reg and_189_d1;
+    reg bits_190_d1;
+    reg or_195_d1;
+    reg or_195_d2;
+    reg placed_d1;
+    reg placed_d2;
+    reg [29:0] shr_213_d1;
+    reg [27:0] resize_215_d1;
+    reg [27:0] select_216_d6;
+    reg [27:0] select_216_d7;
+    reg [29:0] shr_224_d1;
+    reg [27:0] resize_226_d1;
+    reg [27:0] select_227_d1;
+    reg [27:0] select_227_d2;
+    reg [27:0] select_227_d3;
+    reg [27:0] select_227_d4;
+    reg [27:0] select_227_d5;
+    reg [27:0] select_227_d6;
+    reg [28:0] reinterpret_233_d1;
+    reg [28:0] resize_234_d1;
+    reg [28:0] sub_235_d1;
+    reg [28:0] reinterpret_237_d1;
+    reg [28:0] sub_238_d1;
+    reg [27:0] bits_242_d1;
+    reg [28:0] not_244_d1;
+    reg [28:0] reinterpret_252_d1;
+    reg [28:0] resize_253_d1;
+    reg [28:0] sub_254_d1;
+    reg [28:0] reinterpret_256_d1;
+    reg [28:0] sub_257_d1;
+    reg [27:0] bits_261_d1;
+    reg [27:0] or_262_d1;
+    reg [28:0] not_264_d1;
+    reg [10:0] bits_269_d1;
+    reg not_272_d1;
+    reg [9:0] bits_275_d1;
+    reg not_278_d1;
+    reg [8:0] bits_281_d1;
+    reg not_283_d1;
+    reg [3:0] select_285_d1;
+    reg [7:0] bits_286_d1;
+    reg not_289_d1;
+    reg [6:0] bits_292_d1;
+    reg not_295_d1;
+    reg [5:0] bits_298_d1;
+    reg not_301_d1;
+    reg [3:0] select_303_d1;
+    reg [4:0] bits_304_d1;
+    reg not_307_d1;
+    reg [3:0] bits_310_d1;
+    reg not_312_d1;
+    reg equal_317_d1;
+    reg [3:0] select_320_d1;
+    reg equal_323_d1;
+    reg equal_329_d1;
+    reg [3:0] shift_d1;
+    reg [3:0] shift_d2;
+    reg [9:0] add_335_d1;
+    reg [9:0] resize_336_d6;
+    reg [9:0] select_339_d1;
+    reg [9:0] resize_341_d1;
+    reg [9:0] resize_347_d1;
+    reg [9:0] resize_347_d7;
+    reg [9:0] resize_349_d6;
+    reg [9:0] resize_351_d6;
+    reg [9:0] max_352_d1;
+    reg [9:0] max_353_d1;
+    reg [9:0] max_354_d1;
+    reg [9:0] max_355_d1;
+    reg [9:0] max_356_d1;
+    reg [9:0] exponent_d1;
+    reg [9:0] add_359_d1;
+    reg and_363_d1;
+    reg [23:0] reinterpret_371_d1;
+    reg [19:0] shr_380_d1;
+    reg [17:0] resize_382_d1;
+    reg [9:0] add_383_d1;
+    reg and_387_d1;
+    reg [23:0] reinterpret_395_d1;
+    reg [19:0] shr_403_d1;
+    reg [17:0] resize_405_d1;
+    reg [9:0] add_406_d1;
+    reg and_410_d1;
+    reg [23:0] reinterpret_418_d1;
+    reg [19:0] shr_426_d1;
+    reg [17:0] resize_428_d1;
+    reg [9:0] add_429_d1;
+    reg and_433_d1;
+    reg [23:0] reinterpret_441_d1;
+    reg [19:0] shr_449_d1;
+    reg [17:0] resize_451_d1;
+    reg [9:0] add_452_d1;
+    reg and_456_d1;
+    reg [23:0] reinterpret_464_d1;
+    reg [19:0] shr_472_d1;
+    reg [17:0] resize_474_d1;
+    reg [9:0] add_475_d1;
+    reg and_479_d1;
+    reg [23:0] reinterpret_487_d1;
+    reg [19:0] shr_495_d1;
+    reg [17:0] resize_497_d1;
+    reg lt_500_d1;
+    reg [9:0] sub_504_d1;
+    reg [23:0] reinterpret_510_d1;
+    reg [23:0] shr_519_d1;
+    reg [21:0] resize_521_d1;
+    reg or_525_d1;
+    reg equal_526_d1;
+    reg or_529_d1;
+    reg or_531_d1;
+    reg or_533_d1;
+    reg equal_534_d1;
+    reg vanishes_d1;
+    reg or_542_d1;
+    reg [23:0] to_fixed_555_d1;
+    reg [23:0] to_fixed_555_d2;
+    reg [23:0] to_fixed_555_d3;
+    reg [23:0] to_fixed_559_d1;
+    reg [23:0] to_fixed_559_d2;
+    reg [23:0] to_fixed_562_d1;
+    reg [23:0] recip_f24_ftz_unit_a;
+    reg [23:0] mul_f24_ftz_unit_a;
+    reg [23:0] mul_f24_ftz_unit_b;
+    reg [23:0] mul_f24_ftz_unit_copy2_a;
+    reg [23:0] mul_f24_ftz_unit_copy2_b;
+    reg [23:0] mul_f24_ftz_unit_copy3_a;
+    reg [23:0] mul_f24_ftz_unit_copy3_b;
+    reg [23:0] add_f24_ftz_unit_a;
+    reg [23:0] add_f24_ftz_unit_b;
+    reg [23:0] add_f24_ftz_unit_copy2_a;
+    reg [23:0] add_f24_ftz_unit_copy2_b;
+    reg [23:0] add_f24_ftz_unit_copy3_a;
+    reg [23:0] add_f24_ftz_unit_copy3_b;
+    reg [23:0] sqrt_f24_ftz_unit_a;
+    reg [23:0] min_f24_ftz_unit_a;
+    reg [23:0] min_f24_ftz_unit_b;
+    reg [23:0] max_f24_ftz_unit_a;
+    reg [23:0] max_f24_ftz_unit_b;
+    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
+    reg [23:0] le_f24_ftz_unit_a;
+    reg [23:0] le_f24_ftz_unit_b;
+    reg [23:0] to_fixed_f24_ftz_s29q15_unit_a;
+    reg [23:0] to_fixed_f24_ftz_s19q18_unit_a;
+    reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
+    reg valid_d1;
+    reg valid_d2;
+    reg valid_d3;
+    reg valid_d4;
+    reg valid_d5;
+    reg valid_d6;
+    reg valid_d7;
+    reg valid_d8;
+    reg valid_d9;
+    reg valid_d10;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire [27:0] queue_out_center_x;
+    wire [27:0] queue_out_center_y;
+    wire [17:0] queue_out_ax;
+    wire [17:0] queue_out_bx;
+    wire [17:0] queue_out_ay;
+    wire [17:0] queue_out_by;
+    wire [21:0] queue_out_delta;
+    wire [17:0] queue_out_mx;
+    wire [17:0] queue_out_my;
+    wire [3:0] queue_out_shift;
+    wire [23:0] queue_out_depth;
+    wire [23:0] queue_out_depth_low;
+    wire [23:0] queue_out_depth_high;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [6:0] queue_out_left;
+    wire [6:0] queue_out_right;
+    wire [6:0] queue_out_top;
+    wire [6:0] queue_out_bottom;
+    wire [23:0] recip_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_y;
+    wire [23:0] mul_f24_ftz_unit_copy3_y;
+    wire [23:0] add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_copy3_y;
+    wire [23:0] sqrt_f24_ftz_unit_y;
+    wire [23:0] min_f24_ftz_unit_y;
+    wire [23:0] max_f24_ftz_unit_y;
+    wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
+    wire le_f24_ftz_unit_y;
+    wire [28:0] to_fixed_f24_ftz_s29q15_unit_y;
+    wire [18:0] to_fixed_f24_ftz_s19q18_unit_y;
+    wire [22:0] to_fixed_f24_ftz_s23q22_unit_y;
+    wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
+
+    assign in_ready = load_0;
+    wire term_1 = phase == 4'd0;
+    wire term_2 = valid_d10 & or_195_d2 & term_1;
+    wire covers_nothing = vanishes_d1 | delay_6_from_1_out;
+    wire [17:0] select_546 = covers_nothing ? 18'd0 : resize_382_d1;
+    wire [17:0] select_547 = covers_nothing ? 18'd0 : resize_405_d1;
+    wire [17:0] select_548 = covers_nothing ? 18'd0 : resize_428_d1;
+    wire [17:0] select_549 = covers_nothing ? 18'd0 : resize_451_d1;
+    wire [21:0] select_551 = covers_nothing ? 22'd0 : resize_521_d1;
+    wire [17:0] select_552 = covers_nothing ? 18'd0 : resize_474_d1;
+    wire [17:0] select_553 = covers_nothing ? 18'd0 : resize_497_d1;
+    wire queue_out_ready = out_ready;
+    wire term_3 = phase == 4'd15;
+    wire [3:0] phase_next = queue_in_ready ? (term_3 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
+    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire advance_next = ~term_4;
+    wire [23:0] joined_5 = {~sqrt_f24_ftz_unit_y[23], sqrt_f24_ftz_unit_y[22:0]};
+    wire [21:0] add_71 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
+    wire [21:0] shifted_6 = add_71 >> 8;
+    wire [21:0] add_79 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
+    wire [21:0] min_82 = (22'd128 < shr_80_d1) ? 22'd128 : shr_80_d1;
+    wire [21:0] sub_84 = min_82_d1 - 22'd1;
+    wire [21:0] add_130 = 22'd126 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] shifted_7 = add_130 >> 8;
+    wire [21:0] add_136 = 22'd130 + {1'd0, to_fixed_f24_ftz_u21q8_unit_y};
+    wire [21:0] min_138 = (shr_137_d1 < 22'd128) ? shr_137_d1 : 22'd128;
+    wire [21:0] sub_139 = min_138_d1 - 22'd1;
+    wire [8:0] joined_8 = {1'd0, add_f24_ftz_unit_y[22:15]};
+    wire equal_153 = joined_8 == 9'd0;
+    wire [8:0] add_151 = joined_8 + 9'd12;
+    wire lt_156 = add_151 < {1'd0, bits_154_d1};
+    wire [23:0] select_180 = le_f24_ftz_unit_y ? add_172_d1 : add_169_d2;
+    wire [23:0] select_182 = le_f24_ftz_unit_y ? mul_176_d1 : min_181_d1;
+    wire lt_87 = shr_72_d1 < min_82_d1;
+    wire and_188 = lt_87 & le_187_d1;
+    wire lt_142 = shr_131_d1 < min_138_d1;
+    wire and_189 = lt_142 & and_188_d1;
+    wire and_194 = and_189_d1 & delay_5_from_15_out[0];
+    wire or_195 = delay_9_from_0_out | and_194;
+    wire [9:0] joined_9 = {2'd0, add_f24_ftz_unit_y[22:15]};
+    wire lt_199 = joined_9 < 10'd140;
+    wire [9:0] joined_10 = {2'd0, add_f24_ftz_unit_copy2_y[22:15]};
+    wire lt_202 = joined_10 < 10'd140;
+    wire placed = lt_199 & lt_202;
+    wire [29:0] joined_11 = {to_fixed_f24_ftz_s29q15_unit_y[28], to_fixed_f24_ftz_s29q15_unit_y};
+    wire not_207 = ~to_fixed_f24_ftz_s29q15_unit_y[28];
+    wire [29:0] add_211 = joined_11 + {29'd0, not_207};
+    wire [29:0] min_214 = ($signed(shr_213_d1) < $signed(30'h7ffffff)) ? shr_213_d1 : 30'h7ffffff;
+    wire not_219 = not_207;
+    wire [29:0] add_223 = joined_11 + {29'd0, not_219};
+    wire [29:0] min_225 = ($signed(shr_224_d1) < $signed(30'h7ffffff)) ? shr_224_d1 : 30'h7ffffff;
+    wire [27:0] select_227 = placed_d2 ? resize_226_d1 : 28'h8000000;
+    wire [28:0] sub_235 = reinterpret_233_d1 - resize_234_d1;
+    wire [28:0] add_230 = 29'd1 + {22'd0, resize_86_d1};
+    wire [28:0] sub_238 = reinterpret_237_d1 - resize_234_d1;
+    wire [28:0] not_240 = ~sub_235_d1;
+    wire [28:0] select_241 = sub_235_d1[28] ? not_240 : sub_235_d1;
+    wire [28:0] not_244 = ~sub_238;
+    wire [28:0] sub_254 = reinterpret_252_d1 - resize_253_d1;
+    wire [28:0] add_249 = 29'd1 + {22'd0, resize_141_d1};
+    wire [28:0] sub_257 = reinterpret_256_d1 - resize_253_d1;
+    wire [28:0] not_259 = ~sub_254_d1;
+    wire [28:0] select_260 = sub_254_d1[28] ? not_259 : sub_254_d1;
+    wire [28:0] select_245 = sub_238_d1[28] ? not_244_d1 : sub_238_d1;
+    wire [27:0] or_247 = bits_242_d1 | select_245[27:0];
+    wire [27:0] or_262 = or_247 | bits_261_d1;
+    wire [28:0] not_264 = ~sub_257;
+    wire [28:0] select_265 = sub_257_d1[28] ? not_264_d1 : sub_257_d1;
+    wire [27:0] or_267 = or_262_d1 | select_265[27:0];
+    wire equal_271 = bits_269_d1 == 11'd0;
+    wire not_272 = ~equal_271;
+    wire equal_277 = bits_275_d1 == 10'd0;
+    wire not_278 = ~equal_277;
+    wire equal_282 = 9'd0 == bits_281_d1;
+    wire not_283 = ~equal_282;
+    wire [3:0] select_274 = not_272_d1 ? 4'd1 : 4'd0;
+    wire [3:0] select_280 = not_278_d1 ? 4'd2 : select_274;
+    wire [3:0] select_285 = not_283_d1 ? 4'd3 : select_280;
+    wire equal_288 = bits_286_d1 == 8'd0;
+    wire not_289 = ~equal_288;
+    wire equal_294 = bits_292_d1 == 7'd0;
+    wire not_295 = ~equal_294;
+    wire equal_300 = bits_298_d1 == 6'd0;
+    wire not_301 = ~equal_300;
+    wire [3:0] select_291 = not_289_d1 ? 4'd4 : select_285_d1;
+    wire [3:0] select_297 = not_295_d1 ? 4'd5 : select_291;
+    wire [3:0] select_303 = not_301_d1 ? 4'd6 : select_297;
+    wire equal_306 = bits_304_d1 == 5'd0;
+    wire not_307 = ~equal_306;
+    wire equal_311 = 4'd0 == bits_310_d1;
+    wire not_312 = ~equal_311;
+    wire equal_317 = or_267[27:25] == 3'd0;
+    wire not_318 = ~equal_317_d1;
+    wire [3:0] select_309 = not_307_d1 ? 4'd7 : select_303_d1;
+    wire [3:0] select_314 = not_312_d1 ? 4'd8 : select_309;
+    wire [3:0] select_320 = not_318 ? 4'd9 : select_314;
+    wire equal_323 = or_267[27:26] == 2'd0;
+    wire equal_329 = ~or_267[27];
+    wire not_330 = ~equal_329_d1;
+    wire not_324 = ~equal_323_d1;
+    wire [3:0] select_326 = not_324 ? 4'd10 : select_320_d1;
+    wire [3:0] shift = not_330 ? 4'd11 : select_326;
+    wire [9:0] add_335 = {6'd0, shift_d1} + 10'd4;
+    wire lt_337 = add_335_d1 < delay_5_from_14_out[10:1];
+    wire [9:0] sub_338 = delay_5_from_14_out[10:1] - add_335_d1;
+    wire [9:0] select_339 = lt_337 ? sub_338 : 10'd0;
+    wire [9:0] joined_12 = {2'd0, mul_f24_ftz_unit_y[22:15]};
+    wire [9:0] joined_13 = {2'd0, mul_f24_ftz_unit_copy3_y[22:15]};
+    wire [9:0] max_352 = (select_339_d1 < delay_5_from_14_out[20:11]) ? delay_5_from_14_out[20:11] : select_339_d1;
+    wire [9:0] max_353 = (delay_6_from_15_out[9:0] < max_352_d1) ? max_352_d1 : delay_6_from_15_out[9:0];
+    wire [9:0] max_354 = (delay_6_from_15_out[19:10] < max_353_d1) ? max_353_d1 : delay_6_from_15_out[19:10];
+    wire [9:0] max_355 = (resize_347_d7 < max_354_d1) ? max_354_d1 : resize_347_d7;
+    wire [9:0] max_356 = (resize_349_d6 < max_355_d1) ? max_355_d1 : resize_349_d6;
+    wire [9:0] exponent = (resize_351_d6 < max_356_d1) ? max_356_d1 : resize_351_d6;
+    wire [9:0] add_359 = delay_5_from_14_out[20:11] + 10'd126;
+    wire lt_360 = exponent_d1 < add_359_d1;
+    wire and_363 = lt_360 & delay_7_from_14_out;
+    wire [9:0] sub_364 = add_359_d1 - exponent_d1;
+    wire [9:0] select_365 = and_363_d1 ? sub_364 : 10'd0;
+    wire [19:0] joined_14 = {to_fixed_f24_ftz_s19q18_unit_y[18], to_fixed_f24_ftz_s19q18_unit_y};
+    wire not_374 = ~to_fixed_f24_ftz_s19q18_unit_y[18];
+    wire [19:0] add_378 = joined_14 + {19'd0, not_374};
+    wire [19:0] min_381 = ($signed(shr_380_d1) < $signed(20'h1ffff)) ? shr_380_d1 : 20'h1ffff;
+    wire [9:0] add_383 = delay_6_from_15_out[9:0] + 10'd126;
+    wire lt_384 = exponent_d1 < add_383_d1;
+    wire and_387 = lt_384 & delay_7_from_15_out[0];
+    wire [9:0] sub_388 = add_383_d1 - exponent_d1;
+    wire [9:0] select_389 = and_387_d1 ? sub_388 : 10'd0;
+    wire not_398 = not_374;
+    wire [19:0] add_402 = joined_14 + {19'd0, not_398};
+    wire [19:0] min_404 = ($signed(shr_403_d1) < $signed(20'h1ffff)) ? shr_403_d1 : 20'h1ffff;
+    wire [9:0] add_406 = delay_6_from_15_out[19:10] + 10'd126;
+    wire lt_407 = exponent_d1 < add_406_d1;
+    wire and_410 = lt_407 & delay_7_from_15_out[1];
+    wire [9:0] sub_411 = add_406_d1 - exponent_d1;
+    wire [9:0] select_412 = and_410_d1 ? sub_411 : 10'd0;
+    wire not_421 = not_374;
+    wire [19:0] add_425 = joined_14 + {19'd0, not_421};
+    wire [19:0] min_427 = ($signed(shr_426_d1) < $signed(20'h1ffff)) ? shr_426_d1 : 20'h1ffff;
+    wire [9:0] add_429 = delay_5_from_15_out[10:1] + 10'd126;
+    wire lt_430 = exponent_d1 < add_429_d1;
+    wire and_433 = lt_430 & delay_7_from_15_out[2];
+    wire [9:0] sub_434 = add_429_d1 - exponent_d1;
+    wire [9:0] select_435 = and_433_d1 ? sub_434 : 10'd0;
+    wire not_444 = not_374;
+    wire [19:0] add_448 = joined_14 + {19'd0, not_444};
+    wire [19:0] min_450 = ($signed(shr_449_d1) < $signed(20'h1ffff)) ? shr_449_d1 : 20'h1ffff;
+    wire [9:0] add_452 = delay_5_from_15_out[20:11] + 10'd126;
+    wire lt_453 = exponent_d1 < add_452_d1;
+    wire and_456 = lt_453 & delay_6_from_15_out[20];
+    wire [9:0] sub_457 = add_452_d1 - exponent_d1;
+    wire [9:0] select_458 = and_456_d1 ? sub_457 : 10'd0;
+    wire not_467 = not_374;
+    wire [19:0] add_471 = joined_14 + {19'd0, not_467};
+    wire [19:0] min_473 = ($signed(shr_472_d1) < $signed(20'h1ffff)) ? shr_472_d1 : 20'h1ffff;
+    wire [9:0] add_475 = delay_5_from_0_out[37:28] + 10'd126;
+    wire lt_476 = exponent_d1 < add_475_d1;
+    wire and_479 = lt_476 & delay_6_from_0_out[0];
+    wire [9:0] sub_480 = add_475_d1 - exponent_d1;
+    wire [9:0] select_481 = and_479_d1 ? sub_480 : 10'd0;
+    wire not_490 = not_374;
+    wire [19:0] add_494 = joined_14 + {19'd0, not_490};
+    wire [19:0] min_496 = ($signed(shr_495_d1) < $signed(20'h1ffff)) ? shr_495_d1 : 20'h1ffff;
+    wire [9:0] add_498 = add_335_d1 + exponent_d1;
+    wire [9:0] add_499 = resize_336_d6 + 10'd126;
+    wire lt_500 = add_498 < add_499;
+    wire [9:0] sub_504 = add_499 - add_498;
+    wire and_503 = lt_500_d1 & delay_6_from_14_out[0];
+    wire [9:0] select_505 = and_503 ? sub_504_d1 : 10'd0;
+    wire [23:0] joined_15 = {to_fixed_f24_ftz_s23q22_unit_y[22], to_fixed_f24_ftz_s23q22_unit_y};
+    wire not_513 = ~to_fixed_f24_ftz_s23q22_unit_y[22];
+    wire [23:0] add_517 = joined_15 + {23'd0, not_513};
+    wire [23:0] min_520 = ($signed(shr_519_d1) < $signed(24'h1fffff)) ? shr_519_d1 : 24'h1fffff;
+    wire equal_523 = resize_341_d1 == 10'd255;
+    wire equal_524 = joined_12 == 10'd255;
+    wire or_525 = equal_523 | equal_524;
+    wire [9:0] joined_16 = {2'd0, mul_f24_ftz_unit_copy2_y[22:15]};
+    wire equal_526 = joined_16 == 10'd255;
+    wire or_527 = or_525_d1 | equal_526_d1;
+    wire equal_528 = resize_347_d1 == 10'd255;
+    wire or_529 = or_527 | equal_528;
+    wire equal_530 = joined_10 == 10'd255;
+    wire or_531 = or_529_d1 | equal_530;
+    wire equal_532 = joined_9 == 10'd255;
+    wire or_533 = or_531_d1 | equal_532;
+    wire equal_534 = equal_532;
+    wire lt_537 = $signed(resize_521_d1) < $signed(22'd32);
+    wire lt_539 = $signed(22'h3fffe0) < $signed(resize_521_d1);
+    wire vanishes = lt_537 & lt_539;
+    wire edge_on = equal_153_d1 | lt_156_d1;
+    wire not_541 = ~placed_d2;
+    wire or_542 = edge_on | not_541;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : in_center_z) : in_center_z;
+    wire [23:0] choice_18 = phase[0] ? mul_19_d2 : mul_17_d2;
+    wire [23:0] choice_19 = phase[2] ? (phase[1] ? choice_18 : phase[0] ? scale_x : mul_19_d1) : phase[1] ? mul_f24_ftz_unit_y : scale_x;
+    wire [23:0] choice_20 = phase[1] ? recip_15_d1 : recip_f24_ftz_unit_y;
+    wire [23:0] choice_21 = phase[1] ? (phase[0] ? mul_17_d2 : mul_19_d2) : mul_41_d1;
+    wire [23:0] choice_22 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? add_f24_ftz_unit_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_23 = phase[2] ? (phase[1] ? mul_f24_ftz_unit_y : mul_29_d1) : choice_22;
+    wire [23:0] choice_24 = phase[1] ? (phase[0] ? reinterpret_92_d2 : reinterpret_30_d2) : phase[0] ? reinterpret_16_d2 : add_47_d1;
+    wire [23:0] choice_25 = phase[1] ? (phase[0] ? mul_41_d1 : mul_97_d1) : phase[0] ? mul_97_d1 : mul_41_d1;
+    wire [23:0] choice_26 = phase[1] ? (phase[0] ? mul_17_d2 : mul_f24_ftz_unit_y) : phase[0] ? scale_y : mul_17_d1;
+    wire [23:0] choice_27 = phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_28 = phase[2] ? choice_26 : phase[1] ? choice_27 : phase[0] ? scale_y : recip_25_d1;
+    wire [23:0] choice_29 = phase[1] ? (phase[0] ? recip_15_d1 : abs_173_d1) : phase[0] ? abs_173_d1 : mul_97_d1;
+    wire [23:0] choice_30 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_f24_ftz_unit_y) : phase[0] ? mul_91_d1 : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_31 = phase[1] ? choice_27 : phase[0] ? add_f24_ftz_unit_copy2_y : add_114_d1;
+    wire [23:0] choice_32 = phase[1] ? (phase[0] ? reinterpret_98_d2 : reinterpret_36_d2) : phase[0] ? reinterpret_18_d2 : add_52_d1;
+    wire [23:0] choice_33 = phase[1] ? (phase[0] ? depth_b : mul_175_d1) : phase[0] ? mul_175_d1 : mul_97_d1;
+    wire [23:0] choice_34 = phase[1] ? (phase[0] ? mul_19_d2 : mul_167_d3) : phase[0] ? select_182_d1 : mul_19_d1;
+    wire [23:0] choice_35 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : recip_25_d1) : phase[0] ? scale_y : add_22_d2;
+    wire [23:0] choice_36 = phase[0] ? mul_35_d1 : mul_103_d1;
+    wire [23:0] choice_37 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? epsilon_scale : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_38 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : sqrt_174_d1) : phase[0] ? add_f24_ftz_unit_copy3_y : recip_25_d1;
+    wire [23:0] choice_39 = phase[1] ? reinterpret_90_d2 : phase[0] ? reinterpret_28_d2 : add_109_d1;
+    wire [23:0] choice_40 = phase[1] ? add_119_d2 : phase[0] ? filter_radius : add_57_d2;
+    wire [23:0] choice_41 = phase[1] ? (phase[0] ? filter_radius : add_44_d2) : phase[0] ? mul_f24_ftz_unit_y : 24'h3f8000;
+    wire [23:0] choice_42 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_50_d1) : phase[0] ? mul_45_d1 : add_169_d1;
+    wire [23:0] choice_43 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : mul_37_d1) : mul_f24_ftz_unit_y;
+    wire [23:0] choice_44 = phase[1] ? neg_120_d1 : phase[0] ? add_106_d2 : neg_58_d1;
+    wire [23:0] joined_45 = {~mul_f24_ftz_unit_y[23], mul_f24_ftz_unit_y[22:0]};
+    wire [23:0] joined_46 = {~mul_f24_ftz_unit_copy3_y[23], mul_f24_ftz_unit_copy3_y[22:0]};
+    wire [23:0] choice_47 = phase[0] ? joined_46 : {~add_f24_ftz_unit_y[23], add_f24_ftz_unit_y[22:0]};
+    wire [23:0] choice_48 = phase[1] ? (phase[0] ? add_44_d2 : joined_45) : choice_47;
+    wire [23:0] choice_49 = phase[1] ? (phase[0] ? joined_45 : mul_f24_ftz_unit_y) : phase[0] ? mul_f24_ftz_unit_y : mul_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_50 = phase[1] ? (phase[0] ? origin_x : joined_45) : phase[0] ? mul_f24_ftz_unit_copy2_y : mul_53_d1;
+    wire [23:0] joined_51 = {~filter_radius[23], filter_radius[22:0]};
+    wire [23:0] choice_52 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : sqrt_f24_ftz_unit_y) : mul_f24_ftz_unit_y;
+    wire [23:0] choice_53 = phase[2] ? (phase[1] ? joined_51 : add_44_d2) : choice_52;
+    wire [23:0] choice_54 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_93_d1) : phase[0] ? mul_31_d1 : mul_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_55 = phase[0] ? {~mul_176_d1[23], mul_176_d1[22:0]} : add_57_d2;
+    wire [23:0] choice_56 = phase[2] ? (phase[1] ? add_106_d2 : joined_51) : phase[1] ? choice_55 : joined_46;
+    wire [23:0] choice_57 = phase[1] ? mul_f24_ftz_unit_copy3_y : phase[0] ? mul_f24_ftz_unit_copy3_y : origin_y;
+    wire [23:0] joined_58 = {~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]};
+    wire [23:0] choice_59 = phase[1] ? (phase[0] ? origin_y : joined_58) : phase[0] ? joined_46 : mul_115_d1;
+    wire [23:0] choice_60 = phase[2] ? (phase[1] ? select_180_d2 : sqrt_f24_ftz_unit_y) : phase[1] ? add_106_d2 : mul_167_d2;
+    wire [23:0] choice_61 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy3_y : mul_99_d1) : mul_99_d1;
+    wire [23:0] choice_62 = phase[2] ? (phase[1] ? mul_167_d2 : select_180_d2) : choice_61;
+    wire [23:0] choice_63 = phase[1] ? {~add_186_d1[23], add_186_d1[22:0]} : add_119_d2;
+    wire [23:0] choice_64 = phase[1] ? (phase[0] ? epsilon_bias : joined_46) : joined_46;
+    wire [23:0] choice_65 = phase[1] ? add_116_d1 : phase[0] ? add_116_d1 : add_f24_ftz_unit_y;
+    wire [23:0] choice_66 = phase[1] ? 24'h45fff8 : phase[0] ? add_f24_ftz_unit_y : max_f24_ftz_unit_y;
+    wire [23:0] choice_67 = phase[1] ? (phase[0] ? add_f24_ftz_unit_y : 24'h3f8000) : 24'h3f8000;
+    wire [23:0] choice_68 = phase[1] ? max_f24_ftz_unit_y : phase[0] ? add_123_d3 : 24'h45fff8;
+    wire [23:0] choice_69 = phase[1] ? (phase[0] ? add_62_d3 : abs_173_d1) : abs_173_d1;
+    wire [23:0] choice_70 = phase[1] ? (phase[0] ? 24'd0 : min_f24_ftz_unit_y) : phase[0] ? 24'd0 : add_f24_ftz_unit_copy3_y;
+    wire [23:0] choice_71 = phase[0] ? add_f24_ftz_unit_copy3_y : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_72 = phase[2] ? choice_70 : phase[1] ? choice_71 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_73 = phase[1] ? (phase[0] ? add_f24_ftz_unit_copy3_y : select_180_d1) : min_f24_ftz_unit_y;
+    wire [23:0] choice_74 = phase[1] ? (phase[0] ? min_f24_ftz_unit_y : 24'd0) : phase[0] ? add_f24_ftz_unit_copy3_y : add_125_d3;
+    wire [23:0] choice_75 = phase[1] ? (phase[0] ? add_125_d3 : add_64_d3) : add_64_d3;
+    wire [23:0] choice_76 = phase[2] ? (phase[1] ? add_169_d2 : phase[0] ? add_169_d2 : 24'd0) : 24'd0;
+    wire [23:0] choice_77 = phase[1] ? 24'h3f8000 : phase[0] ? 24'h3f8000 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_78 = phase[1] ? (phase[0] ? add_106_d1 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] choice_79 = phase[1] ? reinterpret_487_d1 : phase[0] ? reinterpret_464_d1 : reinterpret_441_d1;
+    wire [23:0] choice_80 = phase[1] ? (phase[0] ? reinterpret_418_d1 : reinterpret_395_d1) : reinterpret_371_d1;
+    wire [27:0] select_216 = placed_d1 ? resize_215_d1 : 28'h8000000;
+    wire equal_477 = 10'd0 == joined_9;
+    wire not_478 = ~equal_477;
+    wire odd = or_533_d1 | equal_534_d1;
+    wire or_543 = odd | or_542_d1;
+    wire equal_501 = equal_477;
+    wire not_502 = ~equal_501;
+    wire equal_361 = 10'd0 == joined_12;
+    wire not_362 = ~equal_361;
+    wire xor_191 = scale_x[23] ^ scale_y[23];
+    wire xor_192 = bits_190_d1 ^ xor_191;
+    wire or_193 = edge_on | xor_192;
+    wire equal_454 = 10'd0 == joined_10;
+    wire not_455 = ~equal_454;
+    wire equal_431 = 10'd0 == joined_13;
+    wire not_432 = ~equal_431;
+    wire equal_408 = 10'd0 == joined_16;
+    wire not_409 = ~equal_408;
+    wire equal_385 = equal_361;
+    wire not_386 = ~equal_385;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_center_x = queue_out_center_x;
+    assign out_center_y = queue_out_center_y;
+    assign out_ax = queue_out_ax;
+    assign out_bx = queue_out_bx;
+    assign out_ay = queue_out_ay;
+    assign out_by = queue_out_by;
+    assign out_delta = queue_out_delta;
+    assign out_mx = queue_out_mx;
+    assign out_my = queue_out_my;
+    assign out_shift = queue_out_shift;
+    assign out_depth = queue_out_depth;
+    assign out_depth_low = queue_out_depth_low;
+    assign out_depth_high = queue_out_depth_high;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+    assign out_left = queue_out_left;
+    assign out_right = queue_out_right;
+    assign out_top = queue_out_top;
+    assign out_bottom = queue_out_bottom;
+
+    stream_skid_w339 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(term_2),
+        .in_ready(queue_in_ready),
+        .in_end(end_d10),
+        .in_center_x(select_216_d7),
+        .in_center_y(select_227_d6),
+        .in_ax(select_546),
+        .in_bx(select_547),
+        .in_ay(select_548),
+        .in_by(select_549),
+        .in_delta(select_551),
+        .in_mx(select_552),
+        .in_my(select_553),
+        .in_shift(shift_d2),
+        .in_depth(to_fixed_555_d3),
+        .in_depth_low(to_fixed_559_d2),
+        .in_depth_high(to_fixed_562_d1),
+        .in_attribute_0(delay_10_from_0_out[15:0]),
+        .in_attribute_1(delay_10_from_0_out[31:16]),
+        .in_attribute_2(delay_10_from_0_out[47:32]),
+        .in_left(resize_85_d3),
+        .in_right(resize_86_d2),
+        .in_top(resize_140_d3),
+        .in_bottom(resize_141_d2),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_center_x(queue_out_center_x),
+        .out_center_y(queue_out_center_y),
+        .out_ax(queue_out_ax),
+        .out_bx(queue_out_bx),
+        .out_ay(queue_out_ay),
+        .out_by(queue_out_by),
+        .out_delta(queue_out_delta),
+        .out_mx(queue_out_mx),
+        .out_my(queue_out_my),
+        .out_shift(queue_out_shift),
+        .out_depth(queue_out_depth),
+        .out_depth_low(queue_out_depth_low),
+        .out_depth_high(queue_out_depth_high),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2),
+        .out_left(queue_out_left),
+        .out_right(queue_out_right),
+        .out_top(queue_out_top),
+        .out_bottom(queue_out_bottom)
+    );
+
+    float_recip recip_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(recip_f24_ftz_unit_a),
+        .y(recip_f24_ftz_unit_y)
+    );
+
+    float_mul_s5_ff24ftz mul_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_a),
+        .b(mul_f24_ftz_unit_b),
+        .y(mul_f24_ftz_unit_y)
+    );
+
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_copy2_a),
+        .b(mul_f24_ftz_unit_copy2_b),
+        .y(mul_f24_ftz_unit_copy2_y)
+    );
+
+    float_mul_s5_ff24ftz mul_f24_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_copy3_a),
+        .b(mul_f24_ftz_unit_copy3_b),
+        .y(mul_f24_ftz_unit_copy3_y)
+    );
+
+    float_add_s6_ff24ftz add_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f24_ftz_unit_a),
+        .b(add_f24_ftz_unit_b),
+        .y(add_f24_ftz_unit_y)
+    );
+
+    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f24_ftz_unit_copy2_a),
+        .b(add_f24_ftz_unit_copy2_b),
+        .y(add_f24_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f24_ftz_unit_copy3_a),
+        .b(add_f24_ftz_unit_copy3_b),
+        .y(add_f24_ftz_unit_copy3_y)
+    );
+
+    float_sqrt sqrt_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(sqrt_f24_ftz_unit_a),
+        .y(sqrt_f24_ftz_unit_y)
+    );
+
+    float_min min_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(min_f24_ftz_unit_a),
+        .b(min_f24_ftz_unit_b),
+        .y(min_f24_ftz_unit_y)
+    );
+
+    float_max max_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(max_f24_ftz_unit_a),
+        .b(max_f24_ftz_unit_b),
+        .y(max_f24_ftz_unit_y)
+    );
+
+    float_to_fixed_w21_fraction8_iunsigned to_fixed_f24_ftz_u21q8_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_fixed_f24_ftz_u21q8_unit_a),
+        .y(to_fixed_f24_ftz_u21q8_unit_y)
+    );
+
+    float_le le_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(le_f24_ftz_unit_a),
+        .b(le_f24_ftz_unit_b),
+        .y(le_f24_ftz_unit_y)
+    );
+
+    float_to_fixed_w29_fraction15_isigned to_fixed_f24_ftz_s29q15_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_fixed_f24_ftz_s29q15_unit_a),
+        .y(to_fixed_f24_ftz_s29q15_unit_y)
+    );
+
+    float_to_fixed_w19_fraction18_isigned to_fixed_f24_ftz_s19q18_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_fixed_f24_ftz_s19q18_unit_a),
+        .y(to_fixed_f24_ftz_s19q18_unit_y)
+    );
+
+    float_to_fixed_w23_fraction22_isigned to_fixed_f24_ftz_s23q22_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(reinterpret_510_d1),
+        .y(to_fixed_f24_ftz_s23q22_unit_y)
+    );
+
+    float_to_fixed_w24_fraction24_iunsigned to_fixed_f24_ftz_u24q24_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(to_fixed_f24_ftz_u24q24_unit_a),
+        .y(to_fixed_f24_ftz_u24q24_unit_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            phase <= 4'd0;
+            load_0 <= 1'd1;
+            load_1 <= 1'd0;
+            load_2 <= 1'd0;
+            load_3 <= 1'd0;
+            load_4 <= 1'd0;
+            load_5 <= 1'd0;
+            load_6 <= 1'd0;
+            load_7 <= 1'd0;
+            load_8 <= 1'd0;
+            load_9 <= 1'd0;
+            load_10 <= 1'd0;
+            load_11 <= 1'd0;
+            load_12 <= 1'd0;
+            load_13 <= 1'd0;
+            load_14 <= 1'd0;
+            load_15 <= 1'd0;
+            delay_5_from_0_pointer <= 2'd0;
+            delay_6_from_0_pointer <= 3'd0;
+            delay_9_from_0_pointer <= 3'd0;
+            delay_10_from_0_pointer <= 4'd0;
+            delay_6_from_1_pointer <= 3'd0;
+            delay_6_from_4_pointer <= 3'd0;
+            delay_5_from_14_pointer <= 2'd0;
+            delay_6_from_14_pointer <= 3'd0;
+            delay_7_from_14_pointer <= 3'd0;
+            delay_5_from_15_pointer <= 2'd0;
+            delay_6_from_15_pointer <= 3'd0;
+            delay_7_from_15_pointer <= 3'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+            valid_d3 <= 1'd0;
+            valid_d4 <= 1'd0;
+            valid_d5 <= 1'd0;
+            valid_d6 <= 1'd0;
+            valid_d7 <= 1'd0;
+            valid_d8 <= 1'd0;
+            valid_d9 <= 1'd0;
+            valid_d10 <= 1'd0;
+        end else begin
+            phase <= phase_next;
+            load_0 <= advance_next & (phase_next == 4'd0);
+            load_1 <= advance_next & (phase_next == 4'd1);
+            load_2 <= advance_next & (phase_next == 4'd2);
+            load_3 <= advance_next & (phase_next == 4'd3);
+            load_4 <= advance_next & (phase_next == 4'd4);
+            load_5 <= advance_next & (phase_next == 4'd5);
+            load_6 <= advance_next & (phase_next == 4'd6);
+            load_7 <= advance_next & (phase_next == 4'd7);
+            load_8 <= advance_next & (phase_next == 4'd8);
+            load_9 <= advance_next & (phase_next == 4'd9);
+            load_10 <= advance_next & (phase_next == 4'd10);
+            load_11 <= advance_next & (phase_next == 4'd11);
+            load_12 <= advance_next & (phase_next == 4'd12);
+            load_13 <= advance_next & (phase_next == 4'd13);
+            load_14 <= advance_next & (phase_next == 4'd14);
+            load_15 <= advance_next & (phase_next == 4'd15);
+            if (load_0) begin
+                delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
+                delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
+                delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
+                delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
+                valid_d1 <= in_valid;
+                valid_d2 <= valid_d1;
+                valid_d3 <= valid_d2;
+                valid_d4 <= valid_d3;
+                valid_d5 <= valid_d4;
+                valid_d6 <= valid_d5;
+                valid_d7 <= valid_d6;
+                valid_d8 <= valid_d7;
+                valid_d9 <= valid_d8;
+                valid_d10 <= valid_d9;
+            end
+            if (load_1) begin
+                delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
+            end
+            if (load_4) begin
+                delay_6_from_4_pointer <= (delay_6_from_4_pointer == 3'd4) ? (delay_6_from_4_pointer - 3'd4) : (delay_6_from_4_pointer + 3'd1);
+            end
+            if (load_14) begin
+                delay_5_from_14_pointer <= (delay_5_from_14_pointer == 2'd3) ? (delay_5_from_14_pointer - 2'd3) : (delay_5_from_14_pointer + 2'd1);
+                delay_6_from_14_pointer <= (delay_6_from_14_pointer == 3'd4) ? (delay_6_from_14_pointer - 3'd4) : (delay_6_from_14_pointer + 3'd1);
+                delay_7_from_14_pointer <= (delay_7_from_14_pointer == 3'd5) ? (delay_7_from_14_pointer - 3'd5) : (delay_7_from_14_pointer + 3'd1);
+            end
+            if (load_15) begin
+                delay_5_from_15_pointer <= (delay_5_from_15_pointer == 2'd3) ? (delay_5_from_15_pointer - 2'd3) : (delay_5_from_15_pointer + 2'd1);
+                delay_6_from_15_pointer <= (delay_6_from_15_pointer == 3'd4) ? (delay_6_from_15_pointer - 3'd4) : (delay_6_from_15_pointer + 3'd1);
+                delay_7_from_15_pointer <= (delay_7_from_15_pointer == 3'd5) ? (delay_7_from_15_pointer - 3'd5) : (delay_7_from_15_pointer + 3'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            end_d10 <= delay_9_from_0_out;
+            reinterpret_16_d1 <= in_tangent1_z;
+            reinterpret_16_d2 <= reinterpret_16_d1;
+            reinterpret_18_d1 <= in_tangent2_z;
+            reinterpret_18_d2 <= reinterpret_18_d1;
+            reinterpret_28_d1 <= in_center_x;
+            reinterpret_28_d2 <= reinterpret_28_d1;
+            reinterpret_30_d1 <= in_tangent1_x;
+            reinterpret_30_d2 <= reinterpret_30_d1;
+            reinterpret_36_d1 <= in_tangent2_x;
+            reinterpret_36_d2 <= reinterpret_36_d1;
+            resize_86_d1 <= sub_84[6:0];
+            resize_86_d2 <= resize_86_d1;
+            reinterpret_90_d1 <= in_center_y;
+            reinterpret_90_d2 <= reinterpret_90_d1;
+            reinterpret_92_d1 <= in_tangent1_y;
+            reinterpret_92_d2 <= reinterpret_92_d1;
+            reinterpret_98_d1 <= in_tangent2_y;
+            reinterpret_98_d2 <= reinterpret_98_d1;
+            shr_137_d1 <= add_136 >> 8;
+            mul_175_d1 <= mul_f24_ftz_unit_copy3_y;
+            le_187_d1 <= le_f24_ftz_unit_y;
+            and_188_d1 <= and_188;
+            select_216_d6 <= delay_5_from_0_out[27:0];
+            select_216_d7 <= select_216_d6;
+            resize_226_d1 <= min_225[27:0];
+            select_227_d1 <= select_227;
+            select_227_d2 <= select_227_d1;
+            select_227_d3 <= select_227_d2;
+            select_227_d4 <= select_227_d3;
+            select_227_d5 <= select_227_d4;
+            select_227_d6 <= select_227_d5;
+            sub_254_d1 <= sub_254;
+            resize_351_d6 <= delay_5_from_0_out[37:28];
+            max_355_d1 <= max_355;
+            or_529_d1 <= or_529;
+            or_533_d1 <= or_533;
+        end
+        if (load_5) begin
+            recip_15_d1 <= recip_f24_ftz_unit_y;
+            add_123_d1 <= add_f24_ftz_unit_copy2_y;
+            add_123_d2 <= add_123_d1;
+            add_123_d3 <= add_123_d2;
+            select_180_d1 <= select_180;
+            select_180_d2 <= select_180_d1;
+            min_181_d1 <= min_f24_ftz_unit_y;
+            select_182_d1 <= select_182;
+            bits_269_d1 <= or_267[27:17];
+            bits_275_d1 <= or_267[27:18];
+            bits_281_d1 <= or_267[27:19];
+            bits_286_d1 <= or_267[27:20];
+            bits_292_d1 <= or_267[27:21];
+            bits_298_d1 <= or_267[27:22];
+            bits_304_d1 <= or_267[27:23];
+            bits_310_d1 <= or_267[27:24];
+            equal_317_d1 <= equal_317;
+            equal_323_d1 <= equal_323;
+            equal_329_d1 <= equal_329;
+        end
+        if (load_11) begin
+            mul_17_d1 <= mul_f24_ftz_unit_y;
+            mul_17_d2 <= mul_17_d1;
+            mul_19_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_19_d2 <= mul_19_d1;
+            mul_29_d1 <= mul_f24_ftz_unit_copy3_y;
+            add_172_d1 <= add_f24_ftz_unit_y;
+            sqrt_174_d1 <= sqrt_f24_ftz_unit_y;
+            add_335_d1 <= add_335;
+            resize_405_d1 <= min_404[17:0];
+            shr_426_d1 <= {add_425[19], add_425[19:1]};
+        end
+        if (load_8) begin
+            add_22_d1 <= add_f24_ftz_unit_y;
+            add_22_d2 <= add_22_d1;
+            select_303_d1 <= select_303;
+            shr_519_d1 <= {add_517[23], add_517[23:1]};
+        end
+        if (load_4) begin
+            recip_25_d1 <= recip_f24_ftz_unit_y;
+            mul_45_d1 <= mul_f24_ftz_unit_y;
+            mul_50_d1 <= mul_f24_ftz_unit_copy2_y;
+            add_125_d1 <= add_f24_ftz_unit_y;
+            add_125_d2 <= add_125_d1;
+            add_125_d3 <= add_125_d2;
+            resize_253_d1 <= {select_227_d4[27], select_227_d4};
+            sub_257_d1 <= sub_257;
+            not_264_d1 <= not_264;
+            add_359_d1 <= add_359;
+            reinterpret_371_d1 <= {delay_6_from_4_out[0], select_365[7:0], delay_6_from_4_out[15:1]};
+            add_383_d1 <= add_383;
+            reinterpret_395_d1 <= {delay_6_from_4_out[16], select_389[7:0], delay_6_from_4_out[31:17]};
+            add_406_d1 <= add_406;
+            reinterpret_418_d1 <= {delay_6_from_4_out[32], select_412[7:0], delay_6_from_4_out[47:33]};
+            add_429_d1 <= add_429;
+            reinterpret_441_d1 <= {delay_6_from_4_out[48], select_435[7:0], delay_6_from_4_out[63:49]};
+            add_452_d1 <= add_452;
+            reinterpret_464_d1 <= {delay_6_from_15_out[21], select_458[7:0], delay_6_from_15_out[36:22]};
+            add_475_d1 <= add_475;
+            reinterpret_487_d1 <= {delay_6_from_0_out[1], select_481[7:0], delay_6_from_0_out[16:2]};
+            reinterpret_510_d1 <= {delay_5_from_14_out[0], select_505[7:0], delay_6_from_14_out[15:1]};
+        end
+        if (load_12) begin
+            mul_31_d1 <= mul_f24_ftz_unit_y;
+            mul_37_d1 <= mul_f24_ftz_unit_copy2_y;
+            add_47_d1 <= add_f24_ftz_unit_y;
+            mul_91_d1 <= mul_f24_ftz_unit_copy3_y;
+            add_109_d1 <= add_f24_ftz_unit_copy2_y;
+            neg_120_d1 <= joined_5;
+            select_339_d1 <= select_339;
+            resize_428_d1 <= min_427[17:0];
+            shr_449_d1 <= {add_448[19], add_448[19:1]};
+            to_fixed_559_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            to_fixed_559_d2 <= to_fixed_559_d1;
+        end
+        if (load_14) begin
+            mul_35_d1 <= mul_f24_ftz_unit_y;
+            shr_80_d1 <= add_79 >> 8;
+            mul_115_d1 <= mul_f24_ftz_unit_copy2_y;
+            equal_153_d1 <= equal_153;
+            lt_156_d1 <= lt_156;
+            bits_190_d1 <= add_f24_ftz_unit_y[23];
+            shr_213_d1 <= {add_211[29], add_211[29:1]};
+            sub_235_d1 <= sub_235;
+            resize_336_d6 <= delay_5_from_14_out[10:1];
+            resize_341_d1 <= joined_12;
+            max_353_d1 <= max_353;
+            resize_474_d1 <= min_473[17:0];
+            shr_495_d1 <= {add_494[19], add_494[19:1]};
+            equal_534_d1 <= equal_534;
+        end
+        if (load_15) begin
+            mul_41_d1 <= mul_f24_ftz_unit_y;
+            min_82_d1 <= min_82;
+            mul_97_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_103_d1 <= mul_f24_ftz_unit_copy3_y;
+            shr_131_d1 <= shifted_7;
+            resize_140_d1 <= shifted_7[6:0];
+            resize_140_d2 <= resize_140_d1;
+            resize_140_d3 <= resize_140_d2;
+            resize_215_d1 <= min_214[27:0];
+            shr_224_d1 <= {add_223[29], add_223[29:1]};
+            bits_242_d1 <= select_241[27:0];
+            reinterpret_252_d1 <= {22'd0, shifted_7[6:0]} << 14;
+            resize_347_d1 <= joined_13;
+            resize_347_d7 <= delay_5_from_15_out[10:1];
+            resize_349_d6 <= delay_5_from_15_out[20:11];
+            max_354_d1 <= max_354;
+            resize_497_d1 <= min_496[17:0];
+            or_525_d1 <= or_525;
+            equal_526_d1 <= equal_526;
+            or_531_d1 <= or_531;
+            or_542_d1 <= or_542;
+        end
+        if (load_10) begin
+            add_44_d1 <= add_f24_ftz_unit_y;
+            add_44_d2 <= add_44_d1;
+            mul_53_d1 <= mul_f24_ftz_unit_copy2_y;
+            neg_58_d1 <= joined_5;
+            add_106_d1 <= add_f24_ftz_unit_copy2_y;
+            add_106_d2 <= add_106_d1;
+            add_186_d1 <= add_f24_ftz_unit_copy3_y;
+            placed_d1 <= placed;
+            placed_d2 <= placed_d1;
+            shift_d1 <= shift;
+            shift_d2 <= shift_d1;
+            resize_382_d1 <= min_381[17:0];
+            shr_403_d1 <= {add_402[19], add_402[19:1]};
+            vanishes_d1 <= vanishes;
+        end
+        if (load_13) begin
+            add_52_d1 <= add_f24_ftz_unit_y;
+            shr_72_d1 <= shifted_6;
+            resize_85_d1 <= shifted_6[6:0];
+            resize_85_d2 <= resize_85_d1;
+            resize_85_d3 <= resize_85_d2;
+            mul_93_d1 <= mul_f24_ftz_unit_y;
+            mul_99_d1 <= mul_f24_ftz_unit_copy2_y;
+            add_114_d1 <= add_f24_ftz_unit_copy2_y;
+            add_169_d1 <= add_f24_ftz_unit_copy3_y;
+            add_169_d2 <= add_169_d1;
+            reinterpret_233_d1 <= {22'd0, shifted_6[6:0]} << 14;
+            max_352_d1 <= max_352;
+            resize_451_d1 <= min_450[17:0];
+            shr_472_d1 <= {add_471[19], add_471[19:1]};
+        end
+        if (load_1) begin
+            add_57_d1 <= add_f24_ftz_unit_y;
+            add_57_d2 <= add_57_d1;
+            add_119_d1 <= add_f24_ftz_unit_copy3_y;
+            add_119_d2 <= add_119_d1;
+            min_138_d1 <= min_138;
+            reinterpret_237_d1 <= add_230 << 14;
+            bits_261_d1 <= select_260[27:0];
+            max_356_d1 <= max_356;
+            to_fixed_555_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+            to_fixed_555_d2 <= to_fixed_555_d1;
+            to_fixed_555_d3 <= to_fixed_555_d2;
+        end
+        if (load_3) begin
+            add_62_d1 <= add_f24_ftz_unit_copy2_y;
+            add_62_d2 <= add_62_d1;
+            add_62_d3 <= add_62_d2;
+            or_195_d1 <= or_195;
+            or_195_d2 <= or_195_d1;
+            reinterpret_256_d1 <= add_249 << 14;
+            or_262_d1 <= or_262;
+            and_363_d1 <= and_363;
+            and_387_d1 <= and_387;
+            and_410_d1 <= and_410;
+            and_433_d1 <= and_433;
+            and_456_d1 <= and_456;
+            and_479_d1 <= and_479;
+            lt_500_d1 <= lt_500;
+            sub_504_d1 <= sub_504;
+        end
+        if (load_2) begin
+            add_64_d1 <= add_f24_ftz_unit_y;
+            add_64_d2 <= add_64_d1;
+            add_64_d3 <= add_64_d2;
+            resize_141_d1 <= sub_139[6:0];
+            resize_141_d2 <= resize_141_d1;
+            abs_173_d1 <= {1'd0, mul_167_d2[22:0]};
+            and_189_d1 <= and_189;
+            resize_234_d1 <= {delay_5_from_0_out[27], delay_5_from_0_out[27:0]};
+            sub_238_d1 <= sub_238;
+            not_244_d1 <= not_244;
+            exponent_d1 <= exponent;
+            to_fixed_562_d1 <= to_fixed_f24_ftz_u24q24_unit_y;
+        end
+        if (load_7) begin
+            add_116_d1 <= add_f24_ftz_unit_copy2_y;
+            bits_154_d1 <= mul_f24_ftz_unit_copy3_y[22:15];
+            mul_176_d1 <= mul_f24_ftz_unit_copy2_y;
+            select_285_d1 <= select_285;
+        end
+        if (load_9) begin
+            mul_167_d1 <= mul_f24_ftz_unit_copy2_y;
+            mul_167_d2 <= mul_167_d1;
+            mul_167_d3 <= mul_167_d2;
+            select_320_d1 <= select_320;
+            shr_380_d1 <= {add_378[19], add_378[19:1]};
+            resize_521_d1 <= min_520[21:0];
+        end
+        if (load_6) begin
+            not_272_d1 <= not_272;
+            not_278_d1 <= not_278;
+            not_283_d1 <= not_283;
+            not_289_d1 <= not_289;
+            not_295_d1 <= not_295;
+            not_301_d1 <= not_301;
+            not_307_d1 <= not_307;
+            not_312_d1 <= not_312;
+        end
+        if (queue_in_ready) begin
+            recip_f24_ftz_unit_a <= phase[3] ? (phase[2] ? choice_17 : in_center_z) : in_center_z;
+            mul_f24_ftz_unit_a <= phase[3] ? choice_19 : phase[2] ? choice_20 : choice_21;
+            mul_f24_ftz_unit_b <= phase[3] ? choice_23 : phase[2] ? choice_24 : choice_25;
+            mul_f24_ftz_unit_copy2_a <= phase[3] ? choice_28 : phase[2] ? choice_20 : choice_29;
+            mul_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? choice_30 : choice_31) : phase[2] ? choice_32 : choice_33;
+            mul_f24_ftz_unit_copy3_a <= phase[3] ? (phase[2] ? choice_34 : choice_35) : phase[2] ? choice_20 : phase[1] ? choice_18 : choice_36;
+            mul_f24_ftz_unit_copy3_b <= phase[3] ? (phase[2] ? choice_37 : choice_38) : phase[2] ? choice_39 : phase[1] ? choice_36 : mul_103_d1;
+            add_f24_ftz_unit_a <= phase[3] ? (phase[2] ? choice_40 : choice_41) : phase[2] ? choice_42 : choice_43;
+            add_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_44 : choice_48) : phase[2] ? choice_49 : choice_50;
+            add_f24_ftz_unit_copy2_a <= phase[3] ? choice_53 : phase[2] ? mul_f24_ftz_unit_copy2_y : choice_54;
+            add_f24_ftz_unit_copy2_b <= phase[3] ? choice_56 : phase[2] ? choice_57 : choice_59;
+            add_f24_ftz_unit_copy3_a <= phase[3] ? choice_60 : choice_62;
+            add_f24_ftz_unit_copy3_b <= phase[3] ? (phase[2] ? choice_63 : phase[1] ? joined_46 : depth_a) : phase[2] ? (phase[1] ? depth_a : add_186_d1) : choice_64;
+            sqrt_f24_ftz_unit_a <= phase[3] ? (phase[2] ? add_116_d1 : choice_65) : add_f24_ftz_unit_y;
+            min_f24_ftz_unit_a <= phase[3] ? 24'h45fff8 : phase[2] ? choice_66 : choice_67;
+            min_f24_ftz_unit_b <= phase[3] ? max_f24_ftz_unit_y : phase[2] ? choice_68 : choice_69;
+            max_f24_ftz_unit_a <= phase[3] ? 24'd0 : choice_72;
+            max_f24_ftz_unit_b <= phase[3] ? (phase[2] ? add_f24_ftz_unit_copy3_y : choice_73) : phase[2] ? choice_74 : choice_75;
+            to_fixed_f24_ftz_u21q8_unit_a <= max_f24_ftz_unit_y;
+            le_f24_ftz_unit_a <= phase[3] ? choice_76 : 24'd0;
+            le_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_77 : add_f24_ftz_unit_copy2_y) : add_f24_ftz_unit_copy2_y;
+            to_fixed_f24_ftz_s29q15_unit_a <= phase[3] ? (phase[2] ? add_106_d1 : choice_78) : add_f24_ftz_unit_y;
+            to_fixed_f24_ftz_s19q18_unit_a <= phase[3] ? (phase[2] ? reinterpret_487_d1 : choice_79) : phase[2] ? choice_80 : reinterpret_371_d1;
+            to_fixed_f24_ftz_u24q24_unit_a <= max_f24_ftz_unit_y;
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_5_from_0[delay_5_from_0_pointer] <= {2'd0, add_f24_ftz_unit_y[22:15], select_216};
+        end
+        if (load_0) begin
+            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_6_from_0[delay_6_from_0_pointer] <= {add_f24_ftz_unit_y[14:0], add_f24_ftz_unit_y[23], not_478};
+        end
+        if (load_0) begin
+            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_9_from_0[delay_9_from_0_pointer] <= in_end;
+        end
+        if (load_0) begin
+            delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            delay_10_from_0[delay_10_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
+        end
+        if (load_0) begin
+            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_1) begin
+            delay_6_from_1[delay_6_from_1_pointer] <= or_543;
+        end
+        if (load_1) begin
+            delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_4) begin
+            delay_6_from_4[delay_6_from_4_pointer] <= {
+                mul_103_d1[14:0],
+                mul_103_d1[23],
+                mul_97_d1[14:0],
+                mul_97_d1[23],
+                mul_41_d1[14:0],
+                mul_41_d1[23],
+                mul_35_d1[14:0],
+                mul_35_d1[23]
+            };
+        end
+        if (load_4) begin
+            delay_6_from_4_out <= delay_6_from_4[delay_6_from_4_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_14) begin
+            delay_5_from_14[delay_5_from_14_pointer] <= {resize_341_d1, 2'd0, add_f24_ftz_unit_y[22:15], bits_190_d1};
+        end
+        if (load_14) begin
+            delay_5_from_14_out <= delay_5_from_14[delay_5_from_14_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_14) begin
+            delay_6_from_14[delay_6_from_14_pointer] <= {add_f24_ftz_unit_y[14:0], not_502};
+        end
+        if (load_14) begin
+            delay_6_from_14_out <= delay_6_from_14[delay_6_from_14_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_14) begin
+            delay_7_from_14[delay_7_from_14_pointer] <= not_362;
+        end
+        if (load_14) begin
+            delay_7_from_14_out <= delay_7_from_14[delay_7_from_14_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_15) begin
+            delay_5_from_15[delay_5_from_15_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], resize_347_d1, or_193};
+        end
+        if (load_15) begin
+            delay_5_from_15_out <= delay_5_from_15[delay_5_from_15_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_15) begin
+            delay_6_from_15[delay_6_from_15_pointer] <= {
+                add_f24_ftz_unit_copy2_y[14:0],
+                add_f24_ftz_unit_copy2_y[23],
+                not_455,
+                2'd0,
+                mul_f24_ftz_unit_copy2_y[22:15],
+                2'd0,
+                mul_f24_ftz_unit_y[22:15]
+            };
+        end
+        if (load_15) begin
+            delay_6_from_15_out <= delay_6_from_15[delay_6_from_15_pointer];
+        end
+    end
+    always @(posedge clk) begin
+        if (load_15) begin
+            delay_7_from_15[delay_7_from_15_pointer] <= {not_432, not_409, not_386};
+        end
+        if (load_15) begin
+            delay_7_from_15_out <= delay_7_from_15[delay_7_from_15_pointer];
+        end
+    end
+
+    wire _unused = &{
+        1'b0,
+        add_211[0],
+        add_223[0],
+        add_378[0],
+        add_402[0],
+        add_425[0],
+        add_448[0],
+        add_471[0],
+        add_494[0],
+        add_517[0],
+        min_214[29:28],
+        min_225[29:28],
+        min_381[19:18],
+        min_404[19:18],
+        min_427[19:18],
+        min_450[19:18],
+        min_473[19:18],
+        min_496[19:18],
+        min_520[23:22],
+        or_267[16:0],
+        select_241[28],
+        select_245[28],
+        select_260[28],
+        select_265[28],
+        select_365[9:8],
+        select_389[9:8],
+        select_412[9:8],
+        select_435[9:8],
+        select_458[9:8],
+        select_481[9:8],
+        select_505[9:8],
+        sub_139[21:7],
+        sub_84[21:7]
+    };
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(load_0 == (queue_in_ready & term_1))) begin
+`ifdef FORMAL
+                load_0_in_phase: assert (0);
+`else
+                $display("assertion failed: load_0_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
+`ifdef FORMAL
+                load_1_in_phase: assert (0);
+`else
+                $display("assertion failed: load_1_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
+`ifdef FORMAL
+                load_2_in_phase: assert (0);
+`else
+                $display("assertion failed: load_2_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
+`ifdef FORMAL
+                load_3_in_phase: assert (0);
+`else
+                $display("assertion failed: load_3_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
+`ifdef FORMAL
+                load_4_in_phase: assert (0);
+`else
+                $display("assertion failed: load_4_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
+`ifdef FORMAL
+                load_5_in_phase: assert (0);
+`else
+                $display("assertion failed: load_5_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
+`ifdef FORMAL
+                load_6_in_phase: assert (0);
+`else
+                $display("assertion failed: load_6_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
+`ifdef FORMAL
+                load_7_in_phase: assert (0);
+`else
+                $display("assertion failed: load_7_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
+`ifdef FORMAL
+                load_8_in_phase: assert (0);
+`else
+                $display("assertion failed: load_8_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
+`ifdef FORMAL
+                load_9_in_phase: assert (0);
+`else
+                $display("assertion failed: load_9_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
+`ifdef FORMAL
+                load_10_in_phase: assert (0);
+`else
+                $display("assertion failed: load_10_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
+`ifdef FORMAL
+                load_11_in_phase: assert (0);
+`else
+                $display("assertion failed: load_11_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
+`ifdef FORMAL
+                load_12_in_phase: assert (0);
+`else
+                $display("assertion failed: load_12_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
+`ifdef FORMAL
+                load_13_in_phase: assert (0);
+`else
+                $display("assertion failed: load_13_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_14 == (queue_in_ready & (phase == 4'd14)))) begin
+`ifdef FORMAL
+                load_14_in_phase: assert (0);
+`else
+                $display("assertion failed: load_14_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_15 == (queue_in_ready & term_3))) begin
+`ifdef FORMAL
+                load_15_in_phase: assert (0);
+`else
+                $display("assertion failed: load_15_in_phase in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 24
+// fraction = 24
+// integer = unsigned
+module float_to_fixed_w24_fraction24_iunsigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [23:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [23:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
+    wire [10:0] difference_2 = 11'd24 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({8'd0, significand_s1} << 8) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd25 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 24'd0 : saturates_s2 ? 24'hffffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 23
+// fraction = 22
+// integer = signed
+module float_to_fixed_w23_fraction22_isigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [22:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [22:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h798;
+    wire [10:0] difference_2 = 11'd23 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire [22:0] choice_5 = saturates_s2 ? (sign_s2 ? 23'h400000 : 23'h3fffff) : sign_s2 ? (~magnitude_s2 + 23'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({7'd0, significand_s1} << 7) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd23 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 23'd0 : choice_5;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 19
+// fraction = 18
+// integer = signed
+module float_to_fixed_w19_fraction18_isigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [18:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [18:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h794;
+    wire [10:0] difference_2 = 11'd19 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire [18:0] choice_5 = saturates_s2 ? (sign_s2 ? 19'h40000 : 19'h3ffff) : sign_s2 ? (~magnitude_s2 + 19'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({3'd0, significand_s1} << 3) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd19 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 19'd0 : choice_5;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 29
+// fraction = 15
+// integer = signed
+module float_to_fixed_w29_fraction15_isigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [28:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [28:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h791;
+    wire [10:0] difference_2 = 11'd29 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+    wire [28:0] choice_5 = saturates_s2 ? (sign_s2 ? 29'h10000000 : 29'hfffffff) : sign_s2 ? (~magnitude_s2 + 29'd1) : magnitude_s2;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({13'd0, significand_s1} << 13) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd29 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2) ? 29'd0 : choice_5;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Whether one floating-point number is less than another or equal.
+// stages = 2
+// format = f24-ftz
+module float_le (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  y
+);
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
+    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] joined_3 = {a[22:15], term_1};
+    wire [22:0] joined_4 = {b[22:15], term_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
+            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} <= {~b[23], joined_4 ^ {23{b[23]}}};
+            y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Floating to fixed point.
+// stages = 3
+// format = f24-ftz
+// width = 21
+// fraction = 8
+// integer = unsigned
+module float_to_fixed_w21_fraction8_iunsigned (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [20:0] y
+);
+    reg [4:0] distance_s1;
+    reg [15:0] significand_s1;
+    reg [20:0] magnitude_s2;
+    reg sign_s1;
+    reg sign_s2;
+    reg nan_s1;
+    reg nan_s2;
+    reg vanishes_s1;
+    reg vanishes_s2;
+    reg saturates_s1;
+    reg saturates_s2;
+
+    wire [7:0] a_field = a[22:15];
+    wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
+    wire [10:0] difference_2 = 11'd21 - sum_1;
+    wire [14:0] a_fraction = a[14:0];
+    wire term_3 = sum_1[10] | (sum_1 == 11'd0);
+    wire term_4 = &a_field & (a_fraction == 15'd0);
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= difference_2[4:0];
+            significand_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            magnitude_s2 <= ({5'd0, significand_s1} << 5) >> distance_s1;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            vanishes_s1 <= (term_3 & ~term_4) | ~(|a_field);
+            vanishes_s2 <= vanishes_s1;
+            saturates_s1 <= (~term_3 & (11'd22 <= sum_1) & |a_field) | term_4;
+            saturates_s2 <= saturates_s1;
+            y <= (vanishes_s2 | nan_s2 | sign_s2) ? 21'd0 : saturates_s2 ? 21'h1fffff : magnitude_s2;
+        end
+    end
+
+    wire _unused = &{1'b0, difference_2[10:5], rst};
+endmodule
+
+// Greater of two floating-point numbers.
+// stages = 2
+// format = f24-ftz
+module float_max (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [23:0] a_s1;
+    reg [23:0] b_s1;
+
+    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_nan_s1 <= &a[22:15] & |term_1;
+            b_nan_s1 <= &b[22:15] & |term_2;
+            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], term_1};
+            b_s1 <= {b[23:15], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Lesser of two floating-point numbers.
+// stages = 2
+// format = f24-ftz
+module float_min (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg a_nan_s1;
+    reg b_nan_s1;
+    reg less_s1;
+    reg [23:0] a_s1;
+    reg [23:0] b_s1;
+
+    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            a_nan_s1 <= &a[22:15] & |term_1;
+            b_nan_s1 <= &b[22:15] & |term_2;
+            less_s1 <= {~a[23], {a[22:15], term_1} ^ {23{a[23]}}} < {~b[23], {b[22:15], term_2} ^ {23{b[23]}}};
+            a_s1 <= {a[23:15], term_1};
+            b_s1 <= {b[23:15], term_2};
+            y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Floating-point square root, correctly rounded.
+// stages = 18
+// format = f24-ftz
+module float_sqrt (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [23:0] y
+);
+    reg [2:0] remainder_s1;
+    reg [1:0] root_s1;
+    reg [12:0] pending_s1;
+    reg [3:0] remainder_s2;
+    reg [2:0] root_s2;
+    reg [10:0] pending_s2;
+    reg [4:0] remainder_s3;
+    reg [3:0] root_s3;
+    reg [8:0] pending_s3;
+    reg [5:0] remainder_s4;
+    reg [4:0] root_s4;
+    reg [6:0] pending_s4;
+    reg [6:0] remainder_s5;
+    reg [5:0] root_s5;
+    reg [4:0] pending_s5;
+    reg [7:0] remainder_s6;
+    reg [6:0] root_s6;
+    reg [2:0] pending_s6;
+    reg [8:0] remainder_s7;
+    reg [7:0] root_s7;
+    reg pending_s7;
+    reg [9:0] remainder_s8;
+    reg [8:0] root_s8;
+    reg [10:0] remainder_s9;
+    reg [9:0] root_s9;
+    reg [11:0] remainder_s10;
+    reg [10:0] root_s10;
+    reg [12:0] remainder_s11;
+    reg [11:0] root_s11;
+    reg [13:0] remainder_s12;
+    reg [12:0] root_s12;
+    reg [14:0] remainder_s13;
+    reg [13:0] root_s13;
+    reg [15:0] remainder_s14;
+    reg [14:0] root_s14;
+    reg [16:0] remainder_s15;
+    reg [15:0] root_s15;
+    reg [17:0] remainder_s16;
+    reg [16:0] root_s16;
+    reg [9:0] exponent_s1;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s4;
+    reg [9:0] exponent_s5;
+    reg [9:0] exponent_s6;
+    reg [9:0] exponent_s7;
+    reg [9:0] exponent_s8;
+    reg [9:0] exponent_s9;
+    reg [9:0] exponent_s10;
+    reg [9:0] exponent_s11;
+    reg [9:0] exponent_s12;
+    reg [9:0] exponent_s13;
+    reg [9:0] exponent_s14;
+    reg [9:0] exponent_s15;
+    reg [9:0] exponent_s16;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg sign_s5;
+    reg sign_s6;
+    reg sign_s7;
+    reg sign_s8;
+    reg sign_s9;
+    reg sign_s10;
+    reg sign_s11;
+    reg sign_s12;
+    reg sign_s13;
+    reg sign_s14;
+    reg sign_s15;
+    reg sign_s16;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg nan_s5;
+    reg nan_s6;
+    reg nan_s7;
+    reg nan_s8;
+    reg nan_s9;
+    reg nan_s10;
+    reg nan_s11;
+    reg nan_s12;
+    reg nan_s13;
+    reg nan_s14;
+    reg nan_s15;
+    reg nan_s16;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg infinite_s6;
+    reg infinite_s7;
+    reg infinite_s8;
+    reg infinite_s9;
+    reg infinite_s10;
+    reg infinite_s11;
+    reg infinite_s12;
+    reg infinite_s13;
+    reg infinite_s14;
+    reg infinite_s15;
+    reg infinite_s16;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg zero_s5;
+    reg zero_s6;
+    reg zero_s7;
+    reg zero_s8;
+    reg zero_s9;
+    reg zero_s10;
+    reg zero_s11;
+    reg zero_s12;
+    reg zero_s13;
+    reg zero_s14;
+    reg zero_s15;
+    reg zero_s16;
+    reg sign_s17;
+    reg nan_s17;
+    reg infinite_s17;
+    reg zero_s17;
+    reg [22:0] rounded_s17;
+
+    wire [7:0] a_field = a[22:15];
+    wire [14:0] a_fraction = a[14:0];
+    wire [14:0] term_1 = a_fraction & {15{|a_field}};
+    wire [16:0] choice_2 = ~a_field[0] ? {|a_field, term_1, 1'd0} : {1'd0, |a_field, term_1};
+    wire [1:0] difference_3 = choice_2[16:15] - 2'd1;
+    wire [4:0] difference_4 = {1'd0, difference_3, choice_2[14:13]} - 5'd5;
+    wire [5:0] difference_5 = {1'd0, remainder_s1, pending_s1[12:11]} - {2'd0, root_s1, 2'd1};
+    wire [6:0] difference_6 = {1'd0, remainder_s2, pending_s2[10:9]} - {2'd0, root_s2, 2'd1};
+    wire [7:0] difference_7 = {1'd0, remainder_s3, pending_s3[8:7]} - {2'd0, root_s3, 2'd1};
+    wire [8:0] difference_8 = {1'd0, remainder_s4, pending_s4[6:5]} - {2'd0, root_s4, 2'd1};
+    wire [9:0] difference_9 = {1'd0, remainder_s5, pending_s5[4:3]} - {2'd0, root_s5, 2'd1};
+    wire [10:0] difference_10 = {1'd0, remainder_s6, pending_s6[2:1]} - {2'd0, root_s6, 2'd1};
+    wire [11:0] difference_11 = {1'd0, remainder_s7, pending_s7, 1'd0} - {2'd0, root_s7, 2'd1};
+    wire [12:0] difference_12 = {1'd0, remainder_s8, 2'd0} - {2'd0, root_s8, 2'd1};
+    wire [13:0] difference_13 = {1'd0, remainder_s9, 2'd0} - {2'd0, root_s9, 2'd1};
+    wire [14:0] difference_14 = {1'd0, remainder_s10, 2'd0} - {2'd0, root_s10, 2'd1};
+    wire [15:0] difference_15 = {1'd0, remainder_s11, 2'd0} - {2'd0, root_s11, 2'd1};
+    wire [16:0] difference_16 = {1'd0, remainder_s12, 2'd0} - {2'd0, root_s12, 2'd1};
+    wire [17:0] difference_17 = {1'd0, remainder_s13, 2'd0} - {2'd0, root_s13, 2'd1};
+    wire [18:0] difference_18 = {1'd0, remainder_s14, 2'd0} - {2'd0, root_s14, 2'd1};
+    wire [19:0] difference_19 = {1'd0, remainder_s15, 2'd0} - {2'd0, root_s15, 2'd1};
+    wire [9:0] sum_20 = {2'd0, a_field} + 10'd127;
+    wire term_21 = (exponent_s16 == 10'd0) & ~(&root_s16[15:1] & root_s16[0]);
+    wire round_up = root_s16[0] & (|remainder_s16 | root_s16[1]);
+    wire [22:0] rounded = {exponent_s16[7:0], root_s16[15:1]} + {22'd0, round_up};
+    wire [22:0] choice_22 = zero_s17 ? 23'd0 : infinite_s17 ? 23'h7f8000 : rounded_s17;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            remainder_s1 <= ~difference_4[4] ? difference_4[2:0] : {difference_3[0], choice_2[14:13]};
+            root_s1 <= {1'd1, ~difference_4[4]};
+            pending_s1 <= choice_2[12:0];
+            remainder_s2 <= ~difference_5[5] ? difference_5[3:0] : {remainder_s1[1:0], pending_s1[12:11]};
+            root_s2 <= {root_s1, ~difference_5[5]};
+            pending_s2 <= pending_s1[10:0];
+            remainder_s3 <= ~difference_6[6] ? difference_6[4:0] : {remainder_s2[2:0], pending_s2[10:9]};
+            root_s3 <= {root_s2, ~difference_6[6]};
+            pending_s3 <= pending_s2[8:0];
+            remainder_s4 <= ~difference_7[7] ? difference_7[5:0] : {remainder_s3[3:0], pending_s3[8:7]};
+            root_s4 <= {root_s3, ~difference_7[7]};
+            pending_s4 <= pending_s3[6:0];
+            remainder_s5 <= ~difference_8[8] ? difference_8[6:0] : {remainder_s4[4:0], pending_s4[6:5]};
+            root_s5 <= {root_s4, ~difference_8[8]};
+            pending_s5 <= pending_s4[4:0];
+            remainder_s6 <= ~difference_9[9] ? difference_9[7:0] : {remainder_s5[5:0], pending_s5[4:3]};
+            root_s6 <= {root_s5, ~difference_9[9]};
+            pending_s6 <= pending_s5[2:0];
+            remainder_s7 <= ~difference_10[10] ? difference_10[8:0] : {remainder_s6[6:0], pending_s6[2:1]};
+            root_s7 <= {root_s6, ~difference_10[10]};
+            pending_s7 <= pending_s6[0];
+            remainder_s8 <= ~difference_11[11] ? difference_11[9:0] : {remainder_s7[7:0], pending_s7, 1'd0};
+            root_s8 <= {root_s7, ~difference_11[11]};
+            remainder_s9 <= ~difference_12[12] ? difference_12[10:0] : {remainder_s8[8:0], 2'd0};
+            root_s9 <= {root_s8, ~difference_12[12]};
+            remainder_s10 <= ~difference_13[13] ? difference_13[11:0] : {remainder_s9[9:0], 2'd0};
+            root_s10 <= {root_s9, ~difference_13[13]};
+            remainder_s11 <= ~difference_14[14] ? difference_14[12:0] : {remainder_s10[10:0], 2'd0};
+            root_s11 <= {root_s10, ~difference_14[14]};
+            remainder_s12 <= ~difference_15[15] ? difference_15[13:0] : {remainder_s11[11:0], 2'd0};
+            root_s12 <= {root_s11, ~difference_15[15]};
+            remainder_s13 <= ~difference_16[16] ? difference_16[14:0] : {remainder_s12[12:0], 2'd0};
+            root_s13 <= {root_s12, ~difference_16[16]};
+            remainder_s14 <= ~difference_17[17] ? difference_17[15:0] : {remainder_s13[13:0], 2'd0};
+            root_s14 <= {root_s13, ~difference_17[17]};
+            remainder_s15 <= ~difference_18[18] ? difference_18[16:0] : {remainder_s14[14:0], 2'd0};
+            root_s15 <= {root_s14, ~difference_18[18]};
+            remainder_s16 <= ~difference_19[19] ? difference_19[17:0] : {remainder_s15[15:0], 2'd0};
+            root_s16 <= {root_s15, ~difference_19[19]};
+            exponent_s1 <= {sum_20[9], sum_20[9:1]};
+            exponent_s2 <= exponent_s1;
+            exponent_s3 <= exponent_s2;
+            exponent_s4 <= exponent_s3;
+            exponent_s5 <= exponent_s4;
+            exponent_s6 <= exponent_s5;
+            exponent_s7 <= exponent_s6;
+            exponent_s8 <= exponent_s7;
+            exponent_s9 <= exponent_s8;
+            exponent_s10 <= exponent_s9;
+            exponent_s11 <= exponent_s10;
+            exponent_s12 <= exponent_s11;
+            exponent_s13 <= exponent_s12;
+            exponent_s14 <= exponent_s13;
+            exponent_s15 <= exponent_s14;
+            exponent_s16 <= exponent_s15;
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            sign_s5 <= sign_s4;
+            sign_s6 <= sign_s5;
+            sign_s7 <= sign_s6;
+            sign_s8 <= sign_s7;
+            sign_s9 <= sign_s8;
+            sign_s10 <= sign_s9;
+            sign_s11 <= sign_s10;
+            sign_s12 <= sign_s11;
+            sign_s13 <= sign_s12;
+            sign_s14 <= sign_s13;
+            sign_s15 <= sign_s14;
+            sign_s16 <= sign_s15;
+            nan_s1 <= (&a_field & |a_fraction) | (a[23] & |a_field);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            nan_s6 <= nan_s5;
+            nan_s7 <= nan_s6;
+            nan_s8 <= nan_s7;
+            nan_s9 <= nan_s8;
+            nan_s10 <= nan_s9;
+            nan_s11 <= nan_s10;
+            nan_s12 <= nan_s11;
+            nan_s13 <= nan_s12;
+            nan_s14 <= nan_s13;
+            nan_s15 <= nan_s14;
+            nan_s16 <= nan_s15;
+            infinite_s1 <= &a_field & (a_fraction == 15'd0);
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            infinite_s6 <= infinite_s5;
+            infinite_s7 <= infinite_s6;
+            infinite_s8 <= infinite_s7;
+            infinite_s9 <= infinite_s8;
+            infinite_s10 <= infinite_s9;
+            infinite_s11 <= infinite_s10;
+            infinite_s12 <= infinite_s11;
+            infinite_s13 <= infinite_s12;
+            infinite_s14 <= infinite_s13;
+            infinite_s15 <= infinite_s14;
+            infinite_s16 <= infinite_s15;
+            zero_s1 <= ~(|a_field);
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            zero_s5 <= zero_s4;
+            zero_s6 <= zero_s5;
+            zero_s7 <= zero_s6;
+            zero_s8 <= zero_s7;
+            zero_s9 <= zero_s8;
+            zero_s10 <= zero_s9;
+            zero_s11 <= zero_s10;
+            zero_s12 <= zero_s11;
+            zero_s13 <= zero_s12;
+            zero_s14 <= zero_s13;
+            zero_s15 <= zero_s14;
+            zero_s16 <= zero_s15;
+            sign_s17 <= sign_s16;
+            nan_s17 <= nan_s16;
+            infinite_s17 <= infinite_s16 | (~exponent_s16[9] & (10'd255 <= exponent_s16));
+            zero_s17 <= zero_s16 | ((exponent_s16[9] | term_21) & ~infinite_s16);
+            rounded_s17 <= rounded;
+            y <= nan_s17 ? 24'h7fc000 : {sign_s17, choice_22};
+        end
+    end
+
+    wire _unused = &{
+        1'b0,
+        difference_10[9],
+        difference_11[10],
+        difference_12[11],
+        difference_13[12],
+        difference_14[13],
+        difference_15[14],
+        difference_16[15],
+        difference_17[16],
+        difference_18[17],
+        difference_19[18],
+        difference_4[3],
+        difference_5[4],
+        difference_6[5],
+        difference_7[6],
+        difference_8[7],
+        difference_9[8],
+        root_s16[16],
+        rst,
+        sum_20[0]
+    };
+endmodule
+
+// Floating-point product.
+// stages = 5
+// format = f24-ftz
+module float_mul_s5_ff24ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg [15:0] left_s1;
+    reg [15:0] right_s1;
+    reg [9:0] exponent_s1;
+    reg [31:0] product_s2;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg sign_s4;
+    reg nan_s4;
+    reg infinite_s4;
+    reg zero_s4;
+    reg [22:0] rounded_s4;
+
+    wire [7:0] a_field = a[22:15];
+    wire [14:0] a_fraction = a[14:0];
+    wire [7:0] b_field = b[22:15];
+    wire [14:0] b_fraction = b[14:0];
+    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire term_2 = &a_field & (a_fraction == 15'd0);
+    wire term_3 = ~(|b_field);
+    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
+    wire term_5 = ~(|a_field);
+    wire term_6 = &b_field & (b_fraction == 15'd0);
+    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [23:0] joined_8 = {sign_s4, zero_s4 ? 23'd0 : infinite_s4 ? 23'h7f8000 : rounded_s4};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            left_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            right_s1 <= {|b_field, b_fraction & {15{|b_field}}};
+            exponent_s1 <= {2'd0, a_field} + {2'd0, b_field};
+            product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
+            exponent_s2 <= exponent_s1 - 10'd127;
+            exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
+            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            sign_s1 <= a[23] ^ b[23];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            infinite_s1 <= term_2 | term_6;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            zero_s1 <= term_5 | term_3;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            sign_s4 <= sign_s3;
+            nan_s4 <= nan_s3;
+            infinite_s4 <= infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+            zero_s4 <= zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3);
+            rounded_s4 <= rounded;
+            y <= nan_s4 ? 24'h7fc000 : joined_8;
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s3[17]};
+endmodule
+
+// Floating-point reciprocal, correctly rounded.
+// stages = 20
+// format = f24-ftz
+module float_recip (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    output reg  [23:0] y
+);
+    reg [16:0] remainder_s1;
+    reg quotient_s1;
+    reg [15:0] divisor_s1;
+    reg [16:0] remainder_s2;
+    reg [1:0] quotient_s2;
+    reg [15:0] divisor_s2;
+    reg [16:0] remainder_s3;
+    reg [2:0] quotient_s3;
+    reg [15:0] divisor_s3;
+    reg [16:0] remainder_s4;
+    reg [3:0] quotient_s4;
+    reg [15:0] divisor_s4;
+    reg [16:0] remainder_s5;
+    reg [4:0] quotient_s5;
+    reg [15:0] divisor_s5;
+    reg [16:0] remainder_s6;
+    reg [5:0] quotient_s6;
+    reg [15:0] divisor_s6;
+    reg [16:0] remainder_s7;
+    reg [6:0] quotient_s7;
+    reg [15:0] divisor_s7;
+    reg [16:0] remainder_s8;
+    reg [7:0] quotient_s8;
+    reg [15:0] divisor_s8;
+    reg [16:0] remainder_s9;
+    reg [8:0] quotient_s9;
+    reg [15:0] divisor_s9;
+    reg [16:0] remainder_s10;
+    reg [9:0] quotient_s10;
+    reg [15:0] divisor_s10;
+    reg [16:0] remainder_s11;
+    reg [10:0] quotient_s11;
+    reg [15:0] divisor_s11;
+    reg [16:0] remainder_s12;
+    reg [11:0] quotient_s12;
+    reg [15:0] divisor_s12;
+    reg [16:0] remainder_s13;
+    reg [12:0] quotient_s13;
+    reg [15:0] divisor_s13;
+    reg [16:0] remainder_s14;
+    reg [13:0] quotient_s14;
+    reg [15:0] divisor_s14;
+    reg [16:0] remainder_s15;
+    reg [14:0] quotient_s15;
+    reg [15:0] divisor_s15;
+    reg [16:0] remainder_s16;
+    reg [15:0] quotient_s16;
+    reg [15:0] divisor_s16;
+    reg [16:0] remainder_s17;
+    reg [16:0] quotient_s17;
+    reg [15:0] divisor_s17;
+    reg [16:0] remainder_s18;
+    reg [17:0] quotient_s18;
+    reg [9:0] exponent_s1;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s4;
+    reg [9:0] exponent_s5;
+    reg [9:0] exponent_s6;
+    reg [9:0] exponent_s7;
+    reg [9:0] exponent_s8;
+    reg [9:0] exponent_s9;
+    reg [9:0] exponent_s10;
+    reg [9:0] exponent_s11;
+    reg [9:0] exponent_s12;
+    reg [9:0] exponent_s13;
+    reg [9:0] exponent_s14;
+    reg [9:0] exponent_s15;
+    reg [9:0] exponent_s16;
+    reg [9:0] exponent_s17;
+    reg [9:0] exponent_s18;
+    reg [9:0] exponent_s19;
+    reg [17:0] significand_s19;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg sign_s4;
+    reg sign_s5;
+    reg sign_s6;
+    reg sign_s7;
+    reg sign_s8;
+    reg sign_s9;
+    reg sign_s10;
+    reg sign_s11;
+    reg sign_s12;
+    reg sign_s13;
+    reg sign_s14;
+    reg sign_s15;
+    reg sign_s16;
+    reg sign_s17;
+    reg sign_s18;
+    reg sign_s19;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg nan_s4;
+    reg nan_s5;
+    reg nan_s6;
+    reg nan_s7;
+    reg nan_s8;
+    reg nan_s9;
+    reg nan_s10;
+    reg nan_s11;
+    reg nan_s12;
+    reg nan_s13;
+    reg nan_s14;
+    reg nan_s15;
+    reg nan_s16;
+    reg nan_s17;
+    reg nan_s18;
+    reg nan_s19;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg infinite_s6;
+    reg infinite_s7;
+    reg infinite_s8;
+    reg infinite_s9;
+    reg infinite_s10;
+    reg infinite_s11;
+    reg infinite_s12;
+    reg infinite_s13;
+    reg infinite_s14;
+    reg infinite_s15;
+    reg infinite_s16;
+    reg infinite_s17;
+    reg infinite_s18;
+    reg infinite_s19;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+    reg zero_s4;
+    reg zero_s5;
+    reg zero_s6;
+    reg zero_s7;
+    reg zero_s8;
+    reg zero_s9;
+    reg zero_s10;
+    reg zero_s11;
+    reg zero_s12;
+    reg zero_s13;
+    reg zero_s14;
+    reg zero_s15;
+    reg zero_s16;
+    reg zero_s17;
+    reg zero_s18;
+    reg zero_s19;
+
+    wire [7:0] a_field = a[22:15];
+    wire [14:0] a_fraction = a[14:0];
+    wire [14:0] term_1 = a_fraction & {15{|a_field}};
+    wire [17:0] difference_2 = 18'h8000 - {2'd0, |a_field, term_1};
+    wire [17:0] difference_3 = {1'd0, remainder_s1} - {2'd0, divisor_s1};
+    wire [15:0] choice_4 = ~difference_3[17] ? difference_3[15:0] : remainder_s1[15:0];
+    wire [17:0] difference_5 = {1'd0, remainder_s2} - {2'd0, divisor_s2};
+    wire [15:0] choice_6 = ~difference_5[17] ? difference_5[15:0] : remainder_s2[15:0];
+    wire [17:0] difference_7 = {1'd0, remainder_s3} - {2'd0, divisor_s3};
+    wire [15:0] choice_8 = ~difference_7[17] ? difference_7[15:0] : remainder_s3[15:0];
+    wire [17:0] difference_9 = {1'd0, remainder_s4} - {2'd0, divisor_s4};
+    wire [15:0] choice_10 = ~difference_9[17] ? difference_9[15:0] : remainder_s4[15:0];
+    wire [17:0] difference_11 = {1'd0, remainder_s5} - {2'd0, divisor_s5};
+    wire [15:0] choice_12 = ~difference_11[17] ? difference_11[15:0] : remainder_s5[15:0];
+    wire [17:0] difference_13 = {1'd0, remainder_s6} - {2'd0, divisor_s6};
+    wire [15:0] choice_14 = ~difference_13[17] ? difference_13[15:0] : remainder_s6[15:0];
+    wire [17:0] difference_15 = {1'd0, remainder_s7} - {2'd0, divisor_s7};
+    wire [15:0] choice_16 = ~difference_15[17] ? difference_15[15:0] : remainder_s7[15:0];
+    wire [17:0] difference_17 = {1'd0, remainder_s8} - {2'd0, divisor_s8};
+    wire [15:0] choice_18 = ~difference_17[17] ? difference_17[15:0] : remainder_s8[15:0];
+    wire [17:0] difference_19 = {1'd0, remainder_s9} - {2'd0, divisor_s9};
+    wire [15:0] choice_20 = ~difference_19[17] ? difference_19[15:0] : remainder_s9[15:0];
+    wire [17:0] difference_21 = {1'd0, remainder_s10} - {2'd0, divisor_s10};
+    wire [15:0] choice_22 = ~difference_21[17] ? difference_21[15:0] : remainder_s10[15:0];
+    wire [17:0] difference_23 = {1'd0, remainder_s11} - {2'd0, divisor_s11};
+    wire [15:0] choice_24 = ~difference_23[17] ? difference_23[15:0] : remainder_s11[15:0];
+    wire [17:0] difference_25 = {1'd0, remainder_s12} - {2'd0, divisor_s12};
+    wire [15:0] choice_26 = ~difference_25[17] ? difference_25[15:0] : remainder_s12[15:0];
+    wire [17:0] difference_27 = {1'd0, remainder_s13} - {2'd0, divisor_s13};
+    wire [15:0] choice_28 = ~difference_27[17] ? difference_27[15:0] : remainder_s13[15:0];
+    wire [17:0] difference_29 = {1'd0, remainder_s14} - {2'd0, divisor_s14};
+    wire [15:0] choice_30 = ~difference_29[17] ? difference_29[15:0] : remainder_s14[15:0];
+    wire [17:0] difference_31 = {1'd0, remainder_s15} - {2'd0, divisor_s15};
+    wire [15:0] choice_32 = ~difference_31[17] ? difference_31[15:0] : remainder_s15[15:0];
+    wire [17:0] difference_33 = {1'd0, remainder_s16} - {2'd0, divisor_s16};
+    wire [15:0] choice_34 = ~difference_33[17] ? difference_33[15:0] : remainder_s16[15:0];
+    wire [17:0] difference_35 = {1'd0, remainder_s17} - {2'd0, divisor_s17};
+    wire [15:0] choice_36 = ~difference_35[17] ? difference_35[15:0] : remainder_s17[15:0];
+    wire [18:0] joined_37 = {quotient_s18, |remainder_s18};
+    wire [18:0] choice_38 = ~quotient_s18[17] ? (joined_37 << 1) : joined_37;
+    wire term_39 = (exponent_s19 == 10'd0) & ~(&significand_s19[16:2] & significand_s19[1]);
+    wire term_40 = infinite_s19 | (~exponent_s19[9] & (10'd255 <= exponent_s19));
+    wire round_up = significand_s19[1] & (significand_s19[0] | significand_s19[2]);
+    wire [22:0] rounded = {exponent_s19[7:0], significand_s19[16:2]} + {22'd0, round_up};
+    wire [22:0] choice_41 = (zero_s19 | ((exponent_s19[9] | term_39) & ~infinite_s19)) ? 23'd0 : term_40 ? 23'h7f8000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            remainder_s1 <= {~difference_2[17] ? difference_2[15:0] : 16'h8000, 1'd0};
+            quotient_s1 <= ~difference_2[17];
+            divisor_s1 <= {|a_field, term_1};
+            remainder_s2 <= {choice_4, 1'd0};
+            quotient_s2 <= {quotient_s1, ~difference_3[17]};
+            divisor_s2 <= divisor_s1;
+            remainder_s3 <= {choice_6, 1'd0};
+            quotient_s3 <= {quotient_s2, ~difference_5[17]};
+            divisor_s3 <= divisor_s2;
+            remainder_s4 <= {choice_8, 1'd0};
+            quotient_s4 <= {quotient_s3, ~difference_7[17]};
+            divisor_s4 <= divisor_s3;
+            remainder_s5 <= {choice_10, 1'd0};
+            quotient_s5 <= {quotient_s4, ~difference_9[17]};
+            divisor_s5 <= divisor_s4;
+            remainder_s6 <= {choice_12, 1'd0};
+            quotient_s6 <= {quotient_s5, ~difference_11[17]};
+            divisor_s6 <= divisor_s5;
+            remainder_s7 <= {choice_14, 1'd0};
+            quotient_s7 <= {quotient_s6, ~difference_13[17]};
+            divisor_s7 <= divisor_s6;
+            remainder_s8 <= {choice_16, 1'd0};
+            quotient_s8 <= {quotient_s7, ~difference_15[17]};
+            divisor_s8 <= divisor_s7;
+            remainder_s9 <= {choice_18, 1'd0};
+            quotient_s9 <= {quotient_s8, ~difference_17[17]};
+            divisor_s9 <= divisor_s8;
+            remainder_s10 <= {choice_20, 1'd0};
+            quotient_s10 <= {quotient_s9, ~difference_19[17]};
+            divisor_s10 <= divisor_s9;
+            remainder_s11 <= {choice_22, 1'd0};
+            quotient_s11 <= {quotient_s10, ~difference_21[17]};
+            divisor_s11 <= divisor_s10;
+            remainder_s12 <= {choice_24, 1'd0};
+            quotient_s12 <= {quotient_s11, ~difference_23[17]};
+            divisor_s12 <= divisor_s11;
+            remainder_s13 <= {choice_26, 1'd0};
+            quotient_s13 <= {quotient_s12, ~difference_25[17]};
+            divisor_s13 <= divisor_s12;
+            remainder_s14 <= {choice_28, 1'd0};
+            quotient_s14 <= {quotient_s13, ~difference_27[17]};
+            divisor_s14 <= divisor_s13;
+            remainder_s15 <= {choice_30, 1'd0};
+            quotient_s15 <= {quotient_s14, ~difference_29[17]};
+            divisor_s15 <= divisor_s14;
+            remainder_s16 <= {choice_32, 1'd0};
+            quotient_s16 <= {quotient_s15, ~difference_31[17]};
+            divisor_s16 <= divisor_s15;
+            remainder_s17 <= {choice_34, 1'd0};
+            quotient_s17 <= {quotient_s16, ~difference_33[17]};
+            divisor_s17 <= divisor_s16;
+            remainder_s18 <= {choice_36, 1'd0};
+            quotient_s18 <= {quotient_s17, ~difference_35[17]};
+            exponent_s1 <= (10'd127 - {2'd0, a_field}) + 10'd127;
+            exponent_s2 <= exponent_s1;
+            exponent_s3 <= exponent_s2;
+            exponent_s4 <= exponent_s3;
+            exponent_s5 <= exponent_s4;
+            exponent_s6 <= exponent_s5;
+            exponent_s7 <= exponent_s6;
+            exponent_s8 <= exponent_s7;
+            exponent_s9 <= exponent_s8;
+            exponent_s10 <= exponent_s9;
+            exponent_s11 <= exponent_s10;
+            exponent_s12 <= exponent_s11;
+            exponent_s13 <= exponent_s12;
+            exponent_s14 <= exponent_s13;
+            exponent_s15 <= exponent_s14;
+            exponent_s16 <= exponent_s15;
+            exponent_s17 <= exponent_s16;
+            exponent_s18 <= exponent_s17;
+            exponent_s19 <= exponent_s18 - {9'd0, ~quotient_s18[17]};
+            significand_s19 <= {choice_38[18:2], |choice_38[1:0]};
+            sign_s1 <= a[23];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            sign_s4 <= sign_s3;
+            sign_s5 <= sign_s4;
+            sign_s6 <= sign_s5;
+            sign_s7 <= sign_s6;
+            sign_s8 <= sign_s7;
+            sign_s9 <= sign_s8;
+            sign_s10 <= sign_s9;
+            sign_s11 <= sign_s10;
+            sign_s12 <= sign_s11;
+            sign_s13 <= sign_s12;
+            sign_s14 <= sign_s13;
+            sign_s15 <= sign_s14;
+            sign_s16 <= sign_s15;
+            sign_s17 <= sign_s16;
+            sign_s18 <= sign_s17;
+            sign_s19 <= sign_s18;
+            nan_s1 <= &a_field & |a_fraction;
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            nan_s6 <= nan_s5;
+            nan_s7 <= nan_s6;
+            nan_s8 <= nan_s7;
+            nan_s9 <= nan_s8;
+            nan_s10 <= nan_s9;
+            nan_s11 <= nan_s10;
+            nan_s12 <= nan_s11;
+            nan_s13 <= nan_s12;
+            nan_s14 <= nan_s13;
+            nan_s15 <= nan_s14;
+            nan_s16 <= nan_s15;
+            nan_s17 <= nan_s16;
+            nan_s18 <= nan_s17;
+            nan_s19 <= nan_s18;
+            infinite_s1 <= ~(|a_field);
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            infinite_s6 <= infinite_s5;
+            infinite_s7 <= infinite_s6;
+            infinite_s8 <= infinite_s7;
+            infinite_s9 <= infinite_s8;
+            infinite_s10 <= infinite_s9;
+            infinite_s11 <= infinite_s10;
+            infinite_s12 <= infinite_s11;
+            infinite_s13 <= infinite_s12;
+            infinite_s14 <= infinite_s13;
+            infinite_s15 <= infinite_s14;
+            infinite_s16 <= infinite_s15;
+            infinite_s17 <= infinite_s16;
+            infinite_s18 <= infinite_s17;
+            infinite_s19 <= infinite_s18;
+            zero_s1 <= &a_field & (a_fraction == 15'd0);
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            zero_s4 <= zero_s3;
+            zero_s5 <= zero_s4;
+            zero_s6 <= zero_s5;
+            zero_s7 <= zero_s6;
+            zero_s8 <= zero_s7;
+            zero_s9 <= zero_s8;
+            zero_s10 <= zero_s9;
+            zero_s11 <= zero_s10;
+            zero_s12 <= zero_s11;
+            zero_s13 <= zero_s12;
+            zero_s14 <= zero_s13;
+            zero_s15 <= zero_s14;
+            zero_s16 <= zero_s15;
+            zero_s17 <= zero_s16;
+            zero_s18 <= zero_s17;
+            zero_s19 <= zero_s18;
+            y <= nan_s19 ? 24'h7fc000 : {sign_s19, choice_41};
+        end
+    end
+
+    wire _unused = &{
+        1'b0,
+        difference_11[16],
+        difference_13[16],
+        difference_15[16],
+        difference_17[16],
+        difference_19[16],
+        difference_2[16],
+        difference_21[16],
+        difference_23[16],
+        difference_25[16],
+        difference_27[16],
+        difference_29[16],
+        difference_3[16],
+        difference_31[16],
+        difference_33[16],
+        difference_35[16],
+        difference_5[16],
+        difference_7[16],
+        difference_9[16],
+        rst,
+        significand_s19[17]
+    };
+endmodule
+
+// Queue of two in registers.
+// width = 339
+module stream_skid_w339 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [27:0] in_center_x,
+    input  wire [27:0] in_center_y,
+    input  wire [17:0] in_ax,
+    input  wire [17:0] in_bx,
+    input  wire [17:0] in_ay,
+    input  wire [17:0] in_by,
+    input  wire [21:0] in_delta,
+    input  wire [17:0] in_mx,
+    input  wire [17:0] in_my,
+    input  wire [3:0] in_shift,
+    input  wire [23:0] in_depth,
+    input  wire [23:0] in_depth_low,
+    input  wire [23:0] in_depth_high,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [6:0] in_left,
+    input  wire [6:0] in_right,
+    input  wire [6:0] in_top,
+    input  wire [6:0] in_bottom,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [27:0] out_center_x,
+    output wire [27:0] out_center_y,
+    output wire [17:0] out_ax,
+    output wire [17:0] out_bx,
+    output wire [17:0] out_ay,
+    output wire [17:0] out_by,
+    output wire [21:0] out_delta,
+    output wire [17:0] out_mx,
+    output wire [17:0] out_my,
+    output wire [3:0] out_shift,
+    output wire [23:0] out_depth,
+    output wire [23:0] out_depth_low,
+    output wire [23:0] out_depth_high,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2,
+    output wire [6:0] out_left,
+    output wire [6:0] out_right,
+    output wire [6:0] out_top,
+    output wire [6:0] out_bottom
+);
+    reg second_valid;
+    reg [338:0] head;
+    reg [338:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [338:0] in_item = {
+        in_end,
+        in_center_x,
+        in_center_y,
+        in_ax,
+        in_bx,
+        in_ay,
+        in_by,
+        in_delta,
+        in_mx,
+        in_my,
+        in_shift,
+        in_depth,
+        in_depth_low,
+        in_depth_high,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2,
+        in_left,
+        in_right,
+        in_top,
+        in_bottom
+    };
+
+    assign out_end = head[338];
+    assign out_center_x = head[337:310];
+    assign out_center_y = head[309:282];
+    assign out_ax = head[281:264];
+    assign out_bx = head[263:246];
+    assign out_ay = head[245:228];
+    assign out_by = head[227:210];
+    assign out_delta = head[209:188];
+    assign out_mx = head[187:170];
+    assign out_my = head[169:152];
+    assign out_shift = head[151:148];
+    assign out_depth = head[147:124];
+    assign out_depth_low = head[123:100];
+    assign out_depth_high = head[99:76];
+    assign out_attribute_0 = head[75:60];
+    assign out_attribute_1 = head[59:44];
+    assign out_attribute_2 = head[43:28];
+    assign out_left = head[27:21];
+    assign out_right = head[20:14];
+    assign out_top = head[13:7];
+    assign out_bottom = head[6:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// World space to camera space.
+// latency = 30
+// initiation_interval = 16
+module splat_transform (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [23:0] in_center_x,
+    input  wire [23:0] in_center_y,
+    input  wire [23:0] in_center_z,
+    input  wire [23:0] in_tangent1_x,
+    input  wire [23:0] in_tangent1_y,
+    input  wire [23:0] in_tangent1_z,
+    input  wire [23:0] in_tangent2_x,
+    input  wire [23:0] in_tangent2_y,
+    input  wire [23:0] in_tangent2_z,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    input  wire [23:0] m00,
+    input  wire [23:0] m01,
+    input  wire [23:0] m02,
+    input  wire [23:0] m03,
+    input  wire [23:0] m10,
+    input  wire [23:0] m11,
+    input  wire [23:0] m12,
+    input  wire [23:0] m13,
+    input  wire [23:0] m20,
+    input  wire [23:0] m21,
+    input  wire [23:0] m22,
+    input  wire [23:0] m23,
+    input  wire [23:0] near_plane,
+    output wire out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [23:0] out_center_x,
+    output wire [23:0] out_center_y,
+    output wire [23:0] out_center_z,
+    output wire [23:0] out_tangent1_x,
+    output wire [23:0] out_tangent1_y,
+    output wire [23:0] out_tangent1_z,
+    output wire [23:0] out_tangent2_x,
+    output wire [23:0] out_tangent2_y,
+    output wire [23:0] out_tangent2_z,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    reg [3:0] phase;
+    reg load_0;
+    reg load_1;
+    reg load_2;
+    reg load_5;
+    reg load_6;
+    reg load_8;
+    reg load_9;
+    reg load_10;
+    reg load_11;
+    reg load_12;
+    reg load_13;
+    reg load_14;
+    reg end_d1;
+    reg end_d2;
+    reg [15:0] attribute_0_d1;
+    reg [15:0] attribute_1_d1;
+    reg [15:0] attribute_2_d1;
+    reg [23:0] reinterpret_26_d1;
+    reg [23:0] reinterpret_27_d1;
+    reg [23:0] reinterpret_28_d1;
+    reg [23:0] mul_32_d1;
+    reg [23:0] mul_37_d1;
+    reg [23:0] mul_42_d1;
+    reg [23:0] add_44_d1;
+    reg [23:0] add_45_d1;
+    reg [23:0] add_46_d1;
+    reg [23:0] reinterpret_47_d1;
+    reg [23:0] reinterpret_48_d1;
+    reg [23:0] reinterpret_49_d1;
+    reg [23:0] add_54_d1;
+    reg [23:0] add_59_d1;
+    reg [23:0] add_64_d1;
+    reg [23:0] reinterpret_65_d1;
+    reg [23:0] reinterpret_66_d1;
+    reg [23:0] reinterpret_67_d1;
+    reg [23:0] add_72_d1;
+    reg [23:0] add_75_d1;
+    reg [23:0] mul_76_d1;
+    reg [23:0] add_77_d1;
+    reg [23:0] add_80_d1;
+    reg [23:0] mul_81_d1;
+    reg or_84_d1;
+    reg equal_89_d1;
+    reg [15:0] select_95_d1;
+    reg [15:0] select_96_d1;
+    reg equal_100_d1;
+    reg [15:0] select_103_d1;
+    reg [15:0] select_104_d1;
+    reg equal_108_d1;
+    reg [15:0] select_111_d1;
+    reg [15:0] select_112_d1;
+    reg [23:0] mul_f24_ftz_unit_a;
+    reg [23:0] mul_f24_ftz_unit_b;
+    reg [23:0] mul_f24_ftz_unit_copy2_a;
+    reg [23:0] mul_f24_ftz_unit_copy2_b;
+    reg [23:0] add_f24_ftz_unit_a;
+    reg [23:0] add_f24_ftz_unit_b;
+    reg [23:0] add_f24_ftz_unit_copy2_a;
+    reg [23:0] add_f24_ftz_unit_copy2_b;
+    reg valid_d1;
+    reg valid_d2;
+
+    wire queue_in_ready;
+    wire queue_out_valid;
+    wire queue_out_end;
+    wire [23:0] queue_out_center_x;
+    wire [23:0] queue_out_center_y;
+    wire [23:0] queue_out_center_z;
+    wire [23:0] queue_out_tangent1_x;
+    wire [23:0] queue_out_tangent1_y;
+    wire [23:0] queue_out_tangent1_z;
+    wire [23:0] queue_out_tangent2_x;
+    wire [23:0] queue_out_tangent2_y;
+    wire [23:0] queue_out_tangent2_z;
+    wire [15:0] queue_out_attribute_0;
+    wire [15:0] queue_out_attribute_1;
+    wire [15:0] queue_out_attribute_2;
+    wire [23:0] mul_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_copy2_y;
+    wire [23:0] add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_y;
+    wire lt_f24_ftz_unit_y;
+
+    assign in_ready = load_0;
+    wire term_1 = phase == 4'd14;
+    wire term_2 = valid_d2 & or_84_d1 & term_1;
+    wire queue_out_ready = out_ready;
+    wire term_3 = phase == 4'd15;
+    wire [3:0] phase_next = queue_in_ready ? (term_3 ? (phase - 4'd15) : (phase + 4'd1)) : phase;
+    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire advance_next = ~term_4;
+    wire or_84 = end_d2 | lt_f24_ftz_unit_y;
+    wire equal_89 = in_attribute_0[14:10] == 5'd31;
+    wire equal_91 = in_attribute_0[9:0] == 10'd0;
+    wire [15:0] select_95 = equal_91 ? {in_attribute_0[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_96 = equal_89_d1 ? select_95_d1 : attribute_0_d1;
+    wire equal_100 = 5'd31 == in_attribute_1[14:10];
+    wire equal_101 = 10'd0 == in_attribute_1[9:0];
+    wire [15:0] select_103 = equal_101 ? {in_attribute_1[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_104 = equal_100_d1 ? select_103_d1 : attribute_1_d1;
+    wire equal_108 = 5'd31 == in_attribute_2[14:10];
+    wire equal_109 = 10'd0 == in_attribute_2[9:0];
+    wire [15:0] select_111 = equal_109 ? {in_attribute_2[15], 15'h7bff} : 16'd0;
+    wire [15:0] select_112 = equal_108_d1 ? select_111_d1 : attribute_2_d1;
+    wire [23:0] choice_5 = phase[2] ? (phase[1] ? (phase[0] ? m02 : m22) : phase[0] ? m12 : m02) : phase[1] ? m20 : phase[0] ? m10 : m00;
+    wire [23:0] choice_6 = phase[2] ? (phase[1] ? (phase[0] ? m20 : m10) : phase[0] ? m00 : m12) : phase[1] ? (phase[0] ? m02 : m10) : phase[0] ? m00 : m20;
+    wire [23:0] choice_7 = phase[1] ? (phase[0] ? reinterpret_67_d1 : reinterpret_49_d1) : reinterpret_49_d1;
+    wire [23:0] choice_8 = phase[1] ? reinterpret_47_d1 : phase[0] ? reinterpret_47_d1 : reinterpret_28_d1;
+    wire [23:0] choice_9 = phase[1] ? (phase[0] ? reinterpret_28_d1 : reinterpret_26_d1) : phase[0] ? reinterpret_26_d1 : in_center_x;
+    wire [23:0] choice_10 = phase[2] ? (phase[1] ? m22 : phase[0] ? m22 : m12) : phase[1] ? m21 : phase[0] ? m11 : m01;
+    wire [23:0] choice_11 = phase[2] ? (phase[1] ? (phase[0] ? m21 : m11) : phase[0] ? m01 : m22) : phase[1] ? (phase[0] ? m22 : m11) : phase[0] ? m01 : m21;
+    wire [23:0] choice_12 = phase[1] ? reinterpret_48_d1 : phase[0] ? reinterpret_48_d1 : reinterpret_28_d1;
+    wire [23:0] choice_13 = phase[1] ? (phase[0] ? reinterpret_28_d1 : reinterpret_27_d1) : phase[0] ? reinterpret_27_d1 : in_center_y;
+    wire [23:0] choice_14 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_y : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] choice_15 = phase[1] ? mul_f24_ftz_unit_y : phase[0] ? mul_f24_ftz_unit_y : m03;
+    wire [23:0] choice_16 = phase[1] ? (phase[0] ? m23 : add_f24_ftz_unit_y) : add_f24_ftz_unit_y;
+    wire [23:0] choice_17 = phase[1] ? (phase[0] ? mul_f24_ftz_unit_copy2_y : mul_37_d1) : phase[0] ? mul_32_d1 : mul_42_d1;
+    wire [23:0] choice_18 = phase[1] ? mul_f24_ftz_unit_copy2_y : phase[0] ? mul_f24_ftz_unit_copy2_y : add_f24_ftz_unit_y;
+    wire [23:0] choice_19 = phase[0] ? add_f24_ftz_unit_y : mul_f24_ftz_unit_y;
+    wire [23:0] choice_20 = phase[2] ? choice_18 : phase[1] ? choice_19 : mul_f24_ftz_unit_y;
+    wire [23:0] choice_21 = phase[1] ? (phase[0] ? add_80_d1 : add_75_d1) : phase[0] ? m13 : add_f24_ftz_unit_copy2_y;
+    wire [23:0] choice_22 = phase[1] ? (phase[0] ? mul_81_d1 : mul_76_d1) : choice_19;
+
+    assign out_valid = queue_out_valid;
+    assign out_end = queue_out_end;
+    assign out_center_x = queue_out_center_x;
+    assign out_center_y = queue_out_center_y;
+    assign out_center_z = queue_out_center_z;
+    assign out_tangent1_x = queue_out_tangent1_x;
+    assign out_tangent1_y = queue_out_tangent1_y;
+    assign out_tangent1_z = queue_out_tangent1_z;
+    assign out_tangent2_x = queue_out_tangent2_x;
+    assign out_tangent2_y = queue_out_tangent2_y;
+    assign out_tangent2_z = queue_out_tangent2_z;
+    assign out_attribute_0 = queue_out_attribute_0;
+    assign out_attribute_1 = queue_out_attribute_1;
+    assign out_attribute_2 = queue_out_attribute_2;
+
+    stream_skid_w265 queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(term_2),
+        .in_ready(queue_in_ready),
+        .in_end(end_d2),
+        .in_center_x(add_44_d1),
+        .in_center_y(add_45_d1),
+        .in_center_z(add_46_d1),
+        .in_tangent1_x(add_54_d1),
+        .in_tangent1_y(add_59_d1),
+        .in_tangent1_z(add_64_d1),
+        .in_tangent2_x(add_72_d1),
+        .in_tangent2_y(add_77_d1),
+        .in_tangent2_z(add_f24_ftz_unit_copy2_y),
+        .in_attribute_0(select_96_d1),
+        .in_attribute_1(select_104_d1),
+        .in_attribute_2(select_112_d1),
+        .out_valid(queue_out_valid),
+        .out_ready(queue_out_ready),
+        .out_end(queue_out_end),
+        .out_center_x(queue_out_center_x),
+        .out_center_y(queue_out_center_y),
+        .out_center_z(queue_out_center_z),
+        .out_tangent1_x(queue_out_tangent1_x),
+        .out_tangent1_y(queue_out_tangent1_y),
+        .out_tangent1_z(queue_out_tangent1_z),
+        .out_tangent2_x(queue_out_tangent2_x),
+        .out_tangent2_y(queue_out_tangent2_y),
+        .out_tangent2_z(queue_out_tangent2_z),
+        .out_attribute_0(queue_out_attribute_0),
+        .out_attribute_1(queue_out_attribute_1),
+        .out_attribute_2(queue_out_attribute_2)
+    );
+
+    float_mul_s4_ff24ftz mul_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_a),
+        .b(mul_f24_ftz_unit_b),
+        .y(mul_f24_ftz_unit_y)
+    );
+
+    float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(mul_f24_ftz_unit_copy2_a),
+        .b(mul_f24_ftz_unit_copy2_b),
+        .y(mul_f24_ftz_unit_copy2_y)
+    );
+
+    float_add_s6_ff24ftz add_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f24_ftz_unit_a),
+        .b(add_f24_ftz_unit_b),
+        .y(add_f24_ftz_unit_y)
+    );
+
+    float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(add_f24_ftz_unit_copy2_a),
+        .b(add_f24_ftz_unit_copy2_b),
+        .y(add_f24_ftz_unit_copy2_y)
+    );
+
+    float_lt lt_f24_ftz_unit (
+        .clk(clk),
+        .rst(rst),
+        .enable(queue_in_ready),
+        .a(near_plane),
+        .b(add_f24_ftz_unit_y),
+        .y(lt_f24_ftz_unit_y)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            phase <= 4'd0;
+            load_0 <= 1'd1;
+            load_1 <= 1'd0;
+            load_2 <= 1'd0;
+            load_5 <= 1'd0;
+            load_6 <= 1'd0;
+            load_8 <= 1'd0;
+            load_9 <= 1'd0;
+            load_10 <= 1'd0;
+            load_11 <= 1'd0;
+            load_12 <= 1'd0;
+            load_13 <= 1'd0;
+            load_14 <= 1'd0;
+            valid_d1 <= 1'd0;
+            valid_d2 <= 1'd0;
+        end else begin
+            phase <= phase_next;
+            load_0 <= advance_next & (phase_next == 4'd0);
+            load_1 <= advance_next & (phase_next == 4'd1);
+            load_2 <= advance_next & (phase_next == 4'd2);
+            load_5 <= advance_next & (phase_next == 4'd5);
+            load_6 <= advance_next & (phase_next == 4'd6);
+            load_8 <= advance_next & (phase_next == 4'd8);
+            load_9 <= advance_next & (phase_next == 4'd9);
+            load_10 <= advance_next & (phase_next == 4'd10);
+            load_11 <= advance_next & (phase_next == 4'd11);
+            load_12 <= advance_next & (phase_next == 4'd12);
+            load_13 <= advance_next & (phase_next == 4'd13);
+            load_14 <= advance_next & (phase_next == 4'd14);
+            if (load_0) begin
+                valid_d1 <= in_valid;
+                valid_d2 <= valid_d1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (load_0) begin
+            end_d1 <= in_end;
+            end_d2 <= end_d1;
+            attribute_0_d1 <= in_attribute_0;
+            attribute_1_d1 <= in_attribute_1;
+            attribute_2_d1 <= in_attribute_2;
+            reinterpret_26_d1 <= in_center_x;
+            reinterpret_27_d1 <= in_center_y;
+            reinterpret_28_d1 <= in_center_z;
+            reinterpret_47_d1 <= in_tangent1_x;
+            reinterpret_48_d1 <= in_tangent1_y;
+            reinterpret_49_d1 <= in_tangent1_z;
+            reinterpret_65_d1 <= in_tangent2_x;
+            reinterpret_66_d1 <= in_tangent2_y;
+            reinterpret_67_d1 <= in_tangent2_z;
+            equal_89_d1 <= equal_89;
+            select_95_d1 <= select_95;
+            equal_100_d1 <= equal_100;
+            select_103_d1 <= select_103;
+            equal_108_d1 <= equal_108;
+            select_111_d1 <= select_111;
+        end
+        if (load_8) begin
+            mul_32_d1 <= mul_f24_ftz_unit_y;
+            mul_42_d1 <= mul_f24_ftz_unit_copy2_y;
+            add_54_d1 <= add_f24_ftz_unit_y;
+        end
+        if (load_9) begin
+            mul_37_d1 <= mul_f24_ftz_unit_y;
+            add_59_d1 <= add_f24_ftz_unit_y;
+        end
+        if (load_11) begin
+            add_44_d1 <= add_f24_ftz_unit_y;
+            add_72_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_12) begin
+            add_45_d1 <= add_f24_ftz_unit_copy2_y;
+            or_84_d1 <= or_84;
+        end
+        if (load_10) begin
+            add_46_d1 <= add_f24_ftz_unit_y;
+            add_64_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_5) begin
+            add_75_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_1) begin
+            mul_76_d1 <= mul_f24_ftz_unit_copy2_y;
+        end
+        if (load_13) begin
+            add_77_d1 <= add_f24_ftz_unit_copy2_y;
+        end
+        if (load_6) begin
+            add_80_d1 <= add_f24_ftz_unit_y;
+        end
+        if (load_2) begin
+            mul_81_d1 <= mul_f24_ftz_unit_copy2_y;
+        end
+        if (load_14) begin
+            select_96_d1 <= select_96;
+            select_104_d1 <= select_104;
+            select_112_d1 <= select_112;
+        end
+        if (queue_in_ready) begin
+            mul_f24_ftz_unit_a <= phase[3] ? choice_5 : choice_6;
+            mul_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_7 : reinterpret_65_d1) : phase[2] ? choice_8 : choice_9;
+            mul_f24_ftz_unit_copy2_a <= phase[3] ? choice_10 : choice_11;
+            mul_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? reinterpret_67_d1 : reinterpret_66_d1) : phase[2] ? choice_12 : choice_13;
+            add_f24_ftz_unit_a <= phase[3] ? (phase[2] ? choice_14 : mul_f24_ftz_unit_y) : phase[2] ? choice_15 : choice_16;
+            add_f24_ftz_unit_b <= phase[3] ? (phase[2] ? choice_17 : mul_f24_ftz_unit_copy2_y) : choice_20;
+            add_f24_ftz_unit_copy2_a <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_y : add_80_d1) : phase[2] ? choice_21 : add_f24_ftz_unit_copy2_y;
+            add_f24_ftz_unit_copy2_b <= phase[3] ? (phase[2] ? mul_f24_ftz_unit_copy2_y : mul_81_d1) : phase[2] ? choice_22 : mul_f24_ftz_unit_y;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    reg load_3;
+    reg load_4;
+    reg load_7;
+    reg load_15;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            load_3 <= 1'd0;
+            load_4 <= 1'd0;
+            load_7 <= 1'd0;
+            load_15 <= 1'd0;
+        end else begin
+            load_3 <= advance_next & (phase_next == 4'd3);
+            load_4 <= advance_next & (phase_next == 4'd4);
+            load_7 <= advance_next & (phase_next == 4'd7);
+            load_15 <= advance_next & (phase_next == 4'd15);
+        end
+    end
+
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(load_0 == (queue_in_ready & (phase == 4'd0)))) begin
+`ifdef FORMAL
+                load_0_in_phase: assert (0);
+`else
+                $display("assertion failed: load_0_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_1 == (queue_in_ready & (phase == 4'd1)))) begin
+`ifdef FORMAL
+                load_1_in_phase: assert (0);
+`else
+                $display("assertion failed: load_1_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_2 == (queue_in_ready & (phase == 4'd2)))) begin
+`ifdef FORMAL
+                load_2_in_phase: assert (0);
+`else
+                $display("assertion failed: load_2_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_3 == (queue_in_ready & (phase == 4'd3)))) begin
+`ifdef FORMAL
+                load_3_in_phase: assert (0);
+`else
+                $display("assertion failed: load_3_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_4 == (queue_in_ready & (phase == 4'd4)))) begin
+`ifdef FORMAL
+                load_4_in_phase: assert (0);
+`else
+                $display("assertion failed: load_4_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_5 == (queue_in_ready & (phase == 4'd5)))) begin
+`ifdef FORMAL
+                load_5_in_phase: assert (0);
+`else
+                $display("assertion failed: load_5_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_6 == (queue_in_ready & (phase == 4'd6)))) begin
+`ifdef FORMAL
+                load_6_in_phase: assert (0);
+`else
+                $display("assertion failed: load_6_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_7 == (queue_in_ready & (phase == 4'd7)))) begin
+`ifdef FORMAL
+                load_7_in_phase: assert (0);
+`else
+                $display("assertion failed: load_7_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_8 == (queue_in_ready & (phase == 4'd8)))) begin
+`ifdef FORMAL
+                load_8_in_phase: assert (0);
+`else
+                $display("assertion failed: load_8_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_9 == (queue_in_ready & (phase == 4'd9)))) begin
+`ifdef FORMAL
+                load_9_in_phase: assert (0);
+`else
+                $display("assertion failed: load_9_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_10 == (queue_in_ready & (phase == 4'd10)))) begin
+`ifdef FORMAL
+                load_10_in_phase: assert (0);
+`else
+                $display("assertion failed: load_10_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_11 == (queue_in_ready & (phase == 4'd11)))) begin
+`ifdef FORMAL
+                load_11_in_phase: assert (0);
+`else
+                $display("assertion failed: load_11_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_12 == (queue_in_ready & (phase == 4'd12)))) begin
+`ifdef FORMAL
+                load_12_in_phase: assert (0);
+`else
+                $display("assertion failed: load_12_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_13 == (queue_in_ready & (phase == 4'd13)))) begin
+`ifdef FORMAL
+                load_13_in_phase: assert (0);
+`else
+                $display("assertion failed: load_13_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_14 == (queue_in_ready & term_1))) begin
+`ifdef FORMAL
+                load_14_in_phase: assert (0);
+`else
+                $display("assertion failed: load_14_in_phase in %m");
+                $stop;
+`endif
+            end
+            if (!(load_15 == (queue_in_ready & term_3))) begin
+`ifdef FORMAL
+                load_15_in_phase: assert (0);
+`else
+                $display("assertion failed: load_15_in_phase in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Whether one floating-point number is less than another.
+// stages = 2
+// format = f24-ftz
+module float_lt (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  y
+);
+    reg unordered_s1;
+    reg both_zero_s1;
+    reg compared_s1;
+
+    wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
+    wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
+    wire [22:0] joined_3 = {a[22:15], term_1};
+    wire [22:0] joined_4 = {b[22:15], term_2};
+
+    always @(posedge clk) begin
+        if (enable) begin
+            unordered_s1 <= (&a[22:15] & |term_1) | (&b[22:15] & |term_2);
+            both_zero_s1 <= (joined_3 | joined_4) == 23'd0;
+            compared_s1 <= {~a[23], joined_3 ^ {23{a[23]}}} < {~b[23], joined_4 ^ {23{b[23]}}};
+            y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
+        end
+    end
+
+    wire _unused = &{1'b0, rst};
+endmodule
+
+// Floating-point sum.
+// stages = 6
+// format = f24-ftz
+module float_add_s6_ff24ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg [9:0] distance_s1;
+    reg [15:0] large_s1;
+    reg [15:0] small_s1;
+    reg [15:0] large_s2;
+    reg [18:0] aligned_s2;
+    reg subtract_s1;
+    reg subtract_s2;
+    reg [19:0] sum_s3;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg subtract_s3;
+    reg [19:0] value_s4;
+    reg [4:0] zeros_s4;
+    reg [9:0] limit_s1;
+    reg [9:0] limit_s2;
+    reg [9:0] limit_s3;
+    reg [9:0] limit_s4;
+    reg [9:0] exponent_s5;
+    reg [17:0] significand_s5;
+    reg sign_s4;
+    reg sign_s5;
+    reg nan_s4;
+    reg nan_s5;
+    reg infinite_s4;
+    reg infinite_s5;
+    reg zero_s4;
+    reg zero_s5;
+
+    wire swap = a[22:0] < b[22:0];
+    wire [7:0] b_field = b[22:15];
+    wire [7:0] a_field = a[22:15];
+    wire [14:0] b_fraction = b[14:0];
+    wire [15:0] joined_1 = {|b_field, b_fraction & {15{|b_field}}};
+    wire [14:0] a_fraction = a[14:0];
+    wire [15:0] joined_2 = {|a_field, a_fraction & {15{|a_field}}};
+    wire [18:0] choice_3 = distance_s1[4] ? ({small_s1, 3'd0} >> 16) : {small_s1, 3'd0};
+    wire [18:0] choice_4 = distance_s1[3] ? (choice_3 >> 8) : choice_3;
+    wire [18:0] choice_5 = distance_s1[2] ? (choice_4 >> 4) : choice_4;
+    wire [18:0] choice_6 = distance_s1[1] ? (choice_5 >> 2) : choice_5;
+    wire [18:0] choice_7 = distance_s1[0] ? (choice_6 >> 1) : choice_6;
+    wire term_8 = (distance_s1[4] & |{small_s1[12:0], 3'd0}) | (distance_s1[3] & |choice_3[7:0]);
+    wire term_9 = term_8 | (distance_s1[2] & |choice_4[3:0]) | (distance_s1[1] & |choice_5[1:0]);
+    wire [18:0] joined_10 = {choice_7[18:1], choice_7[0] | (term_9 | (distance_s1[0] & choice_6[0]))};
+    wire term_11 = a[23] ^ b[23];
+    wire [20:0] sum_12 = {1'd0, large_s2, 4'd1} + {{1'd0, aligned_s2} ^ {20{subtract_s2}}, subtract_s2};
+    wire term_13 = &a_field & (a_fraction == 15'd0);
+    wire term_14 = &b_field & (b_fraction == 15'd0);
+    wire term_15 = ~sum_s3[19] & ~sum_s3[18];
+    wire term_16 = term_15 & (~sum_s3[17] & ~sum_s3[16]);
+    wire term_17 = ~sum_s3[15] & ~sum_s3[14];
+    wire term_18 = term_16 & (term_17 & (~sum_s3[13] & ~sum_s3[12]));
+    wire term_19 = ~sum_s3[11] & ~sum_s3[10];
+    wire term_20 = term_19 & (~sum_s3[9] & ~sum_s3[8]);
+    wire term_21 = ~sum_s3[7] & ~sum_s3[6];
+    wire term_22 = term_18 & (term_20 & (term_21 & (~sum_s3[5] & ~sum_s3[4])));
+    wire term_23 = ~sum_s3[3] & ~sum_s3[2];
+    wire term_24 = term_23 & (~sum_s3[1] & ~sum_s3[0]);
+    wire [1:0] choice_25 = term_24 ? 2'd0 : {term_23, term_23 ? ~sum_s3[1] : ~sum_s3[3]};
+    wire [1:0] choice_26 = term_20 ? {term_21, term_21 ? ~sum_s3[5] : ~sum_s3[7]} : {term_19, term_19 ? ~sum_s3[9] : ~sum_s3[11]};
+    wire [1:0] choice_27 = term_16 ? {term_17, term_17 ? ~sum_s3[13] : ~sum_s3[15]} : {term_15, term_15 ? ~sum_s3[17] : ~sum_s3[19]};
+    wire [3:0] joined_28 = {term_18, term_18 ? {term_20, choice_26} : {term_16, choice_27}};
+    wire [19:0] shifted_29 = value_s4 << zeros_s4;
+    wire term_30 = sum_s3 == 20'd0;
+    wire term_31 = (exponent_s5 == 10'd0) & ~(&significand_s5[16:2] & significand_s5[1]);
+    wire term_32 = infinite_s5 | (~exponent_s5[9] & (10'd255 <= exponent_s5));
+    wire round_up = significand_s5[1] & (significand_s5[0] | significand_s5[2]);
+    wire [22:0] rounded = {exponent_s5[7:0], significand_s5[16:2]} + {22'd0, round_up};
+    wire [22:0] choice_33 = (zero_s5 | ((exponent_s5[9] | term_31) & ~infinite_s5)) ? 23'd0 : term_32 ? 23'h7f8000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            distance_s1 <= swap ? ({2'd0, b_field} - {2'd0, a_field}) : ({2'd0, a_field} - {2'd0, b_field});
+            large_s1 <= swap ? joined_1 : joined_2;
+            small_s1 <= swap ? joined_2 : joined_1;
+            large_s2 <= large_s1;
+            aligned_s2 <= |distance_s1[7:5] ? {18'd0, |{small_s1, 3'd0}} : joined_10;
+            subtract_s1 <= term_11;
+            subtract_s2 <= subtract_s1;
+            sum_s3 <= sum_12[20:1];
+            sign_s1 <= swap ? b[23] : a[23];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            nan_s1 <= (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_13 & term_14 & term_11);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            infinite_s1 <= term_13 | term_14;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            subtract_s3 <= subtract_s2;
+            value_s4 <= sum_s3;
+            zeros_s4 <= {term_22, term_22 ? {1'd0, term_24, choice_25} : joined_28};
+            limit_s1 <= swap ? {2'd0, b_field} : {2'd0, a_field};
+            limit_s2 <= limit_s1;
+            limit_s3 <= limit_s2;
+            limit_s4 <= limit_s3;
+            exponent_s5 <= (limit_s4 + 10'd1) - {5'd0, zeros_s4};
+            significand_s5 <= {shifted_29[19:3], |shifted_29[2:0]};
+            sign_s4 <= sign_s3 & ~(term_30 & subtract_s3);
+            sign_s5 <= sign_s4;
+            nan_s4 <= nan_s3;
+            nan_s5 <= nan_s4;
+            infinite_s4 <= infinite_s3;
+            infinite_s5 <= infinite_s4;
+            zero_s4 <= term_30 & ~infinite_s3;
+            zero_s5 <= zero_s4;
+            y <= nan_s5 ? 24'h7fc000 : {sign_s5, choice_33};
+        end
+    end
+
+    wire _unused = &{1'b0, distance_s1[9:8], rst, significand_s5[17], sum_12[0]};
+endmodule
+
+// Floating-point product.
+// stages = 4
+// format = f24-ftz
+module float_mul_s4_ff24ftz (
+    input  wire clk,
+    input  wire rst,
+    input  wire enable,
+    input  wire [23:0] a,
+    input  wire [23:0] b,
+    output reg  [23:0] y
+);
+    reg [15:0] left_s1;
+    reg [15:0] right_s1;
+    reg [9:0] exponent_s1;
+    reg [31:0] product_s2;
+    reg [9:0] exponent_s2;
+    reg [9:0] exponent_s3;
+    reg [17:0] significand_s3;
+    reg sign_s1;
+    reg sign_s2;
+    reg sign_s3;
+    reg nan_s1;
+    reg nan_s2;
+    reg nan_s3;
+    reg infinite_s1;
+    reg infinite_s2;
+    reg infinite_s3;
+    reg zero_s1;
+    reg zero_s2;
+    reg zero_s3;
+
+    wire [7:0] a_field = a[22:15];
+    wire [14:0] a_fraction = a[14:0];
+    wire [7:0] b_field = b[22:15];
+    wire [14:0] b_fraction = b[14:0];
+    wire [31:0] choice_1 = product_s2[31] ? product_s2 : (product_s2 << 1);
+    wire term_2 = &a_field & (a_fraction == 15'd0);
+    wire term_3 = ~(|b_field);
+    wire term_4 = (&a_field & |a_fraction) | (&b_field & |b_fraction) | (term_2 & term_3);
+    wire term_5 = ~(|a_field);
+    wire term_6 = &b_field & (b_fraction == 15'd0);
+    wire term_7 = (exponent_s3 == 10'd0) & ~(&significand_s3[16:2] & significand_s3[1]);
+    wire term_8 = infinite_s3 | (~exponent_s3[9] & (10'd255 <= exponent_s3));
+    wire round_up = significand_s3[1] & (significand_s3[0] | significand_s3[2]);
+    wire [22:0] rounded = {exponent_s3[7:0], significand_s3[16:2]} + {22'd0, round_up};
+    wire [22:0] choice_9 = (zero_s3 | ((exponent_s3[9] | term_7) & ~infinite_s3)) ? 23'd0 : term_8 ? 23'h7f8000 : rounded;
+
+    always @(posedge clk) begin
+        if (enable) begin
+            left_s1 <= {|a_field, a_fraction & {15{|a_field}}};
+            right_s1 <= {|b_field, b_fraction & {15{|b_field}}};
+            exponent_s1 <= {2'd0, a_field} + {2'd0, b_field};
+            product_s2 <= {16'd0, left_s1} * {16'd0, right_s1};
+            exponent_s2 <= exponent_s1 - 10'd127;
+            exponent_s3 <= exponent_s2 + {9'd0, product_s2[31]};
+            significand_s3 <= {choice_1[31:15], |choice_1[14:0]};
+            sign_s1 <= a[23] ^ b[23];
+            sign_s2 <= sign_s1;
+            sign_s3 <= sign_s2;
+            nan_s1 <= term_4 | (term_5 & term_6);
+            nan_s2 <= nan_s1;
+            nan_s3 <= nan_s2;
+            infinite_s1 <= term_2 | term_6;
+            infinite_s2 <= infinite_s1;
+            infinite_s3 <= infinite_s2;
+            zero_s1 <= term_5 | term_3;
+            zero_s2 <= zero_s1;
+            zero_s3 <= zero_s2;
+            y <= nan_s3 ? 24'h7fc000 : {sign_s3, choice_9};
+        end
+    end
+
+    wire _unused = &{1'b0, rst, significand_s3[17]};
+endmodule
+
+// Queue of two in registers.
+// width = 265
+module stream_skid_w265 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_end,
+    input  wire [23:0] in_center_x,
+    input  wire [23:0] in_center_y,
+    input  wire [23:0] in_center_z,
+    input  wire [23:0] in_tangent1_x,
+    input  wire [23:0] in_tangent1_y,
+    input  wire [23:0] in_tangent1_z,
+    input  wire [23:0] in_tangent2_x,
+    input  wire [23:0] in_tangent2_y,
+    input  wire [23:0] in_tangent2_z,
+    input  wire [15:0] in_attribute_0,
+    input  wire [15:0] in_attribute_1,
+    input  wire [15:0] in_attribute_2,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_end,
+    output wire [23:0] out_center_x,
+    output wire [23:0] out_center_y,
+    output wire [23:0] out_center_z,
+    output wire [23:0] out_tangent1_x,
+    output wire [23:0] out_tangent1_y,
+    output wire [23:0] out_tangent1_z,
+    output wire [23:0] out_tangent2_x,
+    output wire [23:0] out_tangent2_y,
+    output wire [23:0] out_tangent2_z,
+    output wire [15:0] out_attribute_0,
+    output wire [15:0] out_attribute_1,
+    output wire [15:0] out_attribute_2
+);
+    reg second_valid;
+    reg [264:0] head;
+    reg [264:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [264:0] in_item = {
+        in_end,
+        in_center_x,
+        in_center_y,
+        in_center_z,
+        in_tangent1_x,
+        in_tangent1_y,
+        in_tangent1_z,
+        in_tangent2_x,
+        in_tangent2_y,
+        in_tangent2_z,
+        in_attribute_0,
+        in_attribute_1,
+        in_attribute_2
+    };
+
+    assign out_end = head[264];
+    assign out_center_x = head[263:240];
+    assign out_center_y = head[239:216];
+    assign out_center_z = head[215:192];
+    assign out_tangent1_x = head[191:168];
+    assign out_tangent1_y = head[167:144];
+    assign out_tangent1_z = head[143:120];
+    assign out_tangent2_x = head[119:96];
+    assign out_tangent2_y = head[95:72];
+    assign out_tangent2_z = head[71:48];
+    assign out_attribute_0 = head[47:32];
+    assign out_attribute_1 = head[31:16];
+    assign out_attribute_2 = head[15:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule

@@ -1,0 +1,2245 @@
+// The whole design is one file, named after its top.
+/* verilator lint_off DECLFILENAME */
+
+// Neighbor search on AXI.
+module search_axi (
+    input  wire clk,
+    input  wire rst,
+    input  wire s_axil_awvalid,
+    output wire s_axil_awready,
+    input  wire [11:0] s_axil_awaddr,
+    input  wire s_axil_wvalid,
+    output wire s_axil_wready,
+    input  wire [31:0] s_axil_wdata,
+    input  wire [3:0] s_axil_wstrb,
+    output wire s_axil_bvalid,
+    input  wire s_axil_bready,
+    output wire [1:0] s_axil_bresp,
+    input  wire s_axil_arvalid,
+    output wire s_axil_arready,
+    input  wire [11:0] s_axil_araddr,
+    output wire s_axil_rvalid,
+    input  wire s_axil_rready,
+    output wire [31:0] s_axil_rdata,
+    output wire [1:0] s_axil_rresp,
+    input  wire s_axis_query_tvalid,
+    output wire s_axis_query_tready,
+    input  wire [63:0] s_axis_query_tdata,
+    input  wire s_axis_query_tlast,
+    output wire m_axis_result_tvalid,
+    input  wire m_axis_result_tready,
+    output wire [63:0] m_axis_result_tdata,
+    output wire m_axis_result_tlast,
+    output wire m_axi_arvalid,
+    input  wire m_axi_arready,
+    output wire [3:0] m_axi_arid,
+    output wire [31:0] m_axi_araddr,
+    output wire [7:0] m_axi_arlen,
+    output wire [2:0] m_axi_arsize,
+    output wire [1:0] m_axi_arburst,
+    input  wire m_axi_rvalid,
+    output wire m_axi_rready,
+    input  wire [3:0] m_axi_rid,
+    input  wire [63:0] m_axi_rdata,
+    input  wire [1:0] m_axi_rresp,
+    input  wire m_axi_rlast,
+    output wire m_axi_tree_arvalid,
+    input  wire m_axi_tree_arready,
+    output wire [3:0] m_axi_tree_arid,
+    output wire [31:0] m_axi_tree_araddr,
+    output wire [7:0] m_axi_tree_arlen,
+    output wire [2:0] m_axi_tree_arsize,
+    output wire [1:0] m_axi_tree_arburst,
+    input  wire m_axi_tree_rvalid,
+    output wire m_axi_tree_rready,
+    input  wire [3:0] m_axi_tree_rid,
+    input  wire [63:0] m_axi_tree_rdata,
+    input  wire [1:0] m_axi_tree_rresp,
+    input  wire m_axi_tree_rlast,
+    output wire irq
+);
+    reg sets_up;
+    reg [31:0] queries_left;
+    reg [31:0] answers_left;
+    reg [2:0] beat;
+
+    wire core_lookup_valid;
+    wire [3:0] core_lookup_thread;
+    wire [20:0] core_lookup_address;
+    wire core_record_ready;
+    wire core_query_ready;
+    wire core_fetch_valid;
+    wire [3:0] core_fetch_thread;
+    wire [21:0] core_fetch_address;
+    wire [2:0] core_fetch_beats;
+    wire core_beat_ready;
+    wire core_result_valid;
+    wire [23:0] core_result_number;
+    wire core_result_last;
+    wire core_result_found;
+    wire [23:0] core_result_index;
+    wire [31:0] core_result_distance2;
+    wire core_result_cached;
+    wire core_event_node;
+    wire core_event_pop;
+    wire core_event_beat;
+    wire core_event_insert;
+    wire core_event_insert_wait;
+    wire core_event_thread_wait;
+    wire core_event_point_hit;
+    wire core_event_point_miss;
+    wire core_event_tree_hit;
+    wire core_event_tree_miss;
+    wire core_event_cache_hit;
+    wire core_event_cache_miss;
+    wire registers_s_axil_awready;
+    wire registers_s_axil_wready;
+    wire registers_s_axil_bvalid;
+    wire [1:0] registers_s_axil_bresp;
+    wire registers_busy;
+    wire registers_start;
+    wire registers_core_reset;
+    wire registers_s_axil_arready;
+    wire registers_s_axil_rvalid;
+    wire [31:0] registers_s_axil_rdata;
+    wire [1:0] registers_s_axil_rresp;
+    wire registers_irq;
+    wire [31:0] registers_points_base;
+    wire [31:0] registers_tree_base;
+    wire [31:0] registers_queries;
+    wire registers_cache_ball;
+    wire [31:0] registers_cache_far_scale;
+    wire [31:0] registers_cache_margin_scale;
+    wire queries_s_axis_tready;
+    wire queries_out_valid;
+    wire [23:0] queries_out_number;
+    wire [5:0] queries_out_k;
+    wire [31:0] queries_out_radius2;
+    wire [31:0] queries_out_x;
+    wire [31:0] queries_out_y;
+    wire [31:0] queries_out_z;
+    wire [31:0] queries_out_reach;
+    wire queries_taken;
+    wire queries_refused;
+    wire results_in_ready;
+    wire results_m_axis_tvalid;
+    wire [63:0] results_m_axis_tdata;
+    wire results_m_axis_tlast;
+    wire results_sent;
+    wire results_idle;
+    wire points_request_ready;
+    wire points_m_axi_arvalid;
+    wire [3:0] points_m_axi_arid;
+    wire [31:0] points_m_axi_araddr;
+    wire [7:0] points_m_axi_arlen;
+    wire [2:0] points_m_axi_arsize;
+    wire [1:0] points_m_axi_arburst;
+    wire points_m_axi_rready;
+    wire points_record_valid;
+    wire [31:0] points_record_x0;
+    wire [31:0] points_record_y0;
+    wire [31:0] points_record_z0;
+    wire [31:0] points_record_x1;
+    wire [31:0] points_record_y1;
+    wire [31:0] points_record_z1;
+    wire [31:0] points_record_x2;
+    wire [31:0] points_record_y2;
+    wire [31:0] points_record_z2;
+    wire [31:0] points_record_x3;
+    wire [31:0] points_record_y3;
+    wire [31:0] points_record_z3;
+    wire points_error;
+    wire points_misplaced;
+    wire fetches_in_ready;
+    wire fetches_out_valid;
+    wire [3:0] fetches_out_thread;
+    wire [21:0] fetches_out_address;
+    wire [2:0] fetches_out_beats;
+    wire tree_request_ready;
+    wire tree_m_axi_arvalid;
+    wire [3:0] tree_m_axi_arid;
+    wire [31:0] tree_m_axi_araddr;
+    wire [7:0] tree_m_axi_arlen;
+    wire [2:0] tree_m_axi_arsize;
+    wire [1:0] tree_m_axi_arburst;
+    wire tree_m_axi_rready;
+    wire tree_record_valid;
+    wire [63:0] tree_record_word;
+    wire tree_error;
+    wire tree_misplaced;
+    wire lookups_in_ready;
+    wire lookups_out_valid;
+    wire [3:0] lookups_out_thread;
+    wire [20:0] lookups_out_address;
+
+    wire core_lookup_ready = tree_request_ready & lookups_in_ready;
+    wire gives_record = tree_record_valid & lookups_out_valid;
+    wire core_fetch_ready = points_request_ready & fetches_in_ready;
+    wire gives_beat = points_record_valid & fetches_out_valid;
+    wire [2:0] sum_1 = beat + 3'd1;
+    wire last_beat = sum_1 == fetches_out_beats;
+    wire core_result_ready = results_in_ready;
+    wire choice_2 = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
+    wire queries_out_ready = core_query_ready;
+    wire [31:0] points_address = registers_points_base + {4'd0, core_fetch_address, 6'd0};
+    wire points_record_ready = core_beat_ready & fetches_out_valid;
+    wire beat_moves = gives_beat & core_beat_ready;
+    wire fetches_out_ready = beat_moves & last_beat;
+    wire [31:0] tree_address = registers_tree_base + {8'd0, core_lookup_address, 3'd0};
+    wire tree_record_ready = core_record_ready & lookups_out_valid;
+    wire lookups_out_ready = core_record_ready & tree_record_valid;
+    wire answered = core_result_valid & core_result_ready & core_result_last;
+
+    assign s_axil_awready = registers_s_axil_awready;
+    assign s_axil_wready = registers_s_axil_wready;
+    assign s_axil_bvalid = registers_s_axil_bvalid;
+    assign s_axil_bresp = registers_s_axil_bresp;
+    assign s_axil_arready = registers_s_axil_arready;
+    assign s_axil_rvalid = registers_s_axil_rvalid;
+    assign s_axil_rdata = registers_s_axil_rdata;
+    assign s_axil_rresp = registers_s_axil_rresp;
+    assign s_axis_query_tready = queries_s_axis_tready;
+    assign m_axis_result_tvalid = results_m_axis_tvalid;
+    assign m_axis_result_tdata = results_m_axis_tdata;
+    assign m_axis_result_tlast = results_m_axis_tlast;
+    assign m_axi_arvalid = points_m_axi_arvalid;
+    assign m_axi_arid = points_m_axi_arid;
+    assign m_axi_araddr = points_m_axi_araddr;
+    assign m_axi_arlen = points_m_axi_arlen;
+    assign m_axi_arsize = points_m_axi_arsize;
+    assign m_axi_arburst = points_m_axi_arburst;
+    assign m_axi_rready = points_m_axi_rready;
+    assign m_axi_tree_arvalid = tree_m_axi_arvalid;
+    assign m_axi_tree_arid = tree_m_axi_arid;
+    assign m_axi_tree_araddr = tree_m_axi_araddr;
+    assign m_axi_tree_arlen = tree_m_axi_arlen;
+    assign m_axi_tree_arsize = tree_m_axi_arsize;
+    assign m_axi_tree_arburst = tree_m_axi_arburst;
+    assign m_axi_tree_rready = tree_m_axi_rready;
+    assign irq = registers_irq;
+
+    search_top core (
+        .clk(clk),
+        .rst(rst | registers_core_reset),
+        .lookup_valid(core_lookup_valid),
+        .lookup_ready(core_lookup_ready),
+        .lookup_thread(core_lookup_thread),
+        .lookup_address(core_lookup_address),
+        .record_valid(gives_record),
+        .record_ready(core_record_ready),
+        .record_thread(lookups_out_thread),
+        .record_address(lookups_out_address),
+        .record_split(tree_record_word[31:0]),
+        .record_dimension(tree_record_word[33:32]),
+        .record_internal_leaf(tree_record_word[40]),
+        .record_begin(tree_record_word[21:0]),
+        .record_beats(tree_record_word[34:32]),
+        .setup_valid(sets_up),
+        .setup_ball(registers_cache_ball),
+        .setup_far_scale(registers_cache_far_scale),
+        .setup_margin_scale(registers_cache_margin_scale),
+        .query_valid(queries_out_valid),
+        .query_ready(core_query_ready),
+        .query_number(queries_out_number),
+        .query_k(queries_out_k),
+        .query_radius2(queries_out_radius2),
+        .query_x(queries_out_x),
+        .query_y(queries_out_y),
+        .query_z(queries_out_z),
+        .query_reach(queries_out_reach),
+        .fetch_valid(core_fetch_valid),
+        .fetch_ready(core_fetch_ready),
+        .fetch_thread(core_fetch_thread),
+        .fetch_address(core_fetch_address),
+        .fetch_beats(core_fetch_beats),
+        .beat_valid(gives_beat),
+        .beat_ready(core_beat_ready),
+        .beat_thread(fetches_out_thread),
+        .beat_address(fetches_out_address + {19'd0, beat}),
+        .beat_last(last_beat),
+        .beat_x0(points_record_x0),
+        .beat_y0(points_record_y0),
+        .beat_z0(points_record_z0),
+        .beat_x1(points_record_x1),
+        .beat_y1(points_record_y1),
+        .beat_z1(points_record_z1),
+        .beat_x2(points_record_x2),
+        .beat_y2(points_record_y2),
+        .beat_z2(points_record_z2),
+        .beat_x3(points_record_x3),
+        .beat_y3(points_record_y3),
+        .beat_z3(points_record_z3),
+        .result_valid(core_result_valid),
+        .result_ready(core_result_ready),
+        .result_number(core_result_number),
+        .result_last(core_result_last),
+        .result_found(core_result_found),
+        .result_index(core_result_index),
+        .result_distance2(core_result_distance2),
+        .result_cached(core_result_cached),
+        .event_node(core_event_node),
+        .event_pop(core_event_pop),
+        .event_beat(core_event_beat),
+        .event_insert(core_event_insert),
+        .event_insert_wait(core_event_insert_wait),
+        .event_thread_wait(core_event_thread_wait),
+        .event_point_hit(core_event_point_hit),
+        .event_point_miss(core_event_point_miss),
+        .event_tree_hit(core_event_tree_hit),
+        .event_tree_miss(core_event_tree_miss),
+        .event_cache_hit(core_event_cache_hit),
+        .event_cache_miss(core_event_cache_miss)
+    );
+
+    bus_registers registers (
+        .clk(clk),
+        .rst(rst),
+        .s_axil_awvalid(s_axil_awvalid),
+        .s_axil_awready(registers_s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr),
+        .s_axil_wvalid(s_axil_wvalid),
+        .s_axil_wready(registers_s_axil_wready),
+        .s_axil_wdata(s_axil_wdata),
+        .s_axil_wstrb(s_axil_wstrb),
+        .s_axil_bvalid(registers_s_axil_bvalid),
+        .s_axil_bready(s_axil_bready),
+        .s_axil_bresp(registers_s_axil_bresp),
+        .finished(~(|answers_left) & ~registers_start & results_idle),
+        .occupied(1'd0),
+        .busy(registers_busy),
+        .start(registers_start),
+        .core_reset(registers_core_reset),
+        .burst_error({points_misplaced, tree_misplaced}),
+        .packet_error(queries_refused),
+        .memory_error({points_error, tree_error}),
+        .packet_taken(queries_taken),
+        .packet_sent(results_sent),
+        .event_node(core_event_node),
+        .event_pop(core_event_pop),
+        .event_beat(core_event_beat),
+        .event_insert(core_event_insert),
+        .event_insert_wait(core_event_insert_wait),
+        .event_thread_wait(core_event_thread_wait),
+        .event_point_hit(core_event_point_hit),
+        .event_point_miss(core_event_point_miss),
+        .event_tree_hit(core_event_tree_hit),
+        .event_tree_miss(core_event_tree_miss),
+        .event_cache_hit(core_event_cache_hit),
+        .event_cache_miss(core_event_cache_miss),
+        .s_axil_arvalid(s_axil_arvalid),
+        .s_axil_arready(registers_s_axil_arready),
+        .s_axil_araddr(s_axil_araddr),
+        .s_axil_rvalid(registers_s_axil_rvalid),
+        .s_axil_rready(s_axil_rready),
+        .s_axil_rdata(registers_s_axil_rdata),
+        .s_axil_rresp(registers_s_axil_rresp),
+        .irq(registers_irq),
+        .points_base(registers_points_base),
+        .tree_base(registers_tree_base),
+        .queries(registers_queries),
+        .cache_ball(registers_cache_ball),
+        .cache_far_scale(registers_cache_far_scale),
+        .cache_margin_scale(registers_cache_margin_scale)
+    );
+
+    bus_packet_in queries (
+        .clk(clk),
+        .rst(rst),
+        .opens(registers_start),
+        .last((queries_left[31:2] == 30'd0) & choice_2),
+        .s_axis_tvalid(s_axis_query_tvalid),
+        .s_axis_tready(queries_s_axis_tready),
+        .s_axis_tdata(s_axis_query_tdata),
+        .s_axis_tlast(s_axis_query_tlast),
+        .out_valid(queries_out_valid),
+        .out_ready(queries_out_ready),
+        .out_number(queries_out_number),
+        .out_k(queries_out_k),
+        .out_radius2(queries_out_radius2),
+        .out_x(queries_out_x),
+        .out_y(queries_out_y),
+        .out_z(queries_out_z),
+        .out_reach(queries_out_reach),
+        .taken(queries_taken),
+        .refused(queries_refused)
+    );
+
+    bus_packet_out results (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(core_result_valid),
+        .in_ready(results_in_ready),
+        .in_number(core_result_number),
+        .in_last(core_result_last),
+        .in_found(core_result_found),
+        .in_index(core_result_index),
+        .in_distance2(core_result_distance2),
+        .in_cached(core_result_cached),
+        .m_axis_tvalid(results_m_axis_tvalid),
+        .m_axis_tready(m_axis_result_tready),
+        .m_axis_tdata(results_m_axis_tdata),
+        .m_axis_tlast(results_m_axis_tlast),
+        .sent(results_sent),
+        .idle(results_idle)
+    );
+
+    bus_reader_b8_r4 points (
+        .clk(clk),
+        .rst(rst),
+        .request_valid(core_fetch_valid & fetches_in_ready),
+        .request_ready(points_request_ready),
+        .request_address(points_address),
+        .request_records(core_fetch_beats),
+        .m_axi_arvalid(points_m_axi_arvalid),
+        .m_axi_arready(m_axi_arready),
+        .m_axi_arid(points_m_axi_arid),
+        .m_axi_araddr(points_m_axi_araddr),
+        .m_axi_arlen(points_m_axi_arlen),
+        .m_axi_arsize(points_m_axi_arsize),
+        .m_axi_arburst(points_m_axi_arburst),
+        .m_axi_rvalid(m_axi_rvalid),
+        .m_axi_rready(points_m_axi_rready),
+        .m_axi_rid(m_axi_rid),
+        .m_axi_rdata(m_axi_rdata),
+        .m_axi_rresp(m_axi_rresp),
+        .m_axi_rlast(m_axi_rlast),
+        .record_valid(points_record_valid),
+        .record_ready(points_record_ready),
+        .record_x0(points_record_x0),
+        .record_y0(points_record_y0),
+        .record_z0(points_record_z0),
+        .record_x1(points_record_x1),
+        .record_y1(points_record_y1),
+        .record_z1(points_record_z1),
+        .record_x2(points_record_x2),
+        .record_y2(points_record_y2),
+        .record_z2(points_record_z2),
+        .record_x3(points_record_x3),
+        .record_y3(points_record_y3),
+        .record_z3(points_record_z3),
+        .error(points_error),
+        .misplaced(points_misplaced)
+    );
+
+    stream_fifo_d16_w29 fetches (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(core_fetch_valid & points_request_ready),
+        .in_ready(fetches_in_ready),
+        .in_thread(core_fetch_thread),
+        .in_address(core_fetch_address),
+        .in_beats(core_fetch_beats),
+        .out_valid(fetches_out_valid),
+        .out_ready(fetches_out_ready),
+        .out_thread(fetches_out_thread),
+        .out_address(fetches_out_address),
+        .out_beats(fetches_out_beats)
+    );
+
+    bus_reader_b1_r1 tree (
+        .clk(clk),
+        .rst(rst),
+        .request_valid(core_lookup_valid & lookups_in_ready),
+        .request_ready(tree_request_ready),
+        .request_address(tree_address),
+        .request_records(1'd1),
+        .m_axi_arvalid(tree_m_axi_arvalid),
+        .m_axi_arready(m_axi_tree_arready),
+        .m_axi_arid(tree_m_axi_arid),
+        .m_axi_araddr(tree_m_axi_araddr),
+        .m_axi_arlen(tree_m_axi_arlen),
+        .m_axi_arsize(tree_m_axi_arsize),
+        .m_axi_arburst(tree_m_axi_arburst),
+        .m_axi_rvalid(m_axi_tree_rvalid),
+        .m_axi_rready(tree_m_axi_rready),
+        .m_axi_rid(m_axi_tree_rid),
+        .m_axi_rdata(m_axi_tree_rdata),
+        .m_axi_rresp(m_axi_tree_rresp),
+        .m_axi_rlast(m_axi_tree_rlast),
+        .record_valid(tree_record_valid),
+        .record_ready(tree_record_ready),
+        .record_word(tree_record_word),
+        .error(tree_error),
+        .misplaced(tree_misplaced)
+    );
+
+    stream_fifo_d16_w25_v2 lookups (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(core_lookup_valid & tree_request_ready),
+        .in_ready(lookups_in_ready),
+        .in_thread(core_lookup_thread),
+        .in_address(core_lookup_address),
+        .out_valid(lookups_out_valid),
+        .out_ready(lookups_out_ready),
+        .out_thread(lookups_out_thread),
+        .out_address(lookups_out_address)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            sets_up <= 1'd0;
+            queries_left <= 32'd0;
+            answers_left <= 32'd0;
+            beat <= 3'd0;
+        end else begin
+            sets_up <= registers_start;
+            queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
+            answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
+            if (beat_moves) begin
+                beat <= last_beat ? 3'd0 : sum_1;
+            end
+        end
+    end
+
+    wire _unused = &{1'b0, registers_busy, tree_record_word[39:35], tree_record_word[63:41]};
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 25
+module stream_fifo_d16_w25_v2 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [3:0] in_thread,
+    input  wire [20:0] in_address,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [3:0] out_thread,
+    output wire [20:0] out_address
+);
+    (* no_rw_check *)
+    reg [24:0] entries [0:15];
+    reg [4:0] held;
+    reg [4:0] waiting;
+    reg [3:0] write_address;
+    reg [3:0] read_address;
+    reg [24:0] item;
+
+    wire has_room = ~held[4];
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_thread = item[24:21];
+    assign out_address = item[20:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 4'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 4'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {in_thread, in_address};
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+`ifdef RTL_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 5'd16)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {4'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Reads records from memory in bursts.
+// beats = 1
+// width = 64
+// records = 1
+module bus_reader_b1_r1 (
+    input  wire clk,
+    input  wire rst,
+    input  wire request_valid,
+    output wire request_ready,
+    input  wire [31:0] request_address,
+    input  wire request_records,
+    output wire m_axi_arvalid,
+    input  wire m_axi_arready,
+    output wire [3:0] m_axi_arid,
+    output wire [31:0] m_axi_araddr,
+    output wire [7:0] m_axi_arlen,
+    output wire [2:0] m_axi_arsize,
+    output wire [1:0] m_axi_arburst,
+    input  wire m_axi_rvalid,
+    output wire m_axi_rready,
+    input  wire [3:0] m_axi_rid,
+    input  wire [63:0] m_axi_rdata,
+    input  wire [1:0] m_axi_rresp,
+    input  wire m_axi_rlast,
+    output reg  record_valid,
+    input  wire record_ready,
+    output wire [63:0] record_word,
+    output reg  error,
+    output reg  misplaced
+);
+    reg held;
+    reg [28:0] address;
+    reg [63:0] held_word_0;
+    reg is_wrong;
+
+    wire address_queue_in_ready;
+    wire address_queue_out_valid;
+    wire [28:0] address_queue_out_address;
+    wire [7:0] address_queue_out_length;
+    wire beat_queue_in_ready;
+    wire beat_queue_out_valid;
+    wire [63:0] beat_queue_out_data;
+    wire beat_queue_out_last;
+
+    wire takes_request = ~held | address_queue_in_ready;
+    assign request_ready = takes_request;
+    wire issues = held & address_queue_in_ready;
+    wire address_queue_out_ready = m_axi_arready;
+    wire record_taken = record_ready;
+    wire advance = ~record_valid | record_taken;
+    wire beat_queue_out_ready = advance;
+    wire moves = beat_queue_out_valid & advance;
+    wire ends = 1'd1;
+    wire term_1 = is_wrong | (beat_queue_out_last ^ ends);
+
+    assign m_axi_arvalid = address_queue_out_valid;
+    assign m_axi_arid = 4'd0;
+    assign m_axi_araddr = {address_queue_out_address, 3'd0};
+    assign m_axi_arlen = address_queue_out_length;
+    assign m_axi_arsize = 3'd3;
+    assign m_axi_arburst = 2'd1;
+    assign m_axi_rready = beat_queue_in_ready;
+    assign record_word = held_word_0;
+
+    stream_skid_w37 address_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(issues),
+        .in_ready(address_queue_in_ready),
+        .in_address(address),
+        .in_length(8'd0),
+        .out_valid(address_queue_out_valid),
+        .out_ready(address_queue_out_ready),
+        .out_address(address_queue_out_address),
+        .out_length(address_queue_out_length)
+    );
+
+    stream_skid_w65 beat_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(m_axi_rvalid),
+        .in_ready(beat_queue_in_ready),
+        .in_data(m_axi_rdata),
+        .in_last(m_axi_rlast),
+        .out_valid(beat_queue_out_valid),
+        .out_ready(beat_queue_out_ready),
+        .out_data(beat_queue_out_data),
+        .out_last(beat_queue_out_last)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 1'd0;
+            record_valid <= 1'd0;
+            error <= 1'd0;
+            is_wrong <= 1'd0;
+            misplaced <= 1'd0;
+        end else begin
+            if (takes_request) begin
+                held <= request_valid;
+            end
+            if (advance) begin
+                record_valid <= moves;
+            end
+            error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
+            misplaced <= moves & (ends & term_1);
+            if (moves) begin
+                is_wrong <= ~ends & term_1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (takes_request) begin
+            address <= request_address[31:3];
+        end
+        if (moves) begin
+            held_word_0 <= beat_queue_out_data;
+        end
+    end
+
+    wire _unused = &{1'b0, m_axi_rid, request_address[2:0], request_records};
+endmodule
+
+// Queue of two in registers.
+// width = 37
+module stream_skid_w37 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [28:0] in_address,
+    input  wire [7:0] in_length,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [28:0] out_address,
+    output wire [7:0] out_length
+);
+    reg second_valid;
+    reg [36:0] head;
+    reg [36:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [36:0] in_item = {in_address, in_length};
+
+    assign out_address = head[36:8];
+    assign out_length = head[7:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 29
+module stream_fifo_d16_w29 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [3:0] in_thread,
+    input  wire [21:0] in_address,
+    input  wire [2:0] in_beats,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [3:0] out_thread,
+    output wire [21:0] out_address,
+    output wire [2:0] out_beats
+);
+    (* no_rw_check *)
+    reg [28:0] entries [0:15];
+    reg [4:0] held;
+    reg [4:0] waiting;
+    reg [3:0] write_address;
+    reg [3:0] read_address;
+    reg [28:0] item;
+
+    wire has_room = ~held[4];
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_thread = item[28:25];
+    assign out_address = item[24:3];
+    assign out_beats = item[2:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 4'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 4'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= {in_thread, in_address, in_beats};
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+`ifdef RTL_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 5'd16)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {4'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Reads records from memory in bursts.
+// beats = 8
+// width = 64
+// records = 4
+module bus_reader_b8_r4 (
+    input  wire clk,
+    input  wire rst,
+    input  wire request_valid,
+    output wire request_ready,
+    input  wire [31:0] request_address,
+    input  wire [2:0] request_records,
+    output wire m_axi_arvalid,
+    input  wire m_axi_arready,
+    output wire [3:0] m_axi_arid,
+    output wire [31:0] m_axi_araddr,
+    output wire [7:0] m_axi_arlen,
+    output wire [2:0] m_axi_arsize,
+    output wire [1:0] m_axi_arburst,
+    input  wire m_axi_rvalid,
+    output wire m_axi_rready,
+    input  wire [3:0] m_axi_rid,
+    input  wire [63:0] m_axi_rdata,
+    input  wire [1:0] m_axi_rresp,
+    input  wire m_axi_rlast,
+    output reg  record_valid,
+    input  wire record_ready,
+    output wire [31:0] record_x0,
+    output wire [31:0] record_y0,
+    output wire [31:0] record_z0,
+    output wire [31:0] record_x1,
+    output wire [31:0] record_y1,
+    output wire [31:0] record_z1,
+    output wire [31:0] record_x2,
+    output wire [31:0] record_y2,
+    output wire [31:0] record_z2,
+    output wire [31:0] record_x3,
+    output wire [31:0] record_y3,
+    output wire [31:0] record_z3,
+    output reg  error,
+    output reg  misplaced
+);
+    reg held;
+    reg [25:0] address;
+    reg [2:0] records;
+    reg [7:0] number;
+    reg [31:0] held_x0_0;
+    reg [31:0] held_y0_0;
+    reg [31:0] held_z0_0;
+    reg [31:0] held_x1_0;
+    reg [31:0] held_y1_0;
+    reg [31:0] held_z1_0;
+    reg [31:0] held_x2_0;
+    reg [31:0] held_y2_0;
+    reg [31:0] held_z2_0;
+    reg [31:0] held_x3_0;
+    reg [31:0] held_y3_0;
+    reg [31:0] held_z3_0;
+    reg is_wrong;
+
+    wire address_queue_in_ready;
+    wire address_queue_out_valid;
+    wire [25:0] address_queue_out_address;
+    wire [7:0] address_queue_out_length;
+    wire length_queue_in_ready;
+    wire length_queue_out_valid;
+    wire [7:0] length_queue_out_length;
+    wire beat_queue_in_ready;
+    wire beat_queue_out_valid;
+    wire [63:0] beat_queue_out_data;
+    wire beat_queue_out_last;
+
+    wire issues = held & (address_queue_in_ready & length_queue_in_ready);
+    wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
+    wire crosses = room_records < {3'd0, records};
+    wire takes_request = ~held | (issues & ~crosses);
+    assign request_ready = takes_request;
+    wire [5:0] burst = crosses ? room_records : {3'd0, records};
+    wire [8:0] difference_1 = {burst, 3'd0} - 9'd1;
+    wire [7:0] length = difference_1[7:0];
+    wire address_queue_out_ready = m_axi_arready;
+    wire record_taken = record_ready;
+    wire advance = ~record_valid | record_taken;
+    wire beat_queue_out_ready = advance & length_queue_out_valid;
+    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire ends = number == length_queue_out_length;
+    wire length_queue_out_ready = moves & ends;
+    wire term_2 = takes_request | issues;
+    wire [5:0] difference_3 = {3'd0, records} - room_records;
+    wire takes_beat_0 = moves & (number[2:0] == 3'd0);
+    wire takes_beat_1 = moves & (number[2:0] == 3'd1);
+    wire takes_beat_2 = moves & (number[2:0] == 3'd2);
+    wire takes_beat_3 = moves & (number[2:0] == 3'd3);
+    wire takes_beat_4 = moves & (number[2:0] == 3'd4);
+    wire takes_beat_5 = moves & (number[2:0] == 3'd5);
+    wire term_4 = is_wrong | (beat_queue_out_last ^ ends);
+
+    assign m_axi_arvalid = address_queue_out_valid;
+    assign m_axi_arid = 4'd0;
+    assign m_axi_araddr = {address_queue_out_address, 6'd0};
+    assign m_axi_arlen = address_queue_out_length;
+    assign m_axi_arsize = 3'd3;
+    assign m_axi_arburst = 2'd1;
+    assign m_axi_rready = beat_queue_in_ready;
+    assign record_x0 = held_x0_0;
+    assign record_y0 = held_y0_0;
+    assign record_z0 = held_z0_0;
+    assign record_x1 = held_x1_0;
+    assign record_y1 = held_y1_0;
+    assign record_z1 = held_z1_0;
+    assign record_x2 = held_x2_0;
+    assign record_y2 = held_y2_0;
+    assign record_z2 = held_z2_0;
+    assign record_x3 = held_x3_0;
+    assign record_y3 = held_y3_0;
+    assign record_z3 = held_z3_0;
+
+    stream_skid_w34 address_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(issues),
+        .in_ready(address_queue_in_ready),
+        .in_address(address),
+        .in_length(length),
+        .out_valid(address_queue_out_valid),
+        .out_ready(address_queue_out_ready),
+        .out_address(address_queue_out_address),
+        .out_length(address_queue_out_length)
+    );
+
+    stream_fifo_d16_w8 length_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(issues),
+        .in_ready(length_queue_in_ready),
+        .in_length(length),
+        .out_valid(length_queue_out_valid),
+        .out_ready(length_queue_out_ready),
+        .out_length(length_queue_out_length)
+    );
+
+    stream_skid_w65 beat_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(m_axi_rvalid),
+        .in_ready(beat_queue_in_ready),
+        .in_data(m_axi_rdata),
+        .in_last(m_axi_rlast),
+        .out_valid(beat_queue_out_valid),
+        .out_ready(beat_queue_out_ready),
+        .out_data(beat_queue_out_data),
+        .out_last(beat_queue_out_last)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 1'd0;
+            record_valid <= 1'd0;
+            number <= 8'd0;
+            error <= 1'd0;
+            is_wrong <= 1'd0;
+            misplaced <= 1'd0;
+        end else begin
+            if (takes_request) begin
+                held <= request_valid;
+            end
+            if (advance) begin
+                record_valid <= moves & (number[2:0] == 3'd7);
+            end
+            if (moves) begin
+                number <= ends ? 8'd0 : (number + 8'd1);
+                is_wrong <= ~ends & term_4;
+            end
+            error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
+            misplaced <= moves & (ends & term_4);
+        end
+    end
+    always @(posedge clk) begin
+        if (term_2) begin
+            address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
+            records <= takes_request ? request_records : difference_3[2:0];
+        end
+        if (takes_beat_0) begin
+            held_x0_0 <= beat_queue_out_data[31:0];
+            held_y0_0 <= beat_queue_out_data[63:32];
+        end
+        if (takes_beat_1) begin
+            held_z0_0 <= beat_queue_out_data[31:0];
+            held_x1_0 <= beat_queue_out_data[63:32];
+        end
+        if (takes_beat_2) begin
+            held_y1_0 <= beat_queue_out_data[31:0];
+            held_z1_0 <= beat_queue_out_data[63:32];
+        end
+        if (takes_beat_3) begin
+            held_x2_0 <= beat_queue_out_data[31:0];
+            held_y2_0 <= beat_queue_out_data[63:32];
+        end
+        if (takes_beat_4) begin
+            held_z2_0 <= beat_queue_out_data[31:0];
+            held_x3_0 <= beat_queue_out_data[63:32];
+        end
+        if (takes_beat_5) begin
+            held_y3_0 <= beat_queue_out_data[31:0];
+            held_z3_0 <= beat_queue_out_data[63:32];
+        end
+    end
+
+    wire _unused = &{1'b0, difference_1[8], difference_3[5:3], m_axi_rid, request_address[5:0]};
+endmodule
+
+// Queue in a memory with a registered output.
+// depth = 16
+// width = 8
+module stream_fifo_d16_w8 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [7:0] in_length,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [7:0] out_length
+);
+    (* no_rw_check *)
+    reg [7:0] entries [0:15];
+    reg [4:0] held;
+    reg [4:0] waiting;
+    reg [3:0] write_address;
+    reg [3:0] read_address;
+    reg [7:0] item;
+
+    wire has_room = ~held[4];
+    assign in_ready = has_room;
+    wire push = in_valid & in_ready;
+    wire out_taken = out_ready;
+    wire pop = out_valid & out_taken;
+    wire fetch = |waiting & (~out_valid | out_taken);
+
+    assign out_length = item;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 5'd0;
+            waiting <= 5'd0;
+            write_address <= 4'd0;
+            read_address <= 4'd0;
+            out_valid <= 1'd0;
+        end else begin
+            held <= (held + {4'd0, push}) - {4'd0, pop};
+            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
+            out_valid <= fetch | (out_valid & ~out_taken);
+            if (push) begin
+                write_address <= write_address + 4'd1;
+            end
+            if (fetch) begin
+                read_address <= read_address + 4'd1;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (push) begin
+            entries[write_address] <= in_length;
+        end
+        if (fetch) begin
+            item <= entries[read_address];
+        end
+`ifdef RTL_ASSERT
+        if ((push) && (fetch) && (write_address) == (read_address)) begin
+            item <= ~entries[read_address];
+        end
+`endif
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(held <= 5'd16)) begin
+`ifdef FORMAL
+                held_in_range: assert (0);
+`else
+                $display("assertion failed: held_in_range in %m");
+                $stop;
+`endif
+            end
+            if (!(held == (waiting + {4'd0, out_valid}))) begin
+`ifdef FORMAL
+                held_is_waiting_and_shown: assert (0);
+`else
+                $display("assertion failed: held_is_waiting_and_shown in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Queue of two in registers.
+// width = 34
+module stream_skid_w34 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [25:0] in_address,
+    input  wire [7:0] in_length,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [25:0] out_address,
+    output wire [7:0] out_length
+);
+    reg second_valid;
+    reg [33:0] head;
+    reg [33:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [33:0] in_item = {in_address, in_length};
+
+    assign out_address = head[33:8];
+    assign out_length = head[7:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Spreads records over the beats of packets.
+// beats = 3
+// width = 64
+module bus_packet_out (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [23:0] in_number,
+    input  wire in_last,
+    input  wire in_found,
+    input  wire [23:0] in_index,
+    input  wire [31:0] in_distance2,
+    input  wire in_cached,
+    output wire m_axis_tvalid,
+    input  wire m_axis_tready,
+    output wire [63:0] m_axis_tdata,
+    output wire m_axis_tlast,
+    output reg  sent,
+    output wire idle
+);
+    reg held;
+    reg [1:0] place;
+    reg [23:0] held_number;
+    reg held_last;
+    reg held_found;
+    reg [23:0] held_index;
+    reg [31:0] held_distance2;
+    reg held_cached;
+
+    wire beat_queue_in_ready;
+    wire beat_queue_out_valid;
+    wire [63:0] beat_queue_out_data;
+    wire beat_queue_out_last;
+
+    wire moves = held & beat_queue_in_ready;
+    wire at_end = place == 2'd2;
+    wire leaves = moves & at_end;
+    wire takes_record = ~held | leaves;
+    assign in_ready = takes_record;
+    wire [63:0] choice_1 = place[0] ? {held_distance2, 8'd0, held_index} : {23'd0, held_found, 7'd0, held_last, 8'd0, held_number};
+    wire beat_queue_out_ready = m_axis_tready;
+    wire takes = in_valid & takes_record;
+
+    assign m_axis_tvalid = beat_queue_out_valid;
+    assign m_axis_tdata = beat_queue_out_data;
+    assign m_axis_tlast = beat_queue_out_last;
+    assign idle = ~held & ~beat_queue_out_valid;
+
+    stream_skid_w65 beat_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(held),
+        .in_ready(beat_queue_in_ready),
+        .in_data(place[1] ? {63'd0, held_cached} : choice_1),
+        .in_last(at_end),
+        .out_valid(beat_queue_out_valid),
+        .out_ready(beat_queue_out_ready),
+        .out_data(beat_queue_out_data),
+        .out_last(beat_queue_out_last)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            held <= 1'd0;
+            place <= 2'd0;
+            sent <= 1'd0;
+        end else begin
+            held <= takes | (held & ~leaves);
+            sent <= beat_queue_out_valid & beat_queue_out_ready & beat_queue_out_last;
+            if (moves) begin
+                place <= at_end ? 2'd0 : (place + 2'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (takes) begin
+            held_number <= in_number;
+            held_last <= in_last;
+            held_found <= in_found;
+            held_index <= in_index;
+            held_distance2 <= in_distance2;
+            held_cached <= in_cached;
+        end
+    end
+endmodule
+
+// Queue of two in registers.
+// width = 65
+module stream_skid_w65 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire [63:0] in_data,
+    input  wire in_last,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [63:0] out_data,
+    output wire out_last
+);
+    reg second_valid;
+    reg [64:0] head;
+    reg [64:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [64:0] in_item = {in_data, in_last};
+
+    assign out_data = head[64:1];
+    assign out_last = head[0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Gathers the beats of packets into records.
+// beats = 4
+// width = 64
+module bus_packet_in (
+    input  wire clk,
+    input  wire rst,
+    input  wire opens,
+    input  wire last,
+    input  wire s_axis_tvalid,
+    output wire s_axis_tready,
+    input  wire [63:0] s_axis_tdata,
+    input  wire s_axis_tlast,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire [23:0] out_number,
+    output wire [5:0] out_k,
+    output wire [31:0] out_radius2,
+    output wire [31:0] out_x,
+    output wire [31:0] out_y,
+    output wire [31:0] out_z,
+    output wire [31:0] out_reach,
+    output reg  taken,
+    output reg  refused
+);
+    reg [1:0] place;
+    reg is_overlong;
+    reg in_range;
+    reg begun;
+    reg is_open;
+    reg [23:0] held_number_0;
+    reg [5:0] held_k_0;
+    reg [31:0] held_radius2_0;
+    reg [31:0] held_x_0;
+    reg [31:0] held_y_0;
+    reg [31:0] held_z_0;
+    reg [31:0] held_reach_0;
+
+    wire beat_queue_in_ready;
+    wire beat_queue_out_valid;
+    wire beat_queue_out_good;
+    wire [63:0] beat_queue_out_data;
+    wire [1:0] beat_queue_out_place;
+
+    wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
+    wire takes = s_axis_tvalid & s_axis_ready;
+    wire term_1 = takes & ~is_overlong;
+    wire term_2 = place == 2'd3;
+    wire whole = takes & (s_axis_tlast & (term_2 & ~is_overlong));
+    wire good = whole & in_range;
+    wire out_taken = out_ready;
+    wire advance = ~out_valid | out_taken;
+    wire beat_queue_out_ready = advance;
+    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire takes_beat_0 = moves & (beat_queue_out_place == 2'd0);
+    wire takes_beat_1 = moves & (beat_queue_out_place == 2'd1);
+    wire takes_beat_2 = moves & (beat_queue_out_place == 2'd2);
+    wire takes_beat_3 = moves & (beat_queue_out_place == 2'd3);
+
+    assign s_axis_tready = s_axis_ready;
+    assign out_number = held_number_0;
+    assign out_k = held_k_0;
+    assign out_radius2 = held_radius2_0;
+    assign out_x = held_x_0;
+    assign out_y = held_y_0;
+    assign out_z = held_z_0;
+    assign out_reach = held_reach_0;
+
+    stream_skid_w67 beat_queue (
+        .clk(clk),
+        .rst(rst),
+        .in_valid(term_1),
+        .in_ready(beat_queue_in_ready),
+        .in_good(good),
+        .in_data(s_axis_tdata),
+        .in_place(place),
+        .out_valid(beat_queue_out_valid),
+        .out_ready(beat_queue_out_ready),
+        .out_good(beat_queue_out_good),
+        .out_data(beat_queue_out_data),
+        .out_place(beat_queue_out_place)
+    );
+
+    always @(posedge clk) begin
+        if (rst) begin
+            place <= 2'd0;
+            is_overlong <= 1'd0;
+            begun <= 1'd0;
+            is_open <= 1'd0;
+            out_valid <= 1'd0;
+            taken <= 1'd0;
+            refused <= 1'd0;
+        end else begin
+            if (term_1) begin
+                place <= (s_axis_tlast | term_2) ? 2'd0 : (place + 2'd1);
+            end
+            if (takes) begin
+                is_overlong <= ~s_axis_tlast & (is_overlong | term_2);
+                begun <= ~s_axis_tlast;
+            end
+            is_open <= opens | (is_open & ~(good & last));
+            taken <= good;
+            refused <= (takes & ((s_axis_tlast ^ term_2) & ~is_overlong)) | (whole & ~in_range);
+            if (advance) begin
+                out_valid <= beat_queue_out_valid & beat_queue_out_good;
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (takes & (place == 2'd0)) begin
+            in_range <= (6'd1 <= s_axis_tdata[37:32]) & ~(6'd32 < s_axis_tdata[37:32]);
+        end
+        if (takes_beat_0) begin
+            held_number_0 <= beat_queue_out_data[23:0];
+            held_k_0 <= beat_queue_out_data[37:32];
+        end
+        if (takes_beat_1) begin
+            held_radius2_0 <= beat_queue_out_data[31:0];
+            held_x_0 <= beat_queue_out_data[63:32];
+        end
+        if (takes_beat_2) begin
+            held_y_0 <= beat_queue_out_data[31:0];
+            held_z_0 <= beat_queue_out_data[63:32];
+        end
+        if (takes_beat_3) begin
+            held_reach_0 <= beat_queue_out_data[31:0];
+        end
+    end
+endmodule
+
+// Queue of two in registers.
+// width = 67
+module stream_skid_w67 (
+    input  wire clk,
+    input  wire rst,
+    input  wire in_valid,
+    output wire in_ready,
+    input  wire in_good,
+    input  wire [63:0] in_data,
+    input  wire [1:0] in_place,
+    output reg  out_valid,
+    input  wire out_ready,
+    output wire out_good,
+    output wire [63:0] out_data,
+    output wire [1:0] out_place
+);
+    reg second_valid;
+    reg [66:0] head;
+    reg [66:0] second;
+
+    assign in_ready = ~second_valid;
+    wire advance = ~out_valid | out_ready;
+    wire some_item = second_valid | in_valid;
+    wire [66:0] in_item = {in_good, in_data, in_place};
+
+    assign out_good = head[66];
+    assign out_data = head[65:2];
+    assign out_place = head[1:0];
+
+    always @(posedge clk) begin
+        if (rst) begin
+            out_valid <= 1'd0;
+            second_valid <= 1'd0;
+        end else begin
+            if (advance) begin
+                out_valid <= some_item;
+            end
+            second_valid <= ~advance & some_item;
+        end
+    end
+    always @(posedge clk) begin
+        if (advance) begin
+            head <= second_valid ? second : in_item;
+        end
+        if (in_ready) begin
+            second <= in_item;
+        end
+    end
+
+`ifdef RTL_ASSERT
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(out_valid | in_ready)) begin
+`ifdef FORMAL
+                second_waits_behind_head: assert (0);
+`else
+                $display("assertion failed: second_waits_behind_head in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+`endif
+endmodule
+
+// Registers of a core.
+// registers = 30
+module bus_registers (
+    input  wire clk,
+    input  wire rst,
+    input  wire s_axil_awvalid,
+    output wire s_axil_awready,
+    input  wire [11:0] s_axil_awaddr,
+    input  wire s_axil_wvalid,
+    output wire s_axil_wready,
+    input  wire [31:0] s_axil_wdata,
+    input  wire [3:0] s_axil_wstrb,
+    output reg  s_axil_bvalid,
+    input  wire s_axil_bready,
+    output wire [1:0] s_axil_bresp,
+    input  wire finished,
+    input  wire occupied,
+    output reg  busy,
+    output reg  start,
+    output reg  core_reset,
+    input  wire [1:0] burst_error,
+    input  wire packet_error,
+    input  wire [1:0] memory_error,
+    input  wire packet_taken,
+    input  wire packet_sent,
+    input  wire event_node,
+    input  wire event_pop,
+    input  wire event_beat,
+    input  wire event_insert,
+    input  wire event_insert_wait,
+    input  wire event_thread_wait,
+    input  wire event_point_hit,
+    input  wire event_point_miss,
+    input  wire event_tree_hit,
+    input  wire event_tree_miss,
+    input  wire event_cache_hit,
+    input  wire event_cache_miss,
+    input  wire s_axil_arvalid,
+    output wire s_axil_arready,
+    input  wire [11:0] s_axil_araddr,
+    output reg  s_axil_rvalid,
+    input  wire s_axil_rready,
+    output reg  [31:0] s_axil_rdata,
+    output wire [1:0] s_axil_rresp,
+    output reg  irq,
+    output wire [31:0] points_base,
+    output wire [31:0] tree_base,
+    output wire [31:0] queries,
+    output wire cache_ball,
+    output wire [31:0] cache_far_scale,
+    output wire [31:0] cache_margin_scale
+);
+    (* ram_style = "distributed" *)
+    reg [31:0] words [0:19];
+    reg has_address;
+    reg has_data;
+    reg [11:0] write_address;
+    reg [31:0] write_data;
+    reg write_strobes;
+    reg write_is_okay;
+    reg interrupt_enable_bits;
+    reg [19:0] points_base_bits;
+    reg [19:0] tree_base_bits;
+    reg [31:0] queries_bits;
+    reg cache_ball_bits;
+    reg [31:0] cache_far_scale_bits;
+    reg [31:0] cache_margin_scale_bits;
+    reg clear_errors;
+    reg done;
+    reg has_read_address;
+    reg [11:0] read_address;
+    reg error;
+    reg adds;
+    reg [4:0] visited;
+    reg [7:0] part_0;
+    reg void_0;
+    reg [6:0] part_1;
+    reg void_1;
+    reg [7:0] part_2;
+    reg void_2;
+    reg [6:0] part_3;
+    reg void_3;
+    reg [7:0] part_4;
+    reg void_4;
+    reg [6:0] part_5;
+    reg void_5;
+    reg [6:0] part_6;
+    reg void_6;
+    reg [6:0] part_7;
+    reg void_7;
+    reg [6:0] part_8;
+    reg void_8;
+    reg [6:0] part_9;
+    reg void_9;
+    reg [6:0] part_10;
+    reg void_10;
+    reg [6:0] part_11;
+    reg void_11;
+    reg [6:0] part_12;
+    reg void_12;
+    reg [6:0] part_13;
+    reg void_13;
+    reg [6:0] part_14;
+    reg void_14;
+    reg [6:0] part_15;
+    reg void_15;
+    reg [6:0] part_16;
+    reg void_16;
+    reg [6:0] part_17;
+    reg void_17;
+    reg [6:0] part_18;
+    reg void_18;
+    reg [6:0] part_19;
+    reg void_19;
+    reg [7:0] part;
+    reg is_void;
+    reg [31:0] word;
+    reg [4:0] round;
+    reg for_read;
+    reg read_valid;
+    reg [31:0] read_value;
+    reg read_is_error;
+
+    wire read_ready = ~(has_read_address | s_axil_rvalid);
+    wire judges = has_address & (has_data & ~s_axil_bvalid);
+    wire term_1 = write_address[11:2] == 10'd1;
+    wire term_2 = write_address[11:2] == 10'd3;
+    wire term_3 = write_address[11:2] == 10'd32;
+    wire term_4 = write_address[11:2] == 10'd33;
+    wire term_5 = write_address[11:2] == 10'd34;
+    wire term_6 = write_address[11:2] == 10'd35;
+    wire term_7 = write_address[11:2] == 10'd36;
+    wire term_8 = term_1 | term_2 | term_3 | term_4 | term_5 | term_6 | term_7;
+    wire term_9 = write_address[11:2] == 10'd37;
+    wire shaped = write_strobes & (write_address[1:0] == 2'd0) & (term_8 | term_9);
+    wire term_10 = (term_1 & (write_data[0] | write_data[1])) | term_3 | term_4;
+    wire idle_only = term_10 | term_5 | term_6 | term_7 | term_9;
+    wire wants_start = term_1 & write_data[0];
+    wire blocked = (idle_only & busy) | (wants_start & occupied);
+    wire term_11 = (term_3 & |write_data[11:0]) | (term_4 & |write_data[11:0]);
+    wire senseless = term_11 | (wants_start & (queries_bits == 32'd0));
+    wire write_accepted = judges & (shaped & ~(blocked | senseless));
+    wire commands = write_accepted & term_1;
+    wire starts = commands & write_data[0];
+    reg [5:0] found;
+    always @(*) begin
+        case (read_address[6:2])
+            5'd0: found = 6'd0;
+            5'd1: found = 6'd0;
+            5'd2: found = 6'd0;
+            5'd3: found = 6'd0;
+            5'd4: found = 6'd32;
+            5'd5: found = 6'd33;
+            5'd6: found = 6'd34;
+            5'd7: found = 6'd35;
+            5'd8: found = 6'd36;
+            5'd9: found = 6'd37;
+            5'd10: found = 6'd38;
+            5'd11: found = 6'd39;
+            5'd12: found = 6'd0;
+            5'd13: found = 6'd0;
+            5'd14: found = 6'd0;
+            5'd15: found = 6'd0;
+            5'd16: found = 6'd40;
+            5'd17: found = 6'd41;
+            5'd18: found = 6'd42;
+            5'd19: found = 6'd43;
+            5'd20: found = 6'd44;
+            5'd21: found = 6'd45;
+            5'd22: found = 6'd46;
+            5'd23: found = 6'd47;
+            5'd24: found = 6'd48;
+            5'd25: found = 6'd49;
+            5'd26: found = 6'd50;
+            5'd27: found = 6'd51;
+            5'd28: found = 6'd0;
+            5'd29: found = 6'd0;
+            5'd30: found = 6'd0;
+            default: found = 6'd0;
+        endcase
+    end
+    wire reads_counter = found[5] & (read_address[11:7] == 5'd0);
+    wire term_12 = read_address[11:2] == 10'd0;
+    wire term_13 = read_address[11:2] == 10'd2;
+    wire term_14 = read_address[11:2] == 10'd3;
+    wire term_15 = read_address[11:2] == 10'd32;
+    wire term_16 = read_address[11:2] == 10'd33;
+    wire term_17 = read_address[11:2] == 10'd34;
+    wire term_18 = term_12 | term_13 | term_14 | term_15 | term_16 | term_17;
+    wire term_19 = read_address[11:2] == 10'd35;
+    wire term_20 = read_address[11:2] == 10'd36;
+    wire term_21 = read_address[11:2] == 10'd37;
+    wire term_22 = (read_address[1:0] == 2'd0) & (term_18 | term_19 | term_20 | term_21 | reads_counter);
+    wire refused_read = has_read_address & ~term_22;
+    wire asks = has_read_address & (reads_counter & ~refused_read);
+    wire answers = has_read_address & (~asks | read_valid);
+    wire refused_write = judges & (~shaped | (~blocked & senseless));
+    wire refused_busy = judges & (shaped & blocked);
+    wire term_23 = refused_write | refused_read | refused_busy | burst_error[0];
+    wire term_24 = term_23 | burst_error[1] | packet_error | memory_error[0];
+    wire looks = ~adds;
+    wire turns_aside = asks & ~for_read;
+    wire visits_0 = looks & (visited == 5'd0);
+    wire [7:0] sum_25 = {7'd0, refused_write} + {7'd0, refused_read};
+    wire visits_1 = looks & (visited == 5'd1);
+    wire visits_2 = looks & (visited == 5'd2);
+    wire [7:0] sum_26 = {7'd0, burst_error[0]} + {7'd0, burst_error[1]};
+    wire visits_3 = looks & (visited == 5'd3);
+    wire visits_4 = looks & (visited == 5'd4);
+    wire [7:0] sum_27 = {7'd0, memory_error[0]} + {7'd0, memory_error[1]};
+    wire visits_5 = looks & (visited == 5'd5);
+    wire visits_6 = looks & (visited == 5'd6);
+    wire term_28 = packet_taken & busy;
+    wire [6:0] joined_29 = {6'd0, term_28};
+    wire visits_7 = looks & (visited == 5'd7);
+    wire term_30 = packet_sent & busy;
+    wire [6:0] joined_31 = {6'd0, term_30};
+    wire visits_8 = looks & (visited == 5'd8);
+    wire term_32 = event_node & busy;
+    wire [6:0] joined_33 = {6'd0, term_32};
+    wire visits_9 = looks & (visited == 5'd9);
+    wire term_34 = event_pop & busy;
+    wire [6:0] joined_35 = {6'd0, term_34};
+    wire visits_10 = looks & (visited == 5'd10);
+    wire term_36 = event_beat & busy;
+    wire [6:0] joined_37 = {6'd0, term_36};
+    wire visits_11 = looks & (visited == 5'd11);
+    wire term_38 = event_insert & busy;
+    wire [6:0] joined_39 = {6'd0, term_38};
+    wire visits_12 = looks & (visited == 5'd12);
+    wire term_40 = event_insert_wait & busy;
+    wire [6:0] joined_41 = {6'd0, term_40};
+    wire visits_13 = looks & (visited == 5'd13);
+    wire term_42 = event_thread_wait & busy;
+    wire [6:0] joined_43 = {6'd0, term_42};
+    wire visits_14 = looks & (visited == 5'd14);
+    wire term_44 = event_point_hit & busy;
+    wire [6:0] joined_45 = {6'd0, term_44};
+    wire visits_15 = looks & (visited == 5'd15);
+    wire term_46 = event_point_miss & busy;
+    wire [6:0] joined_47 = {6'd0, term_46};
+    wire visits_16 = looks & (visited == 5'd16);
+    wire term_48 = event_tree_hit & busy;
+    wire [6:0] joined_49 = {6'd0, term_48};
+    wire visits_17 = looks & (visited == 5'd17);
+    wire term_50 = event_tree_miss & busy;
+    wire [6:0] joined_51 = {6'd0, term_50};
+    wire visits_18 = looks & (visited == 5'd18);
+    wire term_52 = event_cache_hit & busy;
+    wire [6:0] joined_53 = {6'd0, term_52};
+    wire visits_19 = looks & (visited == 5'd19);
+    wire term_54 = event_cache_miss & busy;
+    wire [6:0] joined_55 = {6'd0, term_54};
+    wire [7:0] choice_56 = visited[1] ? (visited[0] ? {1'd0, part_19} : {1'd0, part_18}) : visited[0] ? {1'd0, part_17} : {1'd0, part_16};
+    wire [7:0] choice_57 = visited[3] ? {1'd0, part_19} : visited[2] ? {1'd0, part_19} : choice_56;
+    wire [7:0] choice_58 = visited[1] ? (visited[0] ? {1'd0, part_15} : {1'd0, part_14}) : visited[0] ? {1'd0, part_13} : {1'd0, part_12};
+    wire [7:0] choice_59 = visited[1] ? (visited[0] ? {1'd0, part_11} : {1'd0, part_10}) : visited[0] ? {1'd0, part_9} : {1'd0, part_8};
+    wire [7:0] choice_60 = visited[1] ? (visited[0] ? {1'd0, part_7} : {1'd0, part_6}) : visited[0] ? {1'd0, part_5} : part_4;
+    wire [7:0] choice_61 = visited[1] ? (visited[0] ? {1'd0, part_3} : part_2) : visited[0] ? {1'd0, part_1} : part_0;
+    wire [7:0] choice_62 = visited[3] ? (visited[2] ? choice_58 : choice_59) : visited[2] ? choice_60 : choice_61;
+    wire choice_63 = visited[1] ? (visited[0] ? void_19 : void_18) : visited[0] ? void_17 : void_16;
+    wire choice_64 = visited[1] ? (visited[0] ? void_15 : void_14) : visited[0] ? void_13 : void_12;
+    wire choice_65 = visited[1] ? (visited[0] ? void_11 : void_10) : visited[0] ? void_9 : void_8;
+    wire choice_66 = visited[1] ? (visited[0] ? void_7 : void_6) : visited[0] ? void_5 : void_4;
+    wire choice_67 = visited[1] ? (visited[0] ? void_3 : void_2) : visited[0] ? void_1 : void_0;
+    wire choice_68 = visited[3] ? (visited[2] ? choice_64 : choice_65) : visited[2] ? choice_66 : choice_67;
+    wire [32:0] sum = {1'd0, is_void ? 32'd0 : word} + {25'd0, part};
+    wire [31:0] saturated = sum[31:0] | {32{sum[32]}};
+    wire [31:0] term_69 = ({32{term_12}} & 32'h50430b01) | ({32{term_13}} & {29'd0, error, done, busy});
+    wire [31:0] term_70 = term_69 | ({32{term_14}} & {31'd0, interrupt_enable_bits});
+    wire [31:0] term_71 = term_70 | ({32{term_15}} & {points_base_bits, 12'd0}) | ({32{term_16}} & {tree_base_bits, 12'd0});
+    wire [31:0] term_72 = term_71 | ({32{term_17}} & queries_bits) | ({32{term_19}} & {31'd0, cache_ball_bits});
+    wire [31:0] term_73 = term_72 | ({32{term_20}} & cache_far_scale_bits) | ({32{term_21}} & cache_margin_scale_bits);
+
+    assign s_axil_awready = ~has_address;
+    assign s_axil_wready = ~has_data;
+    assign s_axil_bresp = write_is_okay ? 2'd0 : 2'd2;
+    assign s_axil_arready = read_ready;
+    assign s_axil_rresp = read_is_error ? 2'd2 : 2'd0;
+    assign points_base = {points_base_bits, 12'd0};
+    assign tree_base = {tree_base_bits, 12'd0};
+    assign queries = queries_bits;
+    assign cache_ball = cache_ball_bits;
+    assign cache_far_scale = cache_far_scale_bits;
+    assign cache_margin_scale = cache_margin_scale_bits;
+
+    always @(posedge clk) begin
+        if (rst) begin
+            has_address <= 1'd0;
+            has_data <= 1'd0;
+            s_axil_bvalid <= 1'd0;
+            busy <= 1'd0;
+            interrupt_enable_bits <= 1'd0;
+            points_base_bits <= 20'd0;
+            tree_base_bits <= 20'd0;
+            queries_bits <= 32'd0;
+            cache_ball_bits <= 1'd0;
+            cache_far_scale_bits <= 32'd0;
+            cache_margin_scale_bits <= 32'd0;
+            start <= 1'd0;
+            core_reset <= 1'd0;
+            clear_errors <= 1'd0;
+            done <= 1'd0;
+            has_read_address <= 1'd0;
+            error <= 1'd0;
+            adds <= 1'd0;
+            visited <= 5'd0;
+            part_0 <= 8'd0;
+            void_0 <= 1'd1;
+            part_1 <= 7'd0;
+            void_1 <= 1'd1;
+            part_2 <= 8'd0;
+            void_2 <= 1'd1;
+            part_3 <= 7'd0;
+            void_3 <= 1'd1;
+            part_4 <= 8'd0;
+            void_4 <= 1'd1;
+            part_5 <= 7'd0;
+            void_5 <= 1'd1;
+            part_6 <= 7'd0;
+            void_6 <= 1'd1;
+            part_7 <= 7'd0;
+            void_7 <= 1'd1;
+            part_8 <= 7'd0;
+            void_8 <= 1'd1;
+            part_9 <= 7'd0;
+            void_9 <= 1'd1;
+            part_10 <= 7'd0;
+            void_10 <= 1'd1;
+            part_11 <= 7'd0;
+            void_11 <= 1'd1;
+            part_12 <= 7'd0;
+            void_12 <= 1'd1;
+            part_13 <= 7'd0;
+            void_13 <= 1'd1;
+            part_14 <= 7'd0;
+            void_14 <= 1'd1;
+            part_15 <= 7'd0;
+            void_15 <= 1'd1;
+            part_16 <= 7'd0;
+            void_16 <= 1'd1;
+            part_17 <= 7'd0;
+            void_17 <= 1'd1;
+            part_18 <= 7'd0;
+            void_18 <= 1'd1;
+            part_19 <= 7'd0;
+            void_19 <= 1'd1;
+            round <= 5'd0;
+            for_read <= 1'd0;
+            read_valid <= 1'd0;
+            s_axil_rvalid <= 1'd0;
+            irq <= 1'd0;
+        end else begin
+            has_address <= has_address ? ~judges : s_axil_awvalid;
+            has_data <= has_data ? ~judges : s_axil_wvalid;
+            s_axil_bvalid <= judges | (s_axil_bvalid & ~s_axil_bready);
+            busy <= starts | (busy & ~finished);
+            start <= starts;
+            core_reset <= commands & write_data[1];
+            clear_errors <= commands & write_data[2];
+            done <= ~starts & (done | (busy & finished));
+            has_read_address <= (read_ready & s_axil_arvalid) | (has_read_address & ~answers);
+            error <= term_24 | memory_error[1] | (error & ~clear_errors);
+            adds <= looks;
+            part_0 <= (visits_0 | clear_errors) ? sum_25 : (part_0 + sum_25);
+            void_0 <= clear_errors | (void_0 & ~visits_0);
+            part_1 <= (visits_1 | clear_errors) ? {6'd0, refused_busy} : (part_1 + {6'd0, refused_busy});
+            void_1 <= clear_errors | (void_1 & ~visits_1);
+            part_2 <= (visits_2 | clear_errors) ? sum_26 : (part_2 + sum_26);
+            void_2 <= clear_errors | (void_2 & ~visits_2);
+            part_3 <= (visits_3 | clear_errors) ? {6'd0, packet_error} : (part_3 + {6'd0, packet_error});
+            void_3 <= clear_errors | (void_3 & ~visits_3);
+            part_4 <= (visits_4 | clear_errors) ? sum_27 : (part_4 + sum_27);
+            void_4 <= clear_errors | (void_4 & ~visits_4);
+            part_5 <= (visits_5 | start) ? {6'd0, busy} : (part_5 + {6'd0, busy});
+            void_5 <= start | (void_5 & ~visits_5);
+            part_6 <= (visits_6 | start) ? joined_29 : (part_6 + joined_29);
+            void_6 <= start | (void_6 & ~visits_6);
+            part_7 <= (visits_7 | start) ? joined_31 : (part_7 + joined_31);
+            void_7 <= start | (void_7 & ~visits_7);
+            part_8 <= (visits_8 | start) ? joined_33 : (part_8 + joined_33);
+            void_8 <= start | (void_8 & ~visits_8);
+            part_9 <= (visits_9 | start) ? joined_35 : (part_9 + joined_35);
+            void_9 <= start | (void_9 & ~visits_9);
+            part_10 <= (visits_10 | start) ? joined_37 : (part_10 + joined_37);
+            void_10 <= start | (void_10 & ~visits_10);
+            part_11 <= (visits_11 | start) ? joined_39 : (part_11 + joined_39);
+            void_11 <= start | (void_11 & ~visits_11);
+            part_12 <= (visits_12 | start) ? joined_41 : (part_12 + joined_41);
+            void_12 <= start | (void_12 & ~visits_12);
+            part_13 <= (visits_13 | start) ? joined_43 : (part_13 + joined_43);
+            void_13 <= start | (void_13 & ~visits_13);
+            part_14 <= (visits_14 | start) ? joined_45 : (part_14 + joined_45);
+            void_14 <= start | (void_14 & ~visits_14);
+            part_15 <= (visits_15 | start) ? joined_47 : (part_15 + joined_47);
+            void_15 <= start | (void_15 & ~visits_15);
+            part_16 <= (visits_16 | start) ? joined_49 : (part_16 + joined_49);
+            void_16 <= start | (void_16 & ~visits_16);
+            part_17 <= (visits_17 | start) ? joined_51 : (part_17 + joined_51);
+            void_17 <= start | (void_17 & ~visits_17);
+            part_18 <= (visits_18 | start) ? joined_53 : (part_18 + joined_53);
+            void_18 <= start | (void_18 & ~visits_18);
+            part_19 <= (visits_19 | start) ? joined_55 : (part_19 + joined_55);
+            void_19 <= start | (void_19 & ~visits_19);
+            read_valid <= adds & for_read;
+            s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
+            irq <= done & interrupt_enable_bits;
+            if (write_accepted & term_2) begin
+                interrupt_enable_bits <= write_data[0];
+            end
+            if (write_accepted & term_3) begin
+                points_base_bits <= write_data[31:12];
+            end
+            if (write_accepted & term_4) begin
+                tree_base_bits <= write_data[31:12];
+            end
+            if (write_accepted & term_5) begin
+                queries_bits <= write_data;
+            end
+            if (write_accepted & term_6) begin
+                cache_ball_bits <= write_data[0];
+            end
+            if (write_accepted & term_7) begin
+                cache_far_scale_bits <= write_data;
+            end
+            if (write_accepted & term_9) begin
+                cache_margin_scale_bits <= write_data;
+            end
+            if (adds) begin
+                visited <= turns_aside ? found[4:0] : round;
+                for_read <= turns_aside;
+            end
+            if (adds & ~turns_aside) begin
+                round <= (round == 5'd19) ? 5'd0 : (round + 5'd1);
+            end
+        end
+    end
+    always @(posedge clk) begin
+        if (~has_address) begin
+            write_address <= s_axil_awaddr;
+        end
+        if (~has_data) begin
+            write_data <= s_axil_wdata;
+            write_strobes <= &s_axil_wstrb;
+        end
+        if (judges) begin
+            write_is_okay <= write_accepted;
+        end
+        if (read_ready) begin
+            read_address <= s_axil_araddr;
+        end
+        part <= visited[4] ? choice_57 : choice_62;
+        is_void <= visited[4] ? (visited[3] ? void_19 : visited[2] ? void_19 : choice_63) : choice_68;
+        read_value <= saturated;
+        if (answers) begin
+            s_axil_rdata <= asks ? read_value : (term_73 & {32{~refused_read}});
+            read_is_error <= refused_read;
+        end
+    end
+    always @(posedge clk) begin
+        if (adds) begin
+            words[visited] <= saturated;
+        end
+        word <= words[visited];
+    end
+
+`ifdef RTL_ASSERT
+    wire [8:0] sum_74 = {1'd0, part_0} + {1'd0, sum_25};
+    wire [7:0] sum_75 = {1'd0, part_1} + {7'd0, refused_busy};
+    wire [8:0] sum_76 = {1'd0, part_2} + {1'd0, sum_26};
+    wire [7:0] sum_77 = {1'd0, part_3} + {7'd0, packet_error};
+    wire [8:0] sum_78 = {1'd0, part_4} + {1'd0, sum_27};
+    wire [7:0] sum_79 = {1'd0, part_5} + {7'd0, busy};
+    wire [7:0] sum_80 = {1'd0, part_6} + {7'd0, term_28};
+    wire [7:0] sum_81 = {1'd0, part_7} + {7'd0, term_30};
+    wire [7:0] sum_82 = {1'd0, part_8} + {7'd0, term_32};
+    wire [7:0] sum_83 = {1'd0, part_9} + {7'd0, term_34};
+    wire [7:0] sum_84 = {1'd0, part_10} + {7'd0, term_36};
+    wire [7:0] sum_85 = {1'd0, part_11} + {7'd0, term_38};
+    wire [7:0] sum_86 = {1'd0, part_12} + {7'd0, term_40};
+    wire [7:0] sum_87 = {1'd0, part_13} + {7'd0, term_42};
+    wire [7:0] sum_88 = {1'd0, part_14} + {7'd0, term_44};
+    wire [7:0] sum_89 = {1'd0, part_15} + {7'd0, term_46};
+    wire [7:0] sum_90 = {1'd0, part_16} + {7'd0, term_48};
+    wire [7:0] sum_91 = {1'd0, part_17} + {7'd0, term_50};
+    wire [7:0] sum_92 = {1'd0, part_18} + {7'd0, term_52};
+    wire [7:0] sum_93 = {1'd0, part_19} + {7'd0, term_54};
+
+    always @(posedge clk) begin
+        if (!rst) begin
+            if (!(~sum_74[8])) begin
+`ifdef FORMAL
+                part_0_has_room: assert (0);
+`else
+                $display("assertion failed: part_0_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_75[7])) begin
+`ifdef FORMAL
+                part_1_has_room: assert (0);
+`else
+                $display("assertion failed: part_1_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_76[8])) begin
+`ifdef FORMAL
+                part_2_has_room: assert (0);
+`else
+                $display("assertion failed: part_2_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_77[7])) begin
+`ifdef FORMAL
+                part_3_has_room: assert (0);
+`else
+                $display("assertion failed: part_3_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_78[8])) begin
+`ifdef FORMAL
+                part_4_has_room: assert (0);
+`else
+                $display("assertion failed: part_4_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_79[7])) begin
+`ifdef FORMAL
+                part_5_has_room: assert (0);
+`else
+                $display("assertion failed: part_5_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_80[7])) begin
+`ifdef FORMAL
+                part_6_has_room: assert (0);
+`else
+                $display("assertion failed: part_6_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_81[7])) begin
+`ifdef FORMAL
+                part_7_has_room: assert (0);
+`else
+                $display("assertion failed: part_7_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_82[7])) begin
+`ifdef FORMAL
+                part_8_has_room: assert (0);
+`else
+                $display("assertion failed: part_8_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_83[7])) begin
+`ifdef FORMAL
+                part_9_has_room: assert (0);
+`else
+                $display("assertion failed: part_9_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_84[7])) begin
+`ifdef FORMAL
+                part_10_has_room: assert (0);
+`else
+                $display("assertion failed: part_10_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_85[7])) begin
+`ifdef FORMAL
+                part_11_has_room: assert (0);
+`else
+                $display("assertion failed: part_11_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_86[7])) begin
+`ifdef FORMAL
+                part_12_has_room: assert (0);
+`else
+                $display("assertion failed: part_12_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_87[7])) begin
+`ifdef FORMAL
+                part_13_has_room: assert (0);
+`else
+                $display("assertion failed: part_13_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_88[7])) begin
+`ifdef FORMAL
+                part_14_has_room: assert (0);
+`else
+                $display("assertion failed: part_14_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_89[7])) begin
+`ifdef FORMAL
+                part_15_has_room: assert (0);
+`else
+                $display("assertion failed: part_15_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_90[7])) begin
+`ifdef FORMAL
+                part_16_has_room: assert (0);
+`else
+                $display("assertion failed: part_16_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_91[7])) begin
+`ifdef FORMAL
+                part_17_has_room: assert (0);
+`else
+                $display("assertion failed: part_17_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_92[7])) begin
+`ifdef FORMAL
+                part_18_has_room: assert (0);
+`else
+                $display("assertion failed: part_18_has_room in %m");
+                $stop;
+`endif
+            end
+            if (!(~sum_93[7])) begin
+`ifdef FORMAL
+                part_19_has_room: assert (0);
+`else
+                $display("assertion failed: part_19_has_room in %m");
+                $stop;
+`endif
+            end
+        end
+    end
+
+    wire _unused_by_checks = &{
+        1'b0,
+        sum_74[7:0],
+        sum_75[6:0],
+        sum_76[7:0],
+        sum_77[6:0],
+        sum_78[7:0],
+        sum_79[6:0],
+        sum_80[6:0],
+        sum_81[6:0],
+        sum_82[6:0],
+        sum_83[6:0],
+        sum_84[6:0],
+        sum_85[6:0],
+        sum_86[6:0],
+        sum_87[6:0],
+        sum_88[6:0],
+        sum_89[6:0],
+        sum_90[6:0],
+        sum_91[6:0],
+        sum_92[6:0],
+        sum_93[6:0]
+    };
+`endif
+endmodule
