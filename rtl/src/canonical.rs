@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::expression::{Expr, Node, Operation};
+use super::expression::{Expr, Operation};
 use super::memory::Content;
 use super::module::{Module, PortDeclaration, Source};
 
@@ -40,7 +40,7 @@ pub(super) struct Graph<'a> {
     /// On whose behalf nodes are being added.
     need: Need,
     by_key: HashMap<Key, usize>,
-    by_address: HashMap<*const Node, usize>,
+    by_number: HashMap<u64, usize>,
     /// Signals whose drivers have not been followed yet.
     pending: Vec<usize>,
 }
@@ -56,49 +56,49 @@ impl<'a> Graph<'a> {
             stores: vec![Need::Nobody; module.stores.len()],
             need: Need::Hardware,
             by_key: HashMap::new(),
-            by_address: HashMap::new(),
+            by_number: HashMap::new(),
             pending: vec![],
         };
         for port in &module.ports {
             if let PortDeclaration::Output { value, .. } = port {
-                graph.root(value);
+                graph.root(*value);
             }
         }
         module
             .children
             .iter()
             .flat_map(|child| child.reset.iter().chain(child.inputs.iter().flatten()))
-            .for_each(|input| graph.root(input));
+            .for_each(|&input| graph.root(input));
         graph.follow();
         graph.hardware_nodes = graph.nodes.len();
         graph.need = Need::Assertions;
-        module.assertions.iter().for_each(|(_, condition)| graph.root(condition));
+        module.assertions.iter().for_each(|(_, condition)| graph.root(*condition));
         graph.follow();
         graph
     }
 
     /// The node of an expression that is in the graph.
-    pub fn node_of(&self, expr: &Expr) -> usize {
-        self.by_address[&expr.address()]
+    pub fn node_of(&self, expr: Expr) -> usize {
+        self.by_number[&expr.number()]
     }
 
-    fn root(&mut self, expr: &'a Expr) {
+    fn root(&mut self, expr: Expr) {
         let node = self.intern(expr);
         self.nodes[node].readers += 1;
     }
 
-    fn intern(&mut self, expr: &'a Expr) -> usize {
-        if let Some(&known) = self.by_address.get(&expr.address()) {
+    fn intern(&mut self, expr: Expr) -> usize {
+        if let Some(&known) = self.by_number.get(&expr.number()) {
             return known;
         }
         let node = expr.node();
-        let operands: Vec<usize> = node.operands.iter().map(|operand| self.intern(operand)).collect();
+        let operands: Vec<usize> = node.operands.iter().map(|&operand| self.intern(operand)).collect();
         let key = (node.operation.clone(), node.width, operands);
         let index = match self.by_key.get(&key) {
             Some(&index) => index,
             None => self.insert(key),
         };
-        self.by_address.insert(expr.address(), index);
+        self.by_number.insert(expr.number(), index);
         index
     }
 
@@ -122,31 +122,31 @@ impl<'a> Graph<'a> {
         while let Some(signal) = self.pending.pop() {
             match &module.signals[signal].source {
                 Source::Reset | Source::Input | Source::ChildOutput { .. } => {}
-                Source::Wire(driver) => driver.iter().for_each(|driver| self.root(driver)),
+                Source::Wire(driver) => driver.iter().for_each(|&driver| self.root(driver)),
                 Source::Register { next, .. } => {
                     if let Some(next) = next {
-                        next.enable.iter().for_each(|enable| self.root(enable));
-                        self.root(&next.data);
+                        next.enable.iter().for_each(|&enable| self.root(enable));
+                        self.root(next.data);
                     }
                 }
                 Source::Read { store, enable, address } => {
-                    enable.iter().for_each(|enable| self.root(enable));
-                    self.read_store(*store, address);
+                    enable.iter().for_each(|&enable| self.root(enable));
+                    self.read_store(*store, *address);
                 }
-                Source::ReadNow { store, address } => self.read_store(*store, address),
-                Source::Lookup { address, .. } => self.root(address),
+                Source::ReadNow { store, address } => self.read_store(*store, *address),
+                Source::Lookup { address, .. } => self.root(*address),
             }
         }
     }
 
-    fn read_store(&mut self, store: usize, address: &'a Expr) {
+    fn read_store(&mut self, store: usize, address: Expr) {
         self.root(address);
         if self.stores[store] != Need::Nobody {
             return;
         }
         self.stores[store] = self.need;
         if let Content::Written(Some(port)) = &self.module.stores[store].content {
-            [&port.enable, &port.address, &port.data].into_iter().for_each(|part| self.root(part));
+            [port.enable, port.address, port.data].into_iter().for_each(|part| self.root(part));
         }
     }
 }

@@ -58,39 +58,39 @@ fn undriven(module: &Module) -> Vec<FaultKind> {
 }
 
 /// Every expression that a module keeps, with what it is for.
-fn expressions(module: &Module) -> Vec<(String, &Expr)> {
+fn expressions(module: &Module) -> Vec<(String, Expr)> {
     let mut all = vec![];
     for signal in &module.signals {
         let user = format!("`{}`", signal.name);
-        let parts: Vec<&Expr> = match &signal.source {
+        let parts: Vec<Expr> = match &signal.source {
             Source::Reset | Source::Input | Source::ChildOutput { .. } => vec![],
-            Source::Wire(driver) => driver.iter().collect(),
+            Source::Wire(driver) => driver.iter().copied().collect(),
             Source::Register { next, .. } => {
-                next.iter().flat_map(|next| next.enable.iter().chain([&next.data])).collect()
+                next.iter().flat_map(|next| next.enable.into_iter().chain([next.data])).collect()
             }
-            Source::Read { enable, address, .. } => enable.iter().chain([address]).collect(),
-            Source::ReadNow { address, .. } | Source::Lookup { address, .. } => vec![address],
+            Source::Read { enable, address, .. } => enable.iter().copied().chain([*address]).collect(),
+            Source::ReadNow { address, .. } | Source::Lookup { address, .. } => vec![*address],
         };
         all.extend(parts.into_iter().map(|part| (user.clone(), part)));
     }
     for store in &module.stores {
         if let Content::Written(Some(port)) = &store.content {
-            all.extend([&port.enable, &port.address, &port.data].map(|part| (format!("`{}`", store.name), part)));
+            all.extend([port.enable, port.address, port.data].map(|part| (format!("`{}`", store.name), part)));
         }
     }
     for child in &module.children {
-        all.extend(child.reset.iter().map(|reset| (format!("`{}.rst`", child.name), reset)));
+        all.extend(child.reset.iter().map(|&reset| (format!("`{}.rst`", child.name), reset)));
         for (port, driver) in child.module.ports.iter().zip(&child.inputs) {
             let name = port.shape(&child.module).0;
-            all.extend(driver.iter().map(|driver| (format!("`{}.{name}`", child.name), driver)));
+            all.extend(driver.iter().map(|&driver| (format!("`{}.{name}`", child.name), driver)));
         }
     }
     for port in &module.ports {
         if let PortDeclaration::Output { name, value } = port {
-            all.push((format!("output `{name}`"), value));
+            all.push((format!("output `{name}`"), *value));
         }
     }
-    all.extend(module.assertions.iter().map(|(name, condition)| (format!("assertion `{name}`"), condition)));
+    all.extend(module.assertions.iter().map(|(name, condition)| (format!("assertion `{name}`"), *condition)));
     all
 }
 

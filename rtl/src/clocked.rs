@@ -50,8 +50,8 @@ impl Writer<'_> {
             if self.graph.signals[index] != need {
                 continue;
             }
-            let enable = next.enable.as_ref().and_then(|enable| self.condition(enable));
-            let line = format!("{} <= {};", signal.name, self.expression(&next.data));
+            let enable = next.enable.as_ref().and_then(|enable| self.condition(*enable));
+            let line = format!("{} <= {};", signal.name, self.expression(next.data));
             match reset {
                 None => add_guarded(&mut free, enable, line),
                 Some(value) => {
@@ -76,7 +76,7 @@ impl Writer<'_> {
     }
 
     /// The text of an enable; none where it is always set.
-    fn condition(&mut self, enable: &Expr) -> Option<String> {
+    fn condition(&mut self, enable: Expr) -> Option<String> {
         (enable.literal_value() != Some(1)).then(|| self.expression(enable))
     }
 
@@ -87,8 +87,8 @@ impl Writer<'_> {
         let mut groups = vec![];
         let mut written = None;
         if let Content::Written(Some(port)) = &store.content {
-            let enable = self.condition(&port.enable);
-            let (address, data) = (self.expression(&port.address), self.expression(&port.data));
+            let enable = self.condition(port.enable);
+            let (address, data) = (self.expression(port.address), self.expression(port.data));
             if store.style == Style::Unordered {
                 written = Some((enable.clone(), address.clone()));
             }
@@ -100,8 +100,8 @@ impl Writer<'_> {
                 Source::Read { store: read, enable, address }
                     if *read == index && self.graph.signals[signal] != Need::Nobody =>
                 {
-                    let enable = enable.as_ref().and_then(|enable| self.condition(enable));
-                    let address = self.expression(address);
+                    let enable = enable.as_ref().and_then(|enable| self.condition(*enable));
+                    let address = self.expression(*address);
                     if let Some((written, write_address)) = &written {
                         let enables = written.iter().chain(&enable).map(|enable| format!("({enable}) && "));
                         let meet = enables.collect::<String>() + &format!("({write_address}) == ({address})");

@@ -17,10 +17,10 @@ pub(super) struct Dependencies {
 }
 
 /// Calls `visit` for every distinct node below `root`, operands first.
-pub(super) fn for_each_node<'a>(root: &'a Expr, visit: &mut impl FnMut(&'a Expr)) {
-    fn descend<'a>(expr: &'a Expr, seen: &mut HashSet<usize>, visit: &mut impl FnMut(&'a Expr)) {
-        if seen.insert(expr.address() as usize) {
-            expr.node().operands.iter().for_each(|operand| descend(operand, seen, visit));
+pub(super) fn for_each_node(root: Expr, visit: &mut impl FnMut(Expr)) {
+    fn descend(expr: Expr, seen: &mut HashSet<u64>, visit: &mut impl FnMut(Expr)) {
+        if seen.insert(expr.number()) {
+            expr.node().operands.iter().for_each(|&operand| descend(operand, seen, visit));
             visit(expr);
         }
     }
@@ -28,7 +28,7 @@ pub(super) fn for_each_node<'a>(root: &'a Expr, visit: &mut impl FnMut(&'a Expr)
 }
 
 /// The own signals an expression reads.
-fn leaves(module: &Module, root: &Expr) -> BTreeSet<usize> {
+fn leaves(module: &Module, root: Expr) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     for_each_node(root, &mut |expr| {
         if let Operation::Signal(signal) = &expr.node().operation
@@ -46,15 +46,15 @@ fn followed(module: &Module, signal: usize, children: &[Rc<Reach>]) -> BTreeSet<
         Source::Reset | Source::Input | Source::Register { .. } | Source::Read { .. } | Source::Wire(None) => {
             BTreeSet::new()
         }
-        Source::Wire(Some(driver)) => leaves(module, driver),
-        Source::ReadNow { address, .. } | Source::Lookup { address, .. } => leaves(module, address),
+        Source::Wire(Some(driver)) => leaves(module, *driver),
+        Source::ReadNow { address, .. } | Source::Lookup { address, .. } => leaves(module, *address),
         Source::ChildOutput { child, port } => {
             let instance = &module.children[*child];
             let mut found = BTreeSet::new();
             for &input in children[*child].get(port).into_iter().flatten() {
                 if input == RESET {
                     match &instance.reset {
-                        Some(condition) => found.extend(leaves(module, condition)),
+                        Some(condition) => found.extend(leaves(module, *condition)),
                         None => _ = found.insert(RESET),
                     }
                 } else if let Some(driver) = instance.driver_of(input) {
@@ -112,7 +112,7 @@ pub(super) fn analyse(module: &Module, children: &[Rc<Reach>]) -> Dependencies {
     let mut reach = Reach::new();
     for (port, declaration) in module.ports.iter().enumerate() {
         if let PortDeclaration::Output { value, .. } = declaration {
-            let inputs = leaves(module, value).into_iter().flat_map(|signal| search.visit(signal)).collect();
+            let inputs = leaves(module, *value).into_iter().flat_map(|signal| search.visit(signal)).collect();
             reach.insert(port, inputs);
         }
     }

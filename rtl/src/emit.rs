@@ -56,13 +56,13 @@ pub(super) fn body(graph: &Graph, children_have_state: &[bool]) -> (Body, bool) 
 /// Signals that an output port of their own name shows.
 fn port_signals(module: &Module) -> HashSet<usize> {
     let shown = module.ports.iter().filter_map(|port| match port {
-        PortDeclaration::Output { name, value } => shown_signal(name, value),
+        PortDeclaration::Output { name, value } => shown_signal(name, *value),
         PortDeclaration::Input(_) => None,
     });
     shown.collect()
 }
 
-fn shown_signal(name: &str, value: &Expr) -> Option<usize> {
+fn shown_signal(name: &str, value: Expr) -> Option<usize> {
     match &value.node().operation {
         Operation::Signal(signal) if &*signal.name == name => Some(signal.index),
         _ => None,
@@ -106,7 +106,7 @@ impl Emitter<'_> {
                     PortKind::Input
                 }
                 PortDeclaration::Output { value, .. } => {
-                    let source = shown_signal(name, value).map(|signal| &self.module.signals[signal].source);
+                    let source = shown_signal(name, *value).map(|signal| &self.module.signals[signal].source);
                     match source {
                         Some(Source::Register { .. } | Source::Read { .. } | Source::Lookup { .. }) => {
                             PortKind::OutputReg
@@ -155,10 +155,10 @@ impl Emitter<'_> {
         let mut out = String::new();
         for port in &self.module.ports {
             let PortDeclaration::Output { name, value } = port else { continue };
-            match shown_signal(name, value) {
+            match shown_signal(name, *value) {
                 Some(signal) => self.writer.define(signal),
                 None => {
-                    let value = self.writer.expression(value);
+                    let value = self.writer.expression(*value);
                     let _ = writeln!(out, "assign {name} = {value};");
                 }
             }
@@ -173,14 +173,14 @@ impl Emitter<'_> {
             let mut connections = vec![];
             if stateful {
                 let reset = match &child.reset {
-                    Some(condition) => self.writer.expression(condition),
+                    Some(condition) => self.writer.expression(*condition),
                     None => self.writer.read_all("rst"),
                 };
                 connections.extend([("clk".into(), "clk".into()), ("rst".into(), reset)]);
             }
             for (index, port) in child.module.ports.iter().enumerate() {
                 let value = match (&child.inputs[index], child.outputs[index]) {
-                    (Some(driver), _) => self.writer.expression(driver),
+                    (Some(driver), _) => self.writer.expression(*driver),
                     (None, Some(signal)) => module.signals[signal].name.to_string(),
                     (None, None) => unreachable!("an open input is a fault"),
                 };
@@ -202,7 +202,7 @@ impl Emitter<'_> {
         let clocked = self.writer.clocked(Need::Assertions);
         let mut checks = String::from("always @(posedge clk) begin\n    if (!rst) begin\n");
         for (name, condition) in &self.module.assertions {
-            let condition = self.writer.expression(condition);
+            let condition = self.writer.expression(*condition);
             let _ = writeln!(checks, "        if (!({condition})) begin");
             let _ = writeln!(checks, "`ifdef FORMAL\n            {name}: assert (0);\n`else");
             let _ = writeln!(checks, "            $display(\"assertion failed: {name} in %m\");");

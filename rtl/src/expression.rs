@@ -1,16 +1,27 @@
-//! Width-checked expressions: immutable shared trees that never panic.
+//! Width-checked expressions: values that are copied and never panic.
 //!
 //! A mistake (widths that differ, a bit that is not there) becomes a poison node carrying its message; elaboration
 //! reports it with the module it ended up in.
 
 use std::fmt;
+use std::marker::PhantomData;
 use std::rc::Rc;
 
+use super::arena;
 use super::fold;
 
-/// An expression of a known width; cloning shares it.
-#[derive(Clone)]
-pub struct Expr(Rc<Node>);
+/// An expression of a known width.
+///
+/// It is a handle that is copied. What it stands for is kept by the thread as long as any [`Module`](crate::Module) of
+/// the thread lives, whether something still uses it or not; an expression that is used later is an error at
+/// elaboration.
+#[derive(Clone, Copy)]
+pub struct Expr {
+    number: u64,
+    width: usize,
+    /// The number means something in its own thread only.
+    thread: PhantomData<Rc<Node>>,
+}
 
 /// A signal of one module, as expressions refer to it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -59,45 +70,60 @@ pub(super) enum Operation {
     Poison(Rc<str>),
 }
 
+/// What an expression stands for.
 pub(super) struct Node {
     pub operation: Operation,
     pub width: usize,
-    pub operands: Vec<Expr>,
+    pub operands: Box<[Expr]>,
     /// A poison node lies below: widths are guesses and are not checked again.
     pub tainted: bool,
 }
 
-impl Expr {
-    /// A node exactly as described, without checks.
-    pub(super) fn raw(operation: Operation, width: usize, operands: Vec<Expr>) -> Self {
-        let tainted = matches!(operation, Operation::Poison(_)) || operands.iter().any(|operand| operand.0.tainted);
-        Self(Rc::new(Node { operation, width, operands, tainted }))
+impl Node {
+    pub fn new(operation: Operation, width: usize, operands: impl Into<Box<[Expr]>>) -> Self {
+        let operands = operands.into();
+        let tainted = matches!(operation, Operation::Poison(_)) || operands.iter().any(|operand| operand.is_tainted());
+        Self { operation, width, operands, tainted }
     }
 
+    /// Keeps the node exactly as it is.
+    pub fn keep(self) -> Expr {
+        Expr { width: self.width, number: arena::keep(self), thread: PhantomData }
+    }
+}
+
+impl Expr {
     /// A node in its simplest form.
-    pub(super) fn build(operation: Operation, width: usize, operands: Vec<Expr>) -> Self {
-        let node = Self::raw(operation, width, operands);
-        if node.0.tainted { node } else { fold::simplify(node) }
+    pub(super) fn build(operation: Operation, width: usize, operands: impl Into<Box<[Self]>>) -> Self {
+        let node = Node::new(operation, width, operands);
+        let simpler = if node.tainted { None } else { fold::simplify(&node) };
+        simpler.unwrap_or_else(|| node.keep())
     }
 
     /// The mark of an error, with the width that was probably meant.
     pub(super) fn poison(width: usize, message: String) -> Self {
-        Self::raw(Operation::Poison(message.into()), width.max(1), vec![])
+        Node::new(Operation::Poison(message.into()), width.max(1), []).keep()
     }
 
-    pub(super) fn node(&self) -> &Node {
-        &self.0
+    /// What it stands for.
+    pub(super) fn node(self) -> Rc<Node> {
+        arena::node(self.number)
     }
 
-    /// Identity of the shared node.
-    pub(super) fn address(&self) -> *const Node {
-        Rc::as_ptr(&self.0)
+    /// Identity of the node.
+    pub(super) const fn number(self) -> u64 {
+        self.number
+    }
+
+    /// A mistake lies below.
+    pub(super) fn is_tainted(self) -> bool {
+        self.node().tainted
     }
 
     /// The value, of a literal.
     #[must_use]
-    pub fn literal_value(&self) -> Option<u128> {
-        match self.0.operation {
+    pub fn literal_value(self) -> Option<u128> {
+        match self.node().operation {
             Operation::Literal(value) => Some(value),
             _ => None,
         }
@@ -105,21 +131,15 @@ impl Expr {
 
     /// Number of bits.
     #[must_use]
-    pub fn width(&self) -> usize {
-        self.0.width
-    }
-}
-
-impl AsRef<Expr> for Expr {
-    fn as_ref(&self) -> &Expr {
-        self
+    pub const fn width(self) -> usize {
+        self.width
     }
 }
 
 /// Short text for messages: signals by name, deep operands as `…`.
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write_short(self, 2, f)
+        write_short(*self, 2, f)
     }
 }
 
@@ -129,7 +149,7 @@ impl fmt::Debug for Expr {
     }
 }
 
-fn write_short(expr: &Expr, depth: usize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+fn write_short(expr: Expr, depth: usize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let node = expr.node();
     match &node.operation {
         Operation::Signal(signal) => return f.write_str(&signal.name),
@@ -137,12 +157,12 @@ fn write_short(expr: &Expr, depth: usize, f: &mut fmt::Formatter<'_>) -> fmt::Re
         Operation::Poison(_) => return f.write_str("<error>"),
         _ if depth == 0 => return f.write_str("…"),
         Operation::Slice(low) => {
-            write_short(&node.operands[0], depth - 1, f)?;
+            write_short(node.operands[0], depth - 1, f)?;
             return write!(f, "[{}:{low}]", low + node.width - 1);
         }
         operation => write!(f, "{operation:?}(")?,
     }
-    for (index, operand) in node.operands.iter().take(4).enumerate() {
+    for (index, &operand) in node.operands.iter().take(4).enumerate() {
         if index > 0 {
             f.write_str(", ")?;
         }
@@ -160,7 +180,7 @@ pub fn lit(width: usize, value: u128) -> Expr {
     if width < 128 && value >> width != 0 {
         return Expr::poison(width, format!("literal {value} does not fit {width} bits"));
     }
-    Expr::raw(Operation::Literal(value), width, vec![])
+    Node::new(Operation::Literal(value), width, []).keep()
 }
 
 /// A constant bit.
@@ -171,17 +191,20 @@ pub fn bit(value: bool) -> Expr {
 
 /// The parts side by side, most significant first.
 #[must_use]
-pub fn cat(parts: &[&Expr]) -> Expr {
+pub fn cat(parts: impl IntoIterator<Item = impl Into<Expr>>) -> Expr {
+    let parts: Box<[Expr]> = parts.into_iter().map(Into::into).collect();
     if parts.is_empty() {
         return Expr::poison(1, "concatenation of nothing".into());
     }
     let width = parts.iter().map(|part| part.width()).sum();
-    Expr::build(Operation::Concat, width, parts.iter().map(|&part| part.clone()).collect())
+    Expr::build(Operation::Concat, width, parts)
 }
 
 /// The entry that `index` picks; an index past the end picks the last.
 #[must_use]
-pub fn select(index: &Expr, entries: &[&Expr]) -> Expr {
+pub fn select(index: impl Into<Expr>, entries: impl IntoIterator<Item = impl Into<Expr>>) -> Expr {
+    let index = index.into();
+    let entries: Vec<Expr> = entries.into_iter().map(Into::into).collect();
     let Some(last) = entries.last() else {
         return Expr::poison(1, format!("selection by `{index}` from nothing"));
     };
@@ -194,20 +217,20 @@ pub fn select(index: &Expr, entries: &[&Expr]) -> Expr {
         let message = format!("`{index}` has {} bits and cannot pick from {}", index.width(), entries.len());
         return Expr::poison(last.width(), format!("{message} entries"));
     }
-    select_bits(index, index.width(), entries)
+    select_bits(index, index.width(), &entries)
 }
 
 /// A tree of two-way choices over the lowest `bits` bits of the index.
-fn select_bits(index: &Expr, bits: usize, entries: &[&Expr]) -> Expr {
+fn select_bits(index: Expr, bits: usize, entries: &[Expr]) -> Expr {
     if entries.len() == 1 || bits == 0 {
-        return entries[0].clone();
+        return entries[0];
     }
     let top = bits - 1;
     let half = if top < usize::BITS as usize - 1 { 1 << top } else { usize::MAX };
     if entries.len() <= half {
         let below = select_bits(index, top, entries);
-        return index.bit(top).mux(entries[entries.len() - 1], &below);
+        return index.bit(top).mux(entries[entries.len() - 1], below);
     }
     let (low, high) = entries.split_at(half);
-    index.bit(top).mux(&select_bits(index, top, high), &select_bits(index, top, low))
+    index.bit(top).mux(select_bits(index, top, high), select_bits(index, top, low))
 }

@@ -1,13 +1,13 @@
 //! Constant folding and the identities that keep comparisons and slices out of lint's way.
 
-use super::expression::{Expr, Operation, bit, cat, lit};
+use super::expression::{Expr, Node, Operation, bit, cat, lit};
 
 /// Literals up to this width are computed here; wider ones are left to the tools.
 const FOLDED_BITS: usize = 128;
 
-/// The simplest equivalent of a node whose operands are simple already.
-pub(super) fn simplify(node: Expr) -> Expr {
-    constant(&node).or_else(|| identity(&node)).unwrap_or(node)
+/// The simplest equivalent of a node whose operands are simple already, where it is another one.
+pub(super) fn simplify(node: &Node) -> Option<Expr> {
+    constant(node).or_else(|| identity(node))
 }
 
 fn mask(width: usize) -> u128 {
@@ -20,14 +20,13 @@ fn sign_extended(value: u128, width: usize) -> i128 {
 }
 
 /// The value of a node over literals only.
-fn constant(expr: &Expr) -> Option<Expr> {
-    let node = expr.node();
+fn constant(node: &Node) -> Option<Expr> {
     let width = node.width;
-    let operand_widths: Vec<usize> = node.operands.iter().map(Expr::width).collect();
+    let operand_widths: Vec<usize> = node.operands.iter().map(|operand| operand.width()).collect();
     if width > FOLDED_BITS || operand_widths.iter().any(|&width| width > FOLDED_BITS) {
         return None;
     }
-    let values = node.operands.iter().map(Expr::literal_value).collect::<Option<Vec<u128>>>()?;
+    let values = node.operands.iter().map(|operand| operand.literal_value()).collect::<Option<Vec<u128>>>()?;
     let first = *values.first()?;
     let second = values.get(1).copied().unwrap_or(0);
     let value = match &node.operation {
@@ -73,26 +72,25 @@ fn shift_amount(amount: u128) -> Option<u32> {
 }
 
 /// An operand that is a literal of all zeros or all ones.
-fn is_zero(expr: &Expr) -> bool {
+fn is_zero(expr: Expr) -> bool {
     expr.literal_value() == Some(0)
 }
 
-fn is_ones(expr: &Expr) -> bool {
+fn is_ones(expr: Expr) -> bool {
     expr.width() <= FOLDED_BITS && expr.literal_value() == Some(mask(expr.width()))
 }
 
-fn same(a: &Expr, b: &Expr) -> bool {
-    a.address() == b.address()
+fn same(a: Expr, b: Expr) -> bool {
+    a.number() == b.number()
 }
 
-fn identity(expr: &Expr) -> Option<Expr> {
-    let node = expr.node();
+fn identity(node: &Node) -> Option<Expr> {
     let operands = &node.operands;
-    let first = operands.first()?;
-    let second = operands.get(1).unwrap_or(first);
+    let first = *operands.first()?;
+    let second = *operands.get(1).unwrap_or(&first);
     if operands.len() == 2 && same(first, second) {
         match &node.operation {
-            Operation::And | Operation::Or => return Some(first.clone()),
+            Operation::And | Operation::Or => return Some(first),
             Operation::Xor | Operation::Subtract => return Some(lit(node.width, 0)),
             Operation::Equal | Operation::LessOrEqual => return Some(bit(true)),
             Operation::NotEqual | Operation::Less | Operation::LessSigned => return Some(bit(false)),
@@ -100,20 +98,20 @@ fn identity(expr: &Expr) -> Option<Expr> {
         }
     }
     match &node.operation {
-        Operation::Not if first.node().operation == Operation::Not => Some(first.node().operands[0].clone()),
-        Operation::And if is_zero(first) || is_ones(second) => Some(first.clone()),
-        Operation::And if is_zero(second) || is_ones(first) => Some(second.clone()),
-        Operation::Or if is_ones(first) || is_zero(second) => Some(first.clone()),
-        Operation::Or if is_ones(second) || is_zero(first) => Some(second.clone()),
-        Operation::Add | Operation::Subtract | Operation::Xor if is_zero(second) => Some(first.clone()),
-        Operation::Add | Operation::Xor if is_zero(first) => Some(second.clone()),
-        Operation::ShiftLeft | Operation::ShiftRight if is_zero(second) || is_zero(first) => Some(first.clone()),
+        Operation::Not if first.node().operation == Operation::Not => Some(first.node().operands[0]),
+        Operation::And if is_zero(first) || is_ones(second) => Some(first),
+        Operation::And if is_zero(second) || is_ones(first) => Some(second),
+        Operation::Or if is_ones(first) || is_zero(second) => Some(first),
+        Operation::Or if is_ones(second) || is_zero(first) => Some(second),
+        Operation::Add | Operation::Subtract | Operation::Xor if is_zero(second) => Some(first),
+        Operation::Add | Operation::Xor if is_zero(first) => Some(second),
+        Operation::ShiftLeft | Operation::ShiftRight if is_zero(second) || is_zero(first) => Some(first),
         // Comparisons that every operand decides alike: lint reports them.
         Operation::Less if is_zero(second) || is_ones(first) => Some(bit(false)),
         Operation::LessOrEqual if is_zero(first) || is_ones(second) => Some(bit(true)),
         Operation::Equal if first.width() == 1 => one_bit_equal(first, second),
-        Operation::Any | Operation::All if first.width() == 1 => Some(first.clone()),
-        Operation::Repeat(1) => Some(first.clone()),
+        Operation::Any | Operation::All if first.width() == 1 => Some(first),
+        Operation::Repeat(1) => Some(first),
         Operation::Slice(low) => slice(first, *low, node.width),
         Operation::Concat => concat(operands, node.width),
         Operation::Mux => mux(operands),
@@ -121,46 +119,44 @@ fn identity(expr: &Expr) -> Option<Expr> {
     }
 }
 
-fn one_bit_equal(first: &Expr, second: &Expr) -> Option<Expr> {
+fn one_bit_equal(first: Expr, second: Expr) -> Option<Expr> {
     match (first.literal_value(), second.literal_value()) {
-        (Some(1), _) => Some(second.clone()),
+        (Some(1), _) => Some(second),
         (Some(_), _) => Some(!second),
-        (_, Some(1)) => Some(first.clone()),
+        (_, Some(1)) => Some(first),
         (_, Some(_)) => Some(!first),
         _ => None,
     }
 }
 
 fn mux(operands: &[Expr]) -> Option<Expr> {
-    let [condition, when_true, when_false] = operands else { return None };
+    let &[condition, when_true, when_false] = operands else { return None };
     match condition.literal_value() {
-        Some(0) => return Some(when_false.clone()),
-        Some(_) => return Some(when_true.clone()),
+        Some(0) => return Some(when_false),
+        Some(_) => return Some(when_true),
         None => {}
     }
     if same(when_true, when_false) {
-        return Some(when_true.clone());
+        return Some(when_true);
     }
     if when_true.width() > 1 {
         return None;
     }
     match (when_true.literal_value(), when_false.literal_value()) {
-        (Some(1), Some(0)) => Some(condition.clone()),
+        (Some(1), Some(0)) => Some(condition),
         (Some(0), Some(1)) => Some(!condition),
         _ => None,
     }
 }
 
 /// A slice of a slice or of a concatenation names the bits it means.
-fn slice(source: &Expr, low: usize, width: usize) -> Option<Expr> {
+fn slice(source: Expr, low: usize, width: usize) -> Option<Expr> {
     if width == source.width() {
-        return Some(source.clone());
+        return Some(source);
     }
     let node = source.node();
     match &node.operation {
-        Operation::Slice(inner) => {
-            Some(Expr::build(Operation::Slice(inner + low), width, vec![node.operands[0].clone()]))
-        }
+        Operation::Slice(inner) => Some(Expr::build(Operation::Slice(inner + low), width, [node.operands[0]])),
         Operation::Concat => {
             let mut pieces = Vec::new();
             let mut top = source.width();
@@ -172,7 +168,7 @@ fn slice(source: &Expr, low: usize, width: usize) -> Option<Expr> {
                 }
                 top = bottom;
             }
-            Some(cat(&pieces.iter().collect::<Vec<_>>()))
+            Some(cat(pieces))
         }
         Operation::Repeat(count) if node.operands[0].width() == 1 && width < *count => {
             Some(node.operands[0].repeat(width))
@@ -185,33 +181,33 @@ fn slice(source: &Expr, low: usize, width: usize) -> Option<Expr> {
 fn concat(operands: &[Expr], width: usize) -> Option<Expr> {
     let mut parts: Vec<Expr> = Vec::with_capacity(operands.len());
     for operand in operands {
-        let flat = match &operand.node().operation {
-            Operation::Concat => operand.node().operands.as_slice(),
+        let node = operand.node();
+        let flat = match &node.operation {
+            Operation::Concat => &node.operands,
             _ => std::slice::from_ref(operand),
         };
-        for part in flat {
-            match parts.last().and_then(|previous| merged(previous, part)) {
+        for &part in flat {
+            match parts.last().and_then(|&previous| merged(previous, part)) {
                 Some(both) => *parts.last_mut().expect("a part was merged into the last one") = both,
-                None => parts.push(part.clone()),
+                None => parts.push(part),
             }
         }
     }
     if parts.len() == 1 {
         return parts.pop();
     }
-    let changed = parts.len() != operands.len() || parts.iter().zip(operands).any(|(a, b)| !same(a, b));
-    changed.then(|| Expr::raw(Operation::Concat, width, parts))
+    let changed = parts.len() != operands.len() || parts.iter().zip(operands).any(|(&a, &b)| !same(a, b));
+    changed.then(|| Node::new(Operation::Concat, width, parts).keep())
 }
 
-fn merged(high: &Expr, low: &Expr) -> Option<Expr> {
+fn merged(high: Expr, low: Expr) -> Option<Expr> {
     if let (Some(a), Some(b)) = (high.literal_value(), low.literal_value()) {
         let width = high.width() + low.width();
         return (width <= FOLDED_BITS).then(|| lit(width, a << low.width() | b));
     }
-    let (Operation::Slice(a), Operation::Slice(b)) = (&high.node().operation, &low.node().operation) else {
-        return None;
-    };
-    let source = &high.node().operands[0];
-    let adjoining = same(source, &low.node().operands[0]) && *a == b + low.width();
+    let (above, below) = (high.node(), low.node());
+    let (Operation::Slice(a), Operation::Slice(b)) = (&above.operation, &below.operation) else { return None };
+    let source = above.operands[0];
+    let adjoining = same(source, below.operands[0]) && *a == b + low.width();
     adjoining.then(|| source.bits(a + high.width() - 1, *b))
 }

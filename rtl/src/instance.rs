@@ -2,23 +2,24 @@
 
 use std::rc::Rc;
 
+use super::arena::Name;
 use super::error::FaultKind;
 use super::expression::Expr;
 use super::module::{Module, PortDeclaration, Source};
 
 /// A child of a module.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub struct Instance {
     module: u64,
     index: usize,
-    name: String,
+    name: Name,
 }
 
 impl Instance {
     /// Its name in the module.
     #[must_use]
-    pub fn name(&self) -> &str {
-        &self.name
+    pub fn name(self) -> String {
+        self.name.text()
     }
 }
 
@@ -36,9 +37,9 @@ pub(super) struct Child {
 
 impl Child {
     /// What drives an input of the child here, by the child's signal; none for its reset, which is the parent's.
-    pub(super) fn driver_of(&self, input: usize) -> Option<&Expr> {
+    pub(super) fn driver_of(&self, input: usize) -> Option<Expr> {
         let is_input = |port: &PortDeclaration| matches!(port, PortDeclaration::Input(signal) if *signal == input);
-        self.module.ports.iter().position(is_input).and_then(|port| self.inputs[port].as_ref())
+        self.module.ports.iter().position(is_input).and_then(|port| self.inputs[port])
     }
 }
 
@@ -60,7 +61,7 @@ impl Module {
         let outputs = (0..module.ports.len()).map(|port| self.child_output(name, &module, port)).collect();
         let inputs = module.ports.iter().map(|_| None).collect();
         self.children.push(Child { name: name.into(), module, reset: None, inputs, outputs });
-        Instance { module: self.identity, index: self.children.len() - 1, name: name.into() }
+        Instance { module: self.identity, index: self.children.len() - 1, name: Name::new(name) }
     }
 
     /// The signal `<instance>_<port>`, where the port is an output.
@@ -75,43 +76,44 @@ impl Module {
     }
 
     /// Drives an input of a child.
-    pub fn connect(&mut self, instance: &Instance, port: &str, value: &Expr) {
+    pub fn connect(&mut self, instance: Instance, port: &str, value: impl Into<Expr>) {
+        let value = value.into();
         let Some(index) = self.child_port(instance, port, "input") else { return };
         let child = &self.children[instance.index];
         let (_, width) = child.module.ports[index].shape(&child.module);
-        let name = format!("{}.{port}", instance.name);
+        let name = format!("{}.{port}", instance.name());
         self.check_width(&name, width, value);
         match &mut self.children[instance.index].inputs[index] {
-            slot @ None => *slot = Some(value.clone()),
+            slot @ None => *slot = Some(value),
             Some(_) => self.faults.push(FaultKind::DoublyDriven(name)),
         }
     }
 
     /// Resets a child by a condition of its own, which holds wherever the parent's reset does.
-    pub fn reset_by(&mut self, instance: &Instance, condition: &Expr) {
+    pub fn reset_by(&mut self, instance: Instance, condition: impl Into<Expr>) {
         if instance.module != self.identity {
-            self.faults.push(FaultKind::ForeignHandle(instance.name.clone()));
+            self.faults.push(FaultKind::ForeignHandle(instance.name()));
             return;
         }
-        let condition = self.rst() | condition.as_condition("reset");
+        let condition = self.rst() | condition.into().as_condition("reset");
         match &mut self.children[instance.index].reset {
             slot @ None => *slot = Some(condition),
-            Some(_) => self.faults.push(FaultKind::DoublyDriven(format!("{}.rst", instance.name))),
+            Some(_) => self.faults.push(FaultKind::DoublyDriven(format!("{}.rst", instance.name()))),
         }
     }
 
     /// An output of a child.
-    pub fn out(&mut self, instance: &Instance, port: &str) -> Expr {
+    pub fn out(&mut self, instance: Instance, port: &str) -> Expr {
         let index = self.child_port(instance, port, "output");
         let signal = index.and_then(|index| self.children[instance.index].outputs[index]);
         match signal {
-            Some(signal) => self.signals[signal].reference.clone(),
-            None => Expr::poison(1, format!("instance `{}` has no output `{port}`", instance.name)),
+            Some(signal) => self.signals[signal].reference,
+            None => Expr::poison(1, format!("instance `{}` has no output `{port}`", instance.name())),
         }
     }
 
     /// The fields of a child's output stream, by the ports `<prefix><field>`.
-    pub(super) fn output_fields(&self, instance: &Instance, prefix: &str) -> Vec<String> {
+    pub(super) fn output_fields(&self, instance: Instance, prefix: &str) -> Vec<String> {
         let Some(child) = self.children.get(instance.index) else { return vec![] };
         let outputs = child.module.ports.iter().filter(|port| matches!(port, PortDeclaration::Output { .. }));
         let fields = outputs.filter_map(|port| port.shape(&child.module).0.strip_prefix(prefix));
@@ -119,9 +121,9 @@ impl Module {
     }
 
     /// A port of a child, of the wanted direction; a fault where there is none.
-    fn child_port(&mut self, instance: &Instance, port: &str, direction: &'static str) -> Option<usize> {
+    fn child_port(&mut self, instance: Instance, port: &str, direction: &'static str) -> Option<usize> {
         if instance.module != self.identity {
-            self.faults.push(FaultKind::ForeignHandle(instance.name.clone()));
+            self.faults.push(FaultKind::ForeignHandle(instance.name()));
             return None;
         }
         let child = &self.children[instance.index];
@@ -130,7 +132,7 @@ impl Module {
                 && declaration.shape(&child.module).0 == port
         });
         if found.is_none() {
-            let (instance, unit) = (instance.name.clone(), child.module.unit.clone());
+            let (instance, unit) = (instance.name(), child.module.unit.clone());
             self.faults.push(FaultKind::UnknownPort { instance, unit, direction, port: port.into() });
         }
         found

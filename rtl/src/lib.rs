@@ -9,6 +9,7 @@
 //! and instances connect them by themselves.
 
 mod area;
+mod arena;
 mod canonical;
 mod check;
 mod clocked;

@@ -1,15 +1,16 @@
 //! Memories, tables and their ports.
 
+use super::arena::Name;
 use super::error::FaultKind;
 use super::expression::{Expr, lit};
 use super::module::{Module, Source};
 
 /// A memory of a module.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub struct Memory {
     module: u64,
     index: usize,
-    name: String,
+    name: Name,
 }
 
 /// How a memory is to be built.
@@ -77,69 +78,78 @@ impl Module {
             self.faults.push(FaultKind::Expression { user: format!("`{name}`"), message });
         }
         self.stores.push(Store { name: name.into(), depth: depth.max(2), width: width.max(1), style, content });
-        Memory { module: self.identity, index: self.stores.len() - 1, name: name.into() }
+        Memory { module: self.identity, index: self.stores.len() - 1, name: Name::new(name) }
     }
 
     /// A read port: the word at `address` one cycle later. A word written in the same cycle reads as it was before, but for
     /// [`Module::memory_unordered`].
-    pub fn read(&mut self, memory: &Memory, name: &str, address: &Expr) -> Expr {
-        self.read_port(memory, name, None, address)
+    pub fn read(&mut self, memory: Memory, name: &str, address: impl Into<Expr>) -> Expr {
+        self.read_port(memory, name, None, address.into())
     }
 
     /// A read port that keeps its word while `enable` is low.
-    pub fn read_if(&mut self, memory: &Memory, name: &str, enable: &Expr, address: &Expr) -> Expr {
-        self.read_port(memory, name, Some(enable.as_condition("enable")), address)
+    pub fn read_if(&mut self, memory: Memory, name: &str, enable: impl Into<Expr>, address: impl Into<Expr>) -> Expr {
+        self.read_port(memory, name, Some(enable.into().as_condition("enable")), address.into())
     }
 
-    fn read_port(&mut self, memory: &Memory, name: &str, enable: Option<Expr>, address: &Expr) -> Expr {
+    fn read_port(&mut self, memory: Memory, name: &str, enable: Option<Expr>, address: Expr) -> Expr {
         let width = self.addressed(memory, address);
-        self.declare(name, width, Source::Read { store: memory.index, enable, address: address.clone() })
+        self.declare(name, width, Source::Read { store: memory.index, enable, address })
     }
 
     /// The word at `address` in the same cycle; for distributed memories only.
-    pub fn read_now(&mut self, memory: &Memory, name: &str, address: &Expr) -> Expr {
+    pub fn read_now(&mut self, memory: Memory, name: &str, address: impl Into<Expr>) -> Expr {
+        let address = address.into();
         let width = self.addressed(memory, address);
         if self.stores.get(memory.index).is_some_and(|store| store.style != Style::Distributed) {
-            let message = format!("`{}` is not distributed and cannot be read without a register", memory.name);
+            let message = format!("`{}` is not distributed and cannot be read without a register", memory.name.text());
             self.faults.push(FaultKind::Expression { user: format!("`{name}`"), message });
         }
-        self.declare(name, width, Source::ReadNow { store: memory.index, address: address.clone() })
+        self.declare(name, width, Source::ReadNow { store: memory.index, address })
     }
 
     /// The memory's write port: stores `data` at clock edges where `enable` is set.
-    pub fn write(&mut self, memory: &Memory, enable: &Expr, address: &Expr, data: &Expr) {
+    pub fn write(&mut self, memory: Memory, enable: impl Into<Expr>, address: impl Into<Expr>, data: impl Into<Expr>) {
+        let (address, data) = (address.into(), data.into());
         let width = self.addressed(memory, address);
-        self.check_width(&memory.name, width, data);
-        let port = WritePort { enable: enable.as_condition("enable"), address: address.clone(), data: data.clone() };
+        self.check_width(&memory.name.text(), width, data);
+        let port = WritePort { enable: enable.into().as_condition("enable"), address, data };
         match self.stores.get_mut(memory.index).map(|store| &mut store.content) {
             Some(Content::Written(slot @ None)) => *slot = Some(port),
-            _ => self.faults.push(FaultKind::DoublyDriven(memory.name.clone())),
+            _ => self.faults.push(FaultKind::DoublyDriven(memory.name.text())),
         }
     }
 
     /// Checks a memory and an address; returns the width of the words.
-    fn addressed(&mut self, memory: &Memory, address: &Expr) -> usize {
+    fn addressed(&mut self, memory: Memory, address: Expr) -> usize {
         match self.stores.get(memory.index) {
             Some(store) if memory.module == self.identity => {
                 let (width, bits) = (store.width, address_width(store.depth));
-                self.check_width(&format!("{} address", memory.name), bits, address);
+                self.check_width(&format!("{} address", memory.name.text()), bits, address);
                 width
             }
             _ => {
-                self.faults.push(FaultKind::ForeignHandle(memory.name.clone()));
+                self.faults.push(FaultKind::ForeignHandle(memory.name.text()));
                 1
             }
         }
     }
 
     /// A registered read of a constant table; addresses past its end read the last value.
-    pub fn rom(&mut self, name: &str, values: &[u128], width: usize, address: &Expr) -> Expr {
-        self.constant_memory(name, values, width, None, address)
+    pub fn rom(&mut self, name: &str, values: &[u128], width: usize, address: impl Into<Expr>) -> Expr {
+        self.constant_memory(name, values, width, None, address.into())
     }
 
     /// A read of a constant table as [`Module::rom`], kept while `enable` is low.
-    pub fn rom_if(&mut self, name: &str, values: &[u128], width: usize, enable: &Expr, address: &Expr) -> Expr {
-        self.constant_memory(name, values, width, Some(enable.as_condition("enable")), address)
+    pub fn rom_if(
+        &mut self,
+        name: &str,
+        values: &[u128],
+        width: usize,
+        enable: impl Into<Expr>,
+        address: impl Into<Expr>,
+    ) -> Expr {
+        self.constant_memory(name, values, width, Some(enable.into().as_condition("enable")), address.into())
     }
 
     fn constant_memory(
@@ -148,23 +158,24 @@ impl Module {
         values: &[u128],
         width: usize,
         enable: Option<Expr>,
-        address: &Expr,
+        address: Expr,
     ) -> Expr {
         let table = format!("{name}_table");
         let mut padded = self.table(name, values, width, address);
         padded.resize(1 << address_width(padded.len()), *padded.last().expect("a table is never empty"));
         let memory = self.store(&table, padded.len(), width, Style::Inferred, Content::Constant(padded));
-        self.read_port(&memory, name, enable, address)
+        self.read_port(memory, name, enable, address)
     }
 
     /// A constant table without a register; addresses past its end give the last value.
-    pub fn lookup(&mut self, name: &str, values: &[u128], width: usize, address: &Expr) -> Expr {
+    pub fn lookup(&mut self, name: &str, values: &[u128], width: usize, address: impl Into<Expr>) -> Expr {
+        let address = address.into();
         let values = self.table(name, values, width, address);
-        self.declare(name, width, Source::Lookup { values, address: address.clone() })
+        self.declare(name, width, Source::Lookup { values, address })
     }
 
     /// The values of a table, checked; a stand-in where they are of no use.
-    fn table(&mut self, name: &str, values: &[u128], width: usize, address: &Expr) -> Vec<u128> {
+    fn table(&mut self, name: &str, values: &[u128], width: usize, address: Expr) -> Vec<u128> {
         let bits = address_width(values.len());
         self.check_width(&format!("{name} address"), bits, address);
         let misfit = values.iter().find(|&&value| lit(width, value).node().tainted);

@@ -6,8 +6,9 @@ use std::ops::Deref;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use super::arena::Lease;
 use super::error::FaultKind;
-use super::expression::{Expr, Operation, SignalRef, lit};
+use super::expression::{Expr, Node, Operation, SignalRef, lit};
 use super::instance::Child;
 use super::memory::Store;
 use super::names;
@@ -31,6 +32,7 @@ pub struct Module {
     pub(super) assertions: Vec<(String, Expr)>,
     pub(super) faults: Vec<FaultKind>,
     pub(super) names: HashSet<String>,
+    _lease: Lease,
 }
 
 /// A port in declaration order.
@@ -83,11 +85,11 @@ pub(super) struct Next {
 }
 
 /// A register; reads as its current value.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub struct Reg(Expr);
 
 /// A wire that is driven after its declaration; reads as its value.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub struct Wire(Expr);
 
 macro_rules! readable {
@@ -95,8 +97,8 @@ macro_rules! readable {
         impl $handle {
             /// Its value as an expression.
             #[must_use]
-            pub fn expr(&self) -> Expr {
-                self.0.clone()
+            pub const fn expr(self) -> Expr {
+                self.0
             }
         }
 
@@ -107,9 +109,9 @@ macro_rules! readable {
             }
         }
 
-        impl AsRef<Expr> for $handle {
-            fn as_ref(&self) -> &Expr {
-                &self.0
+        impl From<$handle> for Expr {
+            fn from(handle: $handle) -> Self {
+                handle.0
             }
         }
     };
@@ -134,6 +136,7 @@ impl Module {
             assertions: vec![],
             faults: vec![],
             names: HashSet::from(["clk".into(), "rst".into()]),
+            _lease: Lease::new(),
         };
         module.faults.extend(names::fault(unit));
         module.add_signal("rst", 1, Source::Reset);
@@ -157,7 +160,7 @@ impl Module {
     /// The synchronous reset, active high.
     #[must_use]
     pub fn rst(&self) -> Expr {
-        self.signals[RESET].reference.clone()
+        self.signals[RESET].reference
     }
 
     /// Declares an input port.
@@ -168,7 +171,8 @@ impl Module {
     }
 
     /// Declares an output port and drives it. A port may share the name of the very signal it shows.
-    pub fn output(&mut self, name: &str, value: &Expr) {
+    pub fn output(&mut self, name: &str, value: impl Into<Expr>) {
+        let value = value.into();
         let clash =
             self.ports.iter().any(|port| matches!(port, PortDeclaration::Output { name: other, .. } if other == name));
         let shows_itself = !clash
@@ -178,12 +182,13 @@ impl Module {
         if !shows_itself {
             self.claim(name);
         }
-        self.ports.push(PortDeclaration::Output { name: name.into(), value: value.clone() });
+        self.ports.push(PortDeclaration::Output { name: name.into(), value });
     }
 
     /// Gives an intermediate value a name in the Verilog.
-    pub fn wire(&mut self, name: &str, value: &Expr) -> Expr {
-        self.declare(name, value.width(), Source::Wire(Some(value.clone())))
+    pub fn wire(&mut self, name: &str, value: impl Into<Expr>) -> Expr {
+        let value = value.into();
+        self.declare(name, value.width(), Source::Wire(Some(value)))
     }
 
     /// Declares a wire that [`Module::drive`] drives later, once.
@@ -192,11 +197,12 @@ impl Module {
     }
 
     /// Drives a forward wire.
-    pub fn drive(&mut self, wire: &Wire, value: &Expr) {
-        let Some((index, name)) = self.own(&wire.0) else { return };
+    pub fn drive(&mut self, wire: Wire, value: impl Into<Expr>) {
+        let value = value.into();
+        let Some((index, name)) = self.own(wire.0) else { return };
         self.check_width(&name, wire.width(), value);
         match &mut self.signals[index].source {
-            Source::Wire(driver @ None) => *driver = Some(value.clone()),
+            Source::Wire(driver @ None) => *driver = Some(value),
             _ => self.faults.push(FaultKind::DoublyDriven(name)),
         }
     }
@@ -208,34 +214,34 @@ impl Module {
 
     /// Declares a register that `rst` sets to `reset`.
     pub fn reg_reset(&mut self, name: &str, width: usize, reset: u128) -> Reg {
-        self.check_expression(name, &lit(width, reset));
+        self.check_expression(name, lit(width, reset));
         Reg(self.declare(name, width, Source::Register { reset: Some(reset), next: None }))
     }
 
     /// The register takes `data` at every clock edge.
-    pub fn next(&mut self, register: &Reg, data: &Expr) {
-        self.set_next(register, None, data);
+    pub fn next(&mut self, register: Reg, data: impl Into<Expr>) {
+        self.set_next(register, None, data.into());
     }
 
     /// The register takes `data` at clock edges where `enable` is set.
-    pub fn next_if(&mut self, register: &Reg, enable: &Expr, data: &Expr) {
-        self.set_next(register, Some(enable.as_condition("enable")), data);
+    pub fn next_if(&mut self, register: Reg, enable: impl Into<Expr>, data: impl Into<Expr>) {
+        self.set_next(register, Some(enable.into().as_condition("enable")), data.into());
     }
 
-    fn set_next(&mut self, register: &Reg, enable: Option<Expr>, data: &Expr) {
-        let Some((index, name)) = self.own(&register.0) else { return };
+    fn set_next(&mut self, register: Reg, enable: Option<Expr>, data: Expr) {
+        let Some((index, name)) = self.own(register.0) else { return };
         self.check_width(&name, register.width(), data);
         match &mut self.signals[index].source {
-            Source::Register { next: next @ None, .. } => *next = Some(Next { enable, data: data.clone() }),
+            Source::Register { next: next @ None, .. } => *next = Some(Next { enable, data }),
             _ => self.faults.push(FaultKind::DoublyDriven(name)),
         }
     }
 
     /// States what holds at every clock edge outside reset; checked where `RTL_ASSERT` is defined, to be proved where
     /// `FORMAL` is as well.
-    pub fn assert(&mut self, name: &str, condition: &Expr) {
+    pub fn assert(&mut self, name: &str, condition: impl Into<Expr>) {
         self.claim(name);
-        self.assertions.push((name.into(), condition.as_condition("assertion")));
+        self.assertions.push((name.into(), condition.into().as_condition("assertion")));
     }
 
     /// Takes a name; a bad or used one is a fault.
@@ -258,13 +264,13 @@ impl Module {
     fn add_signal(&mut self, name: &str, width: usize, source: Source) -> Expr {
         let name: Rc<str> = name.into();
         let reference = SignalRef { module: self.identity, index: self.signals.len(), name: name.clone() };
-        let reference = Expr::raw(Operation::Signal(reference), width, vec![]);
-        self.signals.push(Signal { name, reference: reference.clone(), source });
+        let reference = Node::new(Operation::Signal(reference), width, []).keep();
+        self.signals.push(Signal { name, reference, source });
         reference
     }
 
     /// The table index and name behind a handle, unless it is another module's.
-    fn own(&mut self, handle: &Expr) -> Option<(usize, String)> {
+    fn own(&mut self, handle: Expr) -> Option<(usize, String)> {
         let Operation::Signal(signal) = &handle.node().operation else { return None };
         if signal.module != self.identity {
             self.faults.push(FaultKind::ForeignHandle(signal.name.to_string()));
@@ -273,7 +279,7 @@ impl Module {
         Some((signal.index, signal.name.to_string()))
     }
 
-    pub(super) fn check_width(&mut self, signal: &str, width: usize, driver: &Expr) {
+    pub(super) fn check_width(&mut self, signal: &str, width: usize, driver: Expr) {
         let driver_width = driver.width();
         if width != driver_width && !driver.node().tainted {
             let (signal, driver) = (signal.into(), driver.to_string());
@@ -282,7 +288,7 @@ impl Module {
     }
 
     /// Records the fault of an expression that no signal keeps.
-    fn check_expression(&mut self, user: &str, expression: &Expr) {
+    fn check_expression(&mut self, user: &str, expression: Expr) {
         if let Operation::Poison(message) = &expression.node().operation {
             self.faults.push(FaultKind::Expression { user: format!("`{user}`"), message: message.to_string() });
         }

@@ -7,198 +7,209 @@ use super::module::{Reg, Wire};
 
 impl Expr {
     /// Two operands of one width.
-    fn same_width(&self, symbol: &str, operation: Operation, width: usize, other: &Expr) -> Expr {
-        if self.width() != other.width() && !self.node().tainted && !other.node().tainted {
+    fn same_width(self, symbol: &str, operation: Operation, width: usize, other: Expr) -> Expr {
+        if self.width() != other.width() && !self.is_tainted() && !other.is_tainted() {
             let message =
                 format!("width mismatch in `{self} {symbol} {other}`: {} and {}", self.width(), other.width());
             return Expr::poison(width, message + " bits");
         }
-        Expr::build(operation, width, vec![self.clone(), other.clone()])
+        Expr::build(operation, width, [self, other])
     }
 
     /// A condition of one bit is needed here.
-    pub(super) fn as_condition(&self, what: &str) -> Expr {
-        if self.width() == 1 || self.node().tainted {
-            return self.clone();
+    pub(super) fn as_condition(self, what: &str) -> Expr {
+        if self.width() == 1 || self.is_tainted() {
+            return self;
         }
         Expr::poison(1, format!("{what} `{self}` has {} bits instead of 1", self.width()))
     }
 
     /// Two's complement product, as wide as both operands together.
     #[must_use]
-    pub fn mul_signed(&self, other: &Expr) -> Expr {
+    pub fn mul_signed(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         let width = self.width() + other.width();
-        Expr::build(Operation::MultiplySigned, width, vec![self.clone(), other.clone()])
+        Expr::build(Operation::MultiplySigned, width, [self, other])
     }
 
     /// Sum with its carry: one bit wider than the operands.
     #[must_use]
-    pub fn add_carry(&self, other: &Expr) -> Expr {
+    pub fn add_carry(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         let width = self.width() + 1;
-        self.zext(width).same_width("+", Operation::Add, width, &other.zext(other.width() + 1))
+        self.zext(width).same_width("+", Operation::Add, width, other.zext(other.width() + 1))
     }
 
     /// Equal.
     #[must_use]
-    pub fn eq(&self, other: &Expr) -> Expr {
+    pub fn eq(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         self.same_width("==", Operation::Equal, 1, other)
     }
 
     /// Not equal.
     #[must_use]
-    pub fn ne(&self, other: &Expr) -> Expr {
+    pub fn ne(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         self.same_width("!=", Operation::NotEqual, 1, other)
     }
 
     /// Unsigned less.
     #[must_use]
-    pub fn lt(&self, other: &Expr) -> Expr {
+    pub fn lt(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         self.same_width("<", Operation::Less, 1, other)
     }
 
     /// Unsigned less or equal.
     #[must_use]
-    pub fn le(&self, other: &Expr) -> Expr {
+    pub fn le(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         self.same_width("<=", Operation::LessOrEqual, 1, other)
     }
 
     /// Unsigned greater.
     #[must_use]
-    pub fn gt(&self, other: &Expr) -> Expr {
+    pub fn gt(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         other.lt(self)
     }
 
     /// Unsigned greater or equal.
     #[must_use]
-    pub fn ge(&self, other: &Expr) -> Expr {
+    pub fn ge(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         other.le(self)
     }
 
     /// Two's complement less.
     #[must_use]
-    pub fn lt_signed(&self, other: &Expr) -> Expr {
+    pub fn lt_signed(self, other: impl Into<Expr>) -> Expr {
+        let other = other.into();
         self.same_width("<", Operation::LessSigned, 1, other)
     }
 
     /// Equal to a constant.
     #[must_use]
-    pub fn eq_lit(&self, value: u128) -> Expr {
-        self.eq(&lit(self.width(), value))
+    pub fn eq_lit(self, value: u128) -> Expr {
+        self.eq(lit(self.width(), value))
     }
 
     /// Plus a constant; wraps.
     #[must_use]
-    pub fn add_lit(&self, value: u128) -> Expr {
+    pub fn add_lit(self, value: u128) -> Expr {
         self + lit(self.width(), value)
     }
 
     /// Minus a constant; wraps.
     #[must_use]
-    pub fn sub_lit(&self, value: u128) -> Expr {
+    pub fn sub_lit(self, value: u128) -> Expr {
         self - lit(self.width(), value)
     }
 
     /// Unsigned less than a constant.
     #[must_use]
-    pub fn lt_lit(&self, value: u128) -> Expr {
-        self.lt(&lit(self.width(), value))
+    pub fn lt_lit(self, value: u128) -> Expr {
+        self.lt(lit(self.width(), value))
     }
 
     /// Unsigned greater than or equal to a constant.
     #[must_use]
-    pub fn ge_lit(&self, value: u128) -> Expr {
-        self.ge(&lit(self.width(), value))
+    pub fn ge_lit(self, value: u128) -> Expr {
+        self.ge(lit(self.width(), value))
     }
 
     /// Shifted left by a constant, zeros from the right, same width.
     #[must_use]
-    pub fn shl(&self, amount: usize) -> Expr {
+    pub fn shl(self, amount: usize) -> Expr {
         self.shift(Operation::ShiftLeft, amount)
     }
 
     /// Shifted right by a constant, zeros from the left, same width.
     #[must_use]
-    pub fn shr(&self, amount: usize) -> Expr {
+    pub fn shr(self, amount: usize) -> Expr {
         self.shift(Operation::ShiftRight, amount)
     }
 
-    fn shift(&self, operation: Operation, amount: usize) -> Expr {
+    fn shift(self, operation: Operation, amount: usize) -> Expr {
         if amount >= self.width() {
             return lit(self.width(), 0);
         }
         let bits = (usize::BITS - amount.leading_zeros()).max(1) as usize;
-        Expr::build(operation, self.width(), vec![self.clone(), lit(bits, amount as u128)])
+        Expr::build(operation, self.width(), [self, lit(bits, amount as u128)])
     }
 
     /// Shifted right by a constant, copies of the sign from the left, same width.
     #[must_use]
-    pub fn sar(&self, amount: usize) -> Expr {
+    pub fn sar(self, amount: usize) -> Expr {
         let kept = amount.min(self.width() - 1);
         self.bits(self.width() - 1, kept).sext(self.width())
     }
 
     /// Shifted left by a variable amount, zeros from the right, same width.
     #[must_use]
-    pub fn shl_by(&self, amount: &Expr) -> Expr {
-        Expr::build(Operation::ShiftLeft, self.width(), vec![self.clone(), amount.clone()])
+    pub fn shl_by(self, amount: impl Into<Expr>) -> Expr {
+        let amount = amount.into();
+        Expr::build(Operation::ShiftLeft, self.width(), [self, amount])
     }
 
     /// Shifted right by a variable amount, zeros from the left, same width.
     #[must_use]
-    pub fn shr_by(&self, amount: &Expr) -> Expr {
-        Expr::build(Operation::ShiftRight, self.width(), vec![self.clone(), amount.clone()])
+    pub fn shr_by(self, amount: impl Into<Expr>) -> Expr {
+        let amount = amount.into();
+        Expr::build(Operation::ShiftRight, self.width(), [self, amount])
     }
 
     /// Bits `high` down to `low`, both included.
     #[must_use]
-    pub fn bits(&self, high: usize, low: usize) -> Expr {
+    pub fn bits(self, high: usize, low: usize) -> Expr {
         if high < low || high >= self.width() {
             let width = high.saturating_sub(low) + 1;
             return Expr::poison(width, format!("`{self}` has {} bits and no [{high}:{low}]", self.width()));
         }
-        Expr::build(Operation::Slice(low), high - low + 1, vec![self.clone()])
+        Expr::build(Operation::Slice(low), high - low + 1, [self])
     }
 
     /// One bit.
     #[must_use]
-    pub fn bit(&self, index: usize) -> Expr {
+    pub fn bit(self, index: usize) -> Expr {
         self.bits(index, index)
     }
 
     /// The most significant bit.
     #[must_use]
-    pub fn msb(&self) -> Expr {
+    pub fn msb(self) -> Expr {
         self.bit(self.width() - 1)
     }
 
     /// Extended with zeros to `width` bits.
     #[must_use]
-    pub fn zext(&self, width: usize) -> Expr {
+    pub fn zext(self, width: usize) -> Expr {
         if width <= self.width() {
             return self.unextended("zero-extension", width);
         }
-        cat(&[&lit(width - self.width(), 0), self])
+        cat([lit(width - self.width(), 0), self])
     }
 
     /// Extended with copies of the sign to `width` bits.
     #[must_use]
-    pub fn sext(&self, width: usize) -> Expr {
+    pub fn sext(self, width: usize) -> Expr {
         if width <= self.width() {
             return self.unextended("sign-extension", width);
         }
-        cat(&[&self.msb().repeat(width - self.width()), self])
+        cat([self.msb().repeat(width - self.width()), self])
     }
 
-    fn unextended(&self, what: &str, width: usize) -> Expr {
+    fn unextended(self, what: &str, width: usize) -> Expr {
         if width == self.width() {
-            return self.clone();
+            return self;
         }
         Expr::poison(width, format!("{what} of `{self}` from {} to {width} bits", self.width()))
     }
 
     /// The lowest `width` bits.
     #[must_use]
-    pub fn trunc(&self, width: usize) -> Expr {
+    pub fn trunc(self, width: usize) -> Expr {
         if width == 0 || width > self.width() {
             return Expr::poison(width, format!("truncation of `{self}` from {} to {width} bits", self.width()));
         }
@@ -207,61 +218,62 @@ impl Expr {
 
     /// Zero-extended or truncated to `width` bits.
     #[must_use]
-    pub fn resize(&self, width: usize) -> Expr {
+    pub fn resize(self, width: usize) -> Expr {
         if width < self.width() { self.trunc(width) } else { self.zext(width) }
     }
 
     /// Some bit is set.
     #[must_use]
-    pub fn any(&self) -> Expr {
-        Expr::build(Operation::Any, 1, vec![self.clone()])
+    pub fn any(self) -> Expr {
+        Expr::build(Operation::Any, 1, [self])
     }
 
     /// Every bit is set.
     #[must_use]
-    pub fn all(&self) -> Expr {
-        Expr::build(Operation::All, 1, vec![self.clone()])
+    pub fn all(self) -> Expr {
+        Expr::build(Operation::All, 1, [self])
     }
 
     /// No bit is set.
     #[must_use]
-    pub fn is_zero(&self) -> Expr {
+    pub fn is_zero(self) -> Expr {
         self.eq_lit(0)
     }
 
     /// `count` copies side by side.
     #[must_use]
-    pub fn repeat(&self, count: usize) -> Expr {
+    pub fn repeat(self, count: usize) -> Expr {
         if count == 0 {
             return Expr::poison(1, format!("`{self}` repeated no times"));
         }
-        Expr::build(Operation::Repeat(count), self.width() * count, vec![self.clone()])
+        Expr::build(Operation::Repeat(count), self.width() * count, [self])
     }
 
     /// `when_true` where this bit is set, else `when_false`.
     #[must_use]
-    pub fn mux(&self, when_true: &Expr, when_false: &Expr) -> Expr {
+    pub fn mux(self, when_true: impl Into<Expr>, when_false: impl Into<Expr>) -> Expr {
+        let (when_true, when_false) = (when_true.into(), when_false.into());
         let (width, other) = (when_true.width(), when_false.width());
-        if width != other && !when_true.node().tainted && !when_false.node().tainted {
+        if width != other && !when_true.is_tainted() && !when_false.is_tainted() {
             let message = format!("width mismatch in `{self} ? {when_true} : {when_false}`: {width} and {other} bits");
             return Expr::poison(width, message);
         }
         let condition = self.as_condition("selector");
-        Expr::build(Operation::Mux, width, vec![condition, when_true.clone(), when_false.clone()])
+        Expr::build(Operation::Mux, width, [condition, when_true, when_false])
     }
 }
 
 /// A binary operator of the language for every mix of expressions, registers and wires.
 macro_rules! binary_operator {
     ($trait:ident, $method:ident, $build:expr) => {
-        binary_operator!($trait, $method, $build; Expr, &Expr, &Reg, &Wire);
+        binary_operator!($trait, $method, $build; Expr, Reg, Wire);
     };
     ($trait:ident, $method:ident, $build:expr; $($left:ty),+) => {$(
-        impl<R: AsRef<Expr>> ops::$trait<R> for $left {
+        impl<R: Into<Expr>> ops::$trait<R> for $left {
             type Output = Expr;
             fn $method(self, right: R) -> Expr {
-                let build: fn(&Expr, &Expr) -> Expr = $build;
-                build(self.as_ref(), right.as_ref())
+                let build: fn(Expr, Expr) -> Expr = $build;
+                build(self.into(), right.into())
             }
         }
     )+};
@@ -272,18 +284,18 @@ binary_operator!(Sub, sub, |a, b| a.same_width("-", Operation::Subtract, a.width
 binary_operator!(BitAnd, bitand, |a, b| a.same_width("&", Operation::And, a.width(), b));
 binary_operator!(BitOr, bitor, |a, b| a.same_width("|", Operation::Or, a.width(), b));
 binary_operator!(BitXor, bitxor, |a, b| a.same_width("^", Operation::Xor, a.width(), b));
-binary_operator!(Mul, mul, |a, b| Expr::build(Operation::Multiply, a.width() + b.width(), vec![a.clone(), b.clone()]));
+binary_operator!(Mul, mul, |a, b| Expr::build(Operation::Multiply, a.width() + b.width(), [a, b]));
 
 macro_rules! not_operator {
     ($($operand:ty),+) => {$(
         impl ops::Not for $operand {
             type Output = Expr;
             fn not(self) -> Expr {
-                let operand: &Expr = self.as_ref();
-                Expr::build(Operation::Not, operand.width(), vec![operand.clone()])
+                let operand = Expr::from(self);
+                Expr::build(Operation::Not, operand.width(), [operand])
             }
         }
     )+};
 }
 
-not_operator!(Expr, &Expr, &Reg, &Wire);
+not_operator!(Expr, Reg, Wire);

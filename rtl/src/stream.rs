@@ -23,7 +23,7 @@ impl Stream {
     #[must_use]
     pub fn field(&self, name: &str) -> Expr {
         match self.fields.iter().find(|(field, _)| field == name) {
-            Some((_, value)) => value.clone(),
+            Some((_, value)) => *value,
             None => Expr::poison(1, format!("the stream of `{}` has no field `{name}`", self.valid)),
         }
     }
@@ -31,7 +31,7 @@ impl Stream {
     /// The item moves in this cycle.
     #[must_use]
     pub fn transfer(&self) -> Expr {
-        &self.valid & &self.ready
+        self.valid & self.ready
     }
 }
 
@@ -40,7 +40,7 @@ impl Module {
     pub fn stream_in(&mut self, name: &str, layout: &[(impl AsRef<str>, usize)]) -> StreamIn {
         let valid = self.input(&format!("{name}_valid"), 1);
         let ready = self.forward(&format!("{name}_ready"), 1);
-        self.output(&format!("{name}_ready"), &ready);
+        self.output(&format!("{name}_ready"), ready);
         let fields = layout.iter().map(|(field, width)| {
             let field = field.as_ref();
             (field.to_string(), self.input(&format!("{name}_{field}"), *width))
@@ -49,12 +49,17 @@ impl Module {
     }
 
     /// Answers a stream, once.
-    pub fn ready(&mut self, stream: &Stream, ready: &Expr) {
-        self.drive(&stream.ready, ready);
+    pub fn ready(&mut self, stream: &Stream, ready: impl Into<Expr>) {
+        self.drive(stream.ready, ready);
     }
 
     /// Declares and drives the ports of a stream that goes out; returns the consumer's `ready`.
-    pub fn stream_out(&mut self, name: &str, valid: &Expr, fields: &[(impl AsRef<str>, &Expr)]) -> Expr {
+    pub fn stream_out(
+        &mut self,
+        name: &str,
+        valid: impl Into<Expr>,
+        fields: impl IntoIterator<Item = (impl AsRef<str>, impl Into<Expr>)>,
+    ) -> Expr {
         self.output(&format!("{name}_valid"), valid);
         let ready = self.input(&format!("{name}_ready"), 1);
         for (field, value) in fields {
@@ -65,13 +70,13 @@ impl Module {
 
     /// Leads an inner stream out through ports.
     pub fn stream_export(&mut self, name: &str, stream: &Stream) {
-        let fields: Vec<(&str, &Expr)> = stream.fields.iter().map(|(field, value)| (field.as_str(), value)).collect();
-        let ready = self.stream_out(name, &stream.valid, &fields);
-        self.ready(stream, &ready);
+        let fields = stream.fields.iter().map(|(field, value)| (field, *value));
+        let ready = self.stream_out(name, stream.valid, fields);
+        self.ready(stream, ready);
     }
 
     /// The stream that a child puts out at ports `<port>_…`.
-    pub fn stream_from(&mut self, instance: &Instance, port: &str) -> Stream {
+    pub fn stream_from(&mut self, instance: Instance, port: &str) -> Stream {
         let prefix = format!("{port}_");
         let valid = self.out(instance, &format!("{prefix}valid"));
         let fields = self.output_fields(instance, &prefix);
@@ -81,22 +86,22 @@ impl Module {
         });
         let fields = fields.collect();
         let ready = self.forward(&format!("{}_{prefix}ready", instance.name()), 1);
-        self.connect(instance, &format!("{prefix}ready"), &ready);
+        self.connect(instance, &format!("{prefix}ready"), ready);
         Stream { valid, fields, ready }
     }
 
     /// Feeds a child's ports `<port>_…` from a stream, field by field.
-    pub fn stream_into(&mut self, instance: &Instance, port: &str, stream: &Stream) {
-        self.connect(instance, &format!("{port}_valid"), &stream.valid);
+    pub fn stream_into(&mut self, instance: Instance, port: &str, stream: &Stream) {
+        self.connect(instance, &format!("{port}_valid"), stream.valid);
         for (field, value) in &stream.fields {
-            self.connect(instance, &format!("{port}_{field}"), value);
+            self.connect(instance, &format!("{port}_{field}"), *value);
         }
         let ready = self.out(instance, &format!("{port}_ready"));
-        self.ready(stream, &ready);
+        self.ready(stream, ready);
     }
 
     /// Leads a stream from a port of one child to a port of another.
-    pub fn pipe(&mut self, (from, out): (&Instance, &str), (to, input): (&Instance, &str)) {
+    pub fn pipe(&mut self, (from, out): (Instance, &str), (to, input): (Instance, &str)) {
         let stream = self.stream_from(from, out);
         self.stream_into(to, input, &stream);
     }

@@ -31,7 +31,7 @@ impl<'a> Writer<'a> {
             graph.module.signals.iter().enumerate().filter(|(index, _)| graph.signals[*index] != Need::Nobody)
         {
             if let Source::Wire(Some(driver)) = &signal.source {
-                author_names.entry(graph.node_of(driver)).or_insert(index);
+                author_names.entry(graph.node_of(*driver)).or_insert(index);
             }
         }
         Self {
@@ -52,7 +52,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The whole of an expression, as the right side of an assignment.
-    pub fn expression(&mut self, expr: &Expr) -> String {
+    pub fn expression(&mut self, expr: Expr) -> String {
         let node = self.graph.node_of(expr);
         if self.wants_wire(node) {
             return self.whole(node);
@@ -69,7 +69,7 @@ impl<'a> Writer<'a> {
         let Source::Wire(Some(driver)) = &module.signals[signal].source else {
             return self.define_special(signal);
         };
-        let node = self.graph.node_of(driver);
+        let node = self.graph.node_of(*driver);
         let name = module.signals[signal].name.to_string();
         let value = match self.node_names.get(&node).cloned() {
             Some(other) => self.read_all(&other),
@@ -88,12 +88,12 @@ impl<'a> Writer<'a> {
         let (name, width) = (&module.signals[signal].name, module.signals[signal].reference.width());
         match &module.signals[signal].source {
             Source::ReadNow { store, address } => {
-                let address = self.expression(address);
+                let address = self.expression(*address);
                 self.push_definition(signal, &format!("{}[{address}]", module.stores[*store].name));
             }
             Source::Lookup { values, address } => {
                 let address_width = address.width();
-                let address = self.expression(address);
+                let address = self.expression(*address);
                 let mut text = String::new();
                 if !self.port_signals.contains(&signal) {
                     let _ = writeln!(text, "reg {}{name};", range(width));

@@ -83,13 +83,13 @@ impl Beats {
     }
 
     /// A beat without the bits that never hold anything.
-    pub fn squeeze(&self, beat: &Expr) -> Expr {
+    pub fn squeeze(&self, beat: Expr) -> Expr {
         let runs: Vec<Expr> = self.used.iter().rev().map(|(low, width)| beat.bits(low + width - 1, *low)).collect();
-        cat(&runs.iter().collect::<Vec<_>>())
+        cat(runs.iter().copied())
     }
 
     /// A part's bits of a squeezed beat.
-    fn part_of(&self, squeezed: &Expr, part: &Part) -> Expr {
+    fn part_of(&self, squeezed: Expr, part: &Part) -> Expr {
         let mut at = 0;
         for (low, width) in &self.used {
             if (*low..low + width).contains(&part.low) {
@@ -102,7 +102,7 @@ impl Beats {
     }
 
     /// A field's bits in a beat that holds it whole, and that beat's number.
-    pub fn field_in(&self, name: &str, beat: &Expr) -> (usize, Expr) {
+    pub fn field_in(&self, name: &str, beat: Expr) -> (usize, Expr) {
         let index =
             self.fields.iter().position(|(field, _)| field == name).expect("units name fields of their records");
         let part = self.parts.iter().find(|part| part.field == index).expect("every field has a part");
@@ -110,11 +110,11 @@ impl Beats {
     }
 
     /// Registers that gather a record from squeezed beats, each where `enable` is set and `place` says that it comes.
-    pub fn gather(&self, m: &mut Module, squeezed: &Expr, place: Option<&Expr>, enable: &Expr) -> Record {
+    pub fn gather(&self, m: &mut Module, squeezed: Expr, place: Option<Expr>, enable: Expr) -> Record {
         let enables: Vec<Expr> = (0..self.count)
             .map(|beat| match place {
-                Some(place) => m.wire(&format!("takes_beat_{beat}"), &(enable & place.eq_lit(beat as u128))),
-                None => enable.clone(),
+                Some(place) => m.wire(&format!("takes_beat_{beat}"), enable & place.eq_lit(beat as u128)),
+                None => enable,
             })
             .collect();
         let mut registers: Vec<Vec<Reg>> = self.fields.iter().map(|_| vec![]).collect();
@@ -122,10 +122,10 @@ impl Beats {
             let gathered = &mut registers[part.field];
             let name = format!("held_{}_{}", self.fields[part.field].0, gathered.len());
             let register = m.reg(&name, part.width);
-            m.next_if(&register, &enables[part.beat], &self.part_of(squeezed, part));
+            m.next_if(register, enables[part.beat], self.part_of(squeezed, part));
             gathered.push(register);
         }
-        let mut values = registers.iter().map(|parts| cat(&parts.iter().rev().map(AsRef::as_ref).collect::<Vec<_>>()));
+        let mut values = registers.iter().map(|parts| cat(parts.iter().rev().copied()));
         Record::new(&self.fields, |_| values.next().expect("every field has a value"))
     }
 
@@ -148,7 +148,7 @@ impl Beats {
             if end < self.beat_bits {
                 pieces.push(lit(self.beat_bits - end, 0));
             }
-            cat(&pieces.iter().rev().collect::<Vec<_>>())
+            cat(pieces.iter().rev().copied())
         };
         beats.into_iter().map(word).collect()
     }

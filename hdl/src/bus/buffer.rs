@@ -20,9 +20,9 @@ pub(super) struct Buffer<'a> {
     /// Where the first tile lies.
     pub base: Expr,
     /// The unit that reads.
-    pub reads: &'a Instance,
+    pub reads: Instance,
     /// The unit that writes.
-    pub writes: &'a Instance,
+    pub writes: Instance,
 }
 
 impl Buffer<'_> {
@@ -32,16 +32,16 @@ impl Buffer<'_> {
         let stride_bits = Layout::of(self.pixel).stride(self.memory_bits).ilog2() as usize;
         let writer_idle = m.out(self.writes, "idle");
         let tile_bits = stride_bits + self.tile_pixels.ilog2() as usize;
-        let address = m.wire("tile_address", &place(&self.base, &read.field("tile"), tile_bits));
+        let address = m.wire("tile_address", place(self.base, read.field("tile"), tile_bits));
         let count = lit(self.tile_pixels.ilog2() as usize + 1, self.tile_pixels.into());
-        feed(m, read, (self.reads, "request"), &writer_idle, &request(address, count));
-        let index = cat(&[&write.field("tile"), &write.field("pixel")]);
-        let address = m.wire("pixel_address", &place(&self.base, &index, stride_bits));
+        feed(m, read, (self.reads, "request"), writer_idle, &request(address, count));
+        let index = cat([write.field("tile"), write.field("pixel")]);
+        let address = m.wire("pixel_address", place(self.base, index, stride_bits));
         let mut fields = vec![("address".to_owned(), ADDRESS_BITS as u32)];
         fields.extend_from_slice(self.pixel);
-        let written = Record::new(&fields, |name| if name == "address" { address.clone() } else { write.field(name) });
-        let no_read = m.wire("no_read", &!&read.valid);
-        feed(m, write, (self.writes, "in"), &no_read, &written);
+        let written = Record::new(&fields, |name| if name == "address" { address } else { write.field(name) });
+        let no_read = m.wire("no_read", !read.valid);
+        feed(m, write, (self.writes, "in"), no_read, &written);
     }
 }
 
@@ -51,15 +51,15 @@ pub fn alone(pixel: &[Field], memory_bits: u32, tile_bits: u32, tile_pixels: u32
     let mut m = Module::new("splat_buffer", "The renderer's reconstruction buffer in memory.");
     let reads = m.instance("reads", reader::limited(pixel, memory_bits, tile_pixels, limit));
     let writes = m.instance("writes", writer::limited(pixel, memory_bits, limit));
-    export(&mut m, &reads, &ports::reader(pixel, memory_bits, tile_pixels), "m_axi", "m_axi");
-    export(&mut m, &writes, &ports::writer(pixel, memory_bits), "m_axi", "m_axi");
+    export(&mut m, reads, &ports::reader(pixel, memory_bits, tile_pixels), "m_axi", "m_axi");
+    export(&mut m, writes, &ports::writer(pixel, memory_bits), "m_axi", "m_axi");
     let base = m.input("base", ADDRESS_BITS);
     let read = m.stream_in("read", &[("tile", tile_bits as usize)]);
     let place = [("tile".to_owned(), tile_bits), ("pixel".to_owned(), address_width(tile_pixels as usize) as u32)];
     let write = stream_in(&mut m, "write", &[place.as_slice(), pixel].concat());
-    let buffer = Buffer { pixel, tile_pixels, memory_bits, base, reads: &reads, writes: &writes };
+    let buffer = Buffer { pixel, tile_pixels, memory_bits, base, reads, writes };
     buffer.order(&mut m, &read, &write);
-    let data = m.stream_from(&reads, "record");
+    let data = m.stream_from(reads, "record");
     m.stream_export("data", &data);
     m
 }

@@ -33,60 +33,60 @@ fn population(bits: &[Expr], width: usize) -> Expr {
 }
 
 /// Counts; reads the counter `asked` where `asks` is set, which is to fall with the answer.
-pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: &Expr, asked: &Expr) -> Answer {
+pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: Expr) -> Answer {
     let count = counters.len();
     let index_width = address_width(count);
     let adds = m.reg_reset("adds", 1, 0);
-    m.next(&adds, &!&adds);
+    m.next(adds, !adds);
     let visited = m.reg_reset("visited", index_width, 0);
-    let looks = m.wire("looks", &!&adds);
+    let looks = m.wire("looks", !adds);
 
     let (mut parts, mut voids) = (vec![], vec![]);
     for (index, counter) in counters.iter().enumerate() {
-        let visits = m.wire(&format!("visits_{index}"), &(&looks & visited.eq_lit(index as u128)));
-        let [part, void] = own_bits(m, index, count as u32, counter, &visits);
+        let visits = m.wire(&format!("visits_{index}"), looks & visited.eq_lit(index as u128));
+        let [part, void] = own_bits(m, index, count as u32, counter, visits);
         parts.push(part);
         voids.push(void);
     }
     let widest = parts.iter().map(|part| part.width()).max().unwrap_or(1);
     let parts: Vec<Expr> = parts.iter().map(|part| part.zext(widest)).collect();
     let part = m.reg("part", widest);
-    m.next(&part, &select(&visited, &parts.iter().collect::<Vec<_>>()));
+    m.next(part, select(visited, parts.iter().copied()));
     let is_void = m.reg("is_void", 1);
-    m.next(&is_void, &select(&visited, &voids.iter().map(AsRef::as_ref).collect::<Vec<_>>()));
+    m.next(is_void, select(visited, voids.iter().copied()));
 
     let words = m.memory_distributed("words", count, REGISTER_BITS);
-    let word = m.read(&words, "word", &visited);
+    let word = m.read(words, "word", visited);
     let base = lit(REGISTER_BITS, 0);
-    let base = is_void.mux(&base, &word);
-    let sum = m.wire("sum", &base.add_carry(&part.zext(REGISTER_BITS)));
-    let saturated = m.wire("saturated", &(sum.trunc(REGISTER_BITS) | sum.msb().repeat(REGISTER_BITS)));
-    m.write(&words, &adds, &visited, &saturated);
+    let base = is_void.mux(base, word);
+    let sum = m.wire("sum", base.add_carry(part.zext(REGISTER_BITS)));
+    let saturated = m.wire("saturated", sum.trunc(REGISTER_BITS) | sum.msb().repeat(REGISTER_BITS));
+    m.write(words, adds, visited, saturated);
 
     let round = m.reg_reset("round", index_width, 0);
     let for_read = m.reg_reset("for_read", 1, 0);
-    let turns_aside = m.wire("turns_aside", &(asks & !&for_read));
-    m.next_if(&for_read, &adds, &turns_aside);
-    m.next_if(&visited, &adds, &turns_aside.mux(asked, &round));
-    let next = round.eq_lit(count as u128 - 1).mux(&lit(index_width, 0), &round.add_lit(1));
-    m.next_if(&round, &(&adds & !&turns_aside), &next);
+    let turns_aside = m.wire("turns_aside", asks & !for_read);
+    m.next_if(for_read, adds, turns_aside);
+    m.next_if(visited, adds, turns_aside.mux(asked, round));
+    let next = round.eq_lit(count as u128 - 1).mux(lit(index_width, 0), round.add_lit(1));
+    m.next_if(round, adds & !turns_aside, next);
     let valid = m.reg_reset("read_valid", 1, 0);
-    m.next(&valid, &(&adds & &for_read));
+    m.next(valid, adds & for_read);
     let value = m.reg("read_value", REGISTER_BITS);
-    m.next(&value, &saturated);
+    m.next(value, saturated);
     Answer { valid: valid.expr(), value: value.expr() }
 }
 
 /// A counter's own bits: what it has counted since its last visit, and whether its word in memory is void.
-fn own_bits(m: &mut Module, index: usize, count: u32, counter: &Counter, visits: &Expr) -> [Reg; 2] {
+fn own_bits(m: &mut Module, index: usize, count: u32, counter: &Counter, visits: Expr) -> [Reg; 2] {
     let most = counter.sources.len() as u32 * CYCLES_A_VISIT * (count + 1);
     let width = index_bits(most + 1) as usize;
     let part = m.reg_reset(&format!("part_{index}"), width, 0);
     let more = population(&counter.sources, width);
-    m.assert(&format!("part_{index}_has_room"), &!part.add_carry(&more).msb());
-    let starts_anew = visits | &counter.clear;
-    m.next(&part, &starts_anew.mux(&more, &(&part + &more)));
+    m.assert(&format!("part_{index}_has_room"), !part.add_carry(more).msb());
+    let starts_anew = visits | counter.clear;
+    m.next(part, starts_anew.mux(more, part + more));
     let void = m.reg_reset(&format!("void_{index}"), 1, 1);
-    m.next(&void, &(&counter.clear | (&void & !visits)));
+    m.next(void, counter.clear | (void & !visits));
     [part, void]
 }

@@ -26,85 +26,85 @@ pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) ->
     let last = if has_end(fields) { None } else { Some(m.input("last", 1)) };
     let tvalid = m.input("s_axis_tvalid", 1);
     let tready = m.forward("s_axis_ready", 1);
-    m.output("s_axis_tready", &tready);
+    m.output("s_axis_tready", tready);
     let tdata = m.input("s_axis_tdata", stream_bits as usize);
     let tlast = m.input("s_axis_tlast", 1);
-    let takes = m.wire("takes", &(&tvalid & &tready));
+    let takes = m.wire("takes", tvalid & tready);
 
     // The place of the beat that comes in its packet; of one without end, only its end counts.
     let place = (beats.count > 1).then(|| m.reg_reset("place", beats.place_bits(), 0));
     let is_overlong = m.reg_reset("is_overlong", 1, 0);
-    let at_end = place.as_ref().map_or(bit(true), |place| place.eq_lit(beats.count as u128 - 1));
-    let whole = m.wire("whole", &(&takes & (&tlast & (&at_end & !&is_overlong))));
-    let wrong = &takes & ((&tlast ^ &at_end) & !&is_overlong);
-    let incoming = Incoming { beats: &beats, data: &tdata, place: place.as_ref(), takes: &takes };
+    let at_end = place.map_or(bit(true), |place| place.eq_lit(beats.count as u128 - 1));
+    let whole = m.wire("whole", takes & (tlast & (at_end & !is_overlong)));
+    let wrong = takes & ((tlast ^ at_end) & !is_overlong);
+    let incoming = Incoming { beats: &beats, data: tdata, place, takes };
     let in_range = range.map_or(bit(true), |FieldRange { name, low, high }| {
-        let holds = |value: &Expr| value.ge_lit((*low).into()) & !value.gt(&lit(value.width(), (*high).into()));
+        let holds = |value: Expr| value.ge_lit((*low).into()) & !value.gt(lit(value.width(), (*high).into()));
         incoming.noted(&mut m, "in_range", name, holds)
     });
-    let good = m.wire("good", &(&whole & &in_range));
-    m.next_if(&is_overlong, &takes, &(!&tlast & (&is_overlong | &at_end)));
+    let good = m.wire("good", whole & in_range);
+    m.next_if(is_overlong, takes, !tlast & (is_overlong | at_end));
     if let Some(place) = &place {
-        let next = (&tlast | &at_end).mux(&lit(beats.place_bits(), 0), &place.add_lit(1));
-        m.next_if(place, &(&takes & !&is_overlong), &next);
+        let next = (tlast | at_end).mux(lit(beats.place_bits(), 0), place.add_lit(1));
+        m.next_if(*place, takes & !is_overlong, next);
     }
     let begun = m.reg_reset("begun", 1, 0);
-    m.next_if(&begun, &takes, &!&tlast);
+    m.next_if(begun, takes, !tlast);
     let closes = match last {
         Some(last) => last,
-        None => incoming.noted(&mut m, "ends", "end", Expr::clone),
+        None => incoming.noted(&mut m, "ends", "end", |flag| flag),
     };
     let is_open = m.reg_reset("is_open", 1, 0);
-    m.next(&is_open, &(&opens | (&is_open & !(&good & closes))));
+    m.next(is_open, opens | (is_open & !(good & closes)));
 
     let mut layout = vec![("good", 1), ("data", beats.used_bits())];
     if place.is_some() {
         layout.push(("place", beats.place_bits()));
     }
     let queue = m.instance("beat_queue", skid(&layout));
-    let room = m.out(&queue, "in_ready");
-    m.drive(&tready, &(&room & (&begun | &is_open)));
-    m.connect(&queue, "in_valid", &(&takes & !&is_overlong));
-    m.connect(&queue, "in_good", &good);
-    m.connect(&queue, "in_data", &beats.squeeze(&tdata));
+    let room = m.out(queue, "in_ready");
+    m.drive(tready, room & (begun | is_open));
+    m.connect(queue, "in_valid", takes & !is_overlong);
+    m.connect(queue, "in_good", good);
+    m.connect(queue, "in_data", beats.squeeze(tdata));
     if let Some(place) = &place {
-        m.connect(&queue, "in_place", place);
+        m.connect(queue, "in_place", *place);
     }
 
-    let head = m.stream_from(&queue, "out");
+    let head = m.stream_from(queue, "out");
     let out_valid = m.reg_reset("out_valid", 1, 0);
     let out_taken = m.forward("out_taken", 1);
-    let advance = m.wire("advance", &(!&out_valid | &out_taken));
-    m.ready(&head, &advance);
-    m.next_if(&out_valid, &advance, &(&head.valid & head.field("good")));
-    let moves = m.wire("moves", &head.transfer());
+    let advance = m.wire("advance", !out_valid | out_taken);
+    m.ready(&head, advance);
+    m.next_if(out_valid, advance, head.valid & head.field("good"));
+    let moves = m.wire("moves", head.transfer());
     let place = place.map(|_| head.field("place"));
-    let record = beats.gather(&mut m, &head.field("data"), place.as_ref(), &moves);
-    stream_out(&mut m, "out", &out_valid, &record, &out_taken);
-    event_out(&mut m, "taken", &good);
-    event_out(&mut m, "refused", &(wrong | (whole & !in_range)));
+    let record = beats.gather(&mut m, head.field("data"), place, moves);
+    stream_out(&mut m, "out", out_valid, &record, out_taken);
+    event_out(&mut m, "taken", good);
+    event_out(&mut m, "refused", wrong | (whole & !in_range));
     m
 }
 
 /// A packet as it comes in.
 struct Incoming<'a> {
     beats: &'a Beats,
-    data: &'a Expr,
-    place: Option<&'a Reg>,
-    takes: &'a Expr,
+    data: Expr,
+    place: Option<Reg>,
+    takes: Expr,
 }
 
 impl Incoming<'_> {
     /// What holds of a field, from its beat to the packet's last.
-    fn noted(&self, m: &mut Module, name: &str, field: &str, holds: impl Fn(&Expr) -> Expr) -> Expr {
+    fn noted(&self, m: &mut Module, name: &str, field: &str, holds: impl Fn(Expr) -> Expr) -> Expr {
         let (beat, value) = self.beats.field_in(field, self.data);
-        let now = holds(&value);
+        let now = holds(value);
         let Some(place) = self.place else { return now };
         if beat + 1 == self.beats.count {
             return now;
         }
         let noted = m.reg(name, 1);
-        m.next_if(&noted, &(self.takes & place.eq_lit(beat as u128)), &now);
+        m.next_if(noted, self.takes & place.eq_lit(beat as u128), now);
         noted.expr()
     }
 }

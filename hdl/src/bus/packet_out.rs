@@ -17,14 +17,14 @@ pub fn module(fields: &[Field], stream_bits: u32) -> Module {
     m.parameter("width", stream_bits);
     let input = stream_in(&mut m, "in", fields);
     let accepts = bit(true);
-    let words = spread(&mut m, &beats, &input.valid, &Record::from(&input), &accepts);
-    m.ready(&input, &words.ready);
-    m.output("m_axis_tvalid", &words.out.valid);
+    let words = spread(&mut m, &beats, input.valid, &Record::from(&input), accepts);
+    m.ready(&input, words.ready);
+    m.output("m_axis_tvalid", words.out.valid);
     let tready = m.input("m_axis_tready", 1);
-    m.output("m_axis_tdata", &words.out.field("data"));
-    m.output("m_axis_tlast", &words.out.field("last"));
-    m.ready(&words.out, &tready);
-    event_out(&mut m, "sent", &(words.out.transfer() & words.out.field("last")));
-    m.output("idle", &words.idle);
+    m.output("m_axis_tdata", words.out.field("data"));
+    m.output("m_axis_tlast", words.out.field("last"));
+    m.ready(&words.out, tready);
+    event_out(&mut m, "sent", words.out.transfer() & words.out.field("last"));
+    m.output("idle", words.idle);
     m
 }

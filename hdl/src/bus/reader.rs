@@ -37,50 +37,50 @@ pub fn limited(fields: &[Field], memory_bits: u32, records_max: u32, reads_max: 
 
     let rvalid = m.input("m_axi_rvalid", 1);
     let queue = m.instance("beat_queue", skid(&[("data", beats.used_bits()), ("last", 1)]));
-    let rready = m.out(&queue, "in_ready");
-    m.output("m_axi_rready", &rready);
+    let rready = m.out(queue, "in_ready");
+    m.output("m_axi_rready", rready);
     m.input("m_axi_rid", ID_BITS as usize);
     let rdata = m.input("m_axi_rdata", memory_bits as usize);
     let rresp = m.input("m_axi_rresp", RESPONSE_BITS);
     let rlast = m.input("m_axi_rlast", 1);
-    m.connect(&queue, "in_valid", &rvalid);
-    m.connect(&queue, "in_data", &beats.squeeze(&rdata));
-    m.connect(&queue, "in_last", &rlast);
-    let head = m.stream_from(&queue, "out");
+    m.connect(queue, "in_valid", rvalid);
+    m.connect(queue, "in_data", beats.squeeze(rdata));
+    m.connect(queue, "in_last", rlast);
+    let head = m.stream_from(queue, "out");
 
     let record_valid = m.reg_reset("record_valid", 1, 0);
     let record_taken = m.forward("record_taken", 1);
-    let advance = m.wire("advance", &(!&record_valid | &record_taken));
-    let expected = lengths.as_ref().map_or(bit(true), |lengths| lengths.valid.clone());
-    let moves = m.wire("moves", &(&head.valid & (&advance & &expected)));
-    m.ready(&head, &(&advance & &expected));
+    let advance = m.wire("advance", !record_valid | record_taken);
+    let expected = lengths.as_ref().map_or(bit(true), |lengths| lengths.valid);
+    let moves = m.wire("moves", head.valid & (advance & expected));
+    m.ready(&head, advance & expected);
 
     // The number of the beat in its burst; its low bits are the place in the record.
     let number_bits = if lengths.is_some() { LENGTH_BITS } else { beats.place_bits() };
     let number = (number_bits > 0).then(|| m.reg_reset("number", number_bits, 0));
     let ends = match (&number, &lengths) {
-        (Some(number), Some(lengths)) => number.eq(&lengths.field("length")),
+        (Some(number), Some(lengths)) => number.eq(lengths.field("length")),
         (Some(number), None) => number.eq_lit(beats.count as u128 - 1),
         (None, _) => bit(true),
     };
-    let ends = m.wire("ends", &ends);
+    let ends = m.wire("ends", ends);
     if let Some(number) = &number {
-        m.next_if(number, &moves, &ends.mux(&lit(number_bits, 0), &number.add_lit(1)));
+        m.next_if(*number, moves, ends.mux(lit(number_bits, 0), number.add_lit(1)));
     }
     if let Some(lengths) = &lengths {
-        m.ready(lengths, &(&moves & &ends));
+        m.ready(lengths, moves & ends);
     }
     let place = (beats.count > 1).then(|| number.as_ref().map(|number| number.trunc(beats.place_bits()))).flatten();
-    let completes = place.as_ref().map_or(bit(true), |place| place.eq_lit(beats.count as u128 - 1));
-    m.next_if(&record_valid, &advance, &(&moves & &completes));
-    let record = beats.gather(&mut m, &head.field("data"), place.as_ref(), &moves);
-    stream_out(&mut m, "record", &record_valid, &record, &record_taken);
+    let completes = place.map_or(bit(true), |place| place.eq_lit(beats.count as u128 - 1));
+    m.next_if(record_valid, advance, moves & completes);
+    let record = beats.gather(&mut m, head.field("data"), place, moves);
+    stream_out(&mut m, "record", record_valid, &record, record_taken);
 
-    event_out(&mut m, "error", &((&rvalid & &rready) & rresp.any()));
-    let misplaced = head.field("last") ^ &ends;
+    event_out(&mut m, "error", (rvalid & rready) & rresp.any());
+    let misplaced = head.field("last") ^ ends;
     let is_wrong = m.reg_reset("is_wrong", 1, 0);
-    m.next_if(&is_wrong, &moves, &(!&ends & (&is_wrong | &misplaced)));
-    event_out(&mut m, "misplaced", &(&moves & (&ends & (&is_wrong | &misplaced))));
+    m.next_if(is_wrong, moves, !ends & (is_wrong | misplaced));
+    event_out(&mut m, "misplaced", moves & (ends & (is_wrong | misplaced)));
     m
 }
 
@@ -100,17 +100,17 @@ fn bursts(
     let held = m.reg_reset("held", 1, 0);
     let address = m.reg("address", ADDRESS_BITS - stride);
     let queue = m.instance("address_queue", skid(&[("address", ADDRESS_BITS - stride), ("length", LENGTH_BITS)]));
-    let room = m.out(&queue, "in_ready");
+    let room = m.out(queue, "in_ready");
     let asked_address = request.field("address").bits(ADDRESS_BITS - 1, stride);
     let issues;
     let length;
     let lengths;
     if records_max == 1 {
-        issues = m.wire("issues", &(&held & &room));
-        let ready = m.wire("takes_request", &(!&held | &room));
-        m.ready(request, &ready);
-        m.next_if(&held, &ready, &request.valid);
-        m.next_if(&address, &ready, &asked_address);
+        issues = m.wire("issues", held & room);
+        let ready = m.wire("takes_request", !held | room);
+        m.ready(request, ready);
+        m.next_if(held, ready, request.valid);
+        m.next_if(address, ready, asked_address);
         length = lit(LENGTH_BITS, (1 << record_beats_log2) - 1);
         lengths = None;
     } else {
@@ -118,53 +118,53 @@ fn bursts(
         let chunk_bits = chunk_records.ilog2() as usize;
         let width = records.width().max(chunk_bits + 1);
         let offset = address.trunc(chunk_bits).zext(width);
-        let room_records = m.wire("room_records", &(lit(width, chunk_records.into()) - offset));
+        let room_records = m.wire("room_records", lit(width, chunk_records.into()) - offset);
         let wanted = records.zext(width);
-        let crosses = m.wire("crosses", &wanted.gt(&room_records));
-        let burst = m.wire("burst", &crosses.mux(&room_records, &wanted));
+        let crosses = m.wire("crosses", wanted.gt(room_records));
+        let burst = m.wire("burst", crosses.mux(room_records, wanted));
         let under_way = m.instance("length_queue", fifo(reads_max as usize, &[("length", LENGTH_BITS)]));
-        let below_limit = m.out(&under_way, "in_ready");
-        issues = m.wire("issues", &(&held & (&room & &below_limit)));
-        let ready = m.wire("takes_request", &(!&held | (&issues & !&crosses)));
-        m.ready(request, &ready);
-        m.next_if(&held, &ready, &request.valid);
+        let below_limit = m.out(under_way, "in_ready");
+        issues = m.wire("issues", held & (room & below_limit));
+        let ready = m.wire("takes_request", !held | (issues & !crosses));
+        m.ready(request, ready);
+        m.next_if(held, ready, request.valid);
         // What is beyond the border begins at it.
         let next_chunk = address.bits(address.width() - 1, chunk_bits).add_lit(1);
-        let beyond = cat(&[&next_chunk, &lit(chunk_bits, 0)]);
-        let changes = &ready | &issues;
-        m.next_if(&address, &changes, &ready.mux(&asked_address, &beyond));
-        let left = (&wanted - &room_records).trunc(records.width());
-        m.next_if(&records, &changes, &ready.mux(&request.field("records"), &left));
+        let beyond = cat([next_chunk, lit(chunk_bits, 0)]);
+        let changes = ready | issues;
+        m.next_if(address, changes, ready.mux(asked_address, beyond));
+        let left = (wanted - room_records).trunc(records.width());
+        m.next_if(records, changes, ready.mux(request.field("records"), left));
         // At most 256 beats: one less fits the length.
         let beats = match record_beats_log2 {
             0 => burst.resize(LENGTH_BITS + 1),
-            shift => cat(&[&burst.resize(LENGTH_BITS + 1 - shift), &lit(shift, 0)]),
+            shift => cat([burst.resize(LENGTH_BITS + 1 - shift), lit(shift, 0)]),
         };
-        length = m.wire("length", &beats.sub_lit(1).trunc(LENGTH_BITS));
-        m.connect(&under_way, "in_valid", &issues);
-        m.connect(&under_way, "in_length", &length);
-        lengths = Some(m.stream_from(&under_way, "out"));
+        length = m.wire("length", beats.sub_lit(1).trunc(LENGTH_BITS));
+        m.connect(under_way, "in_valid", issues);
+        m.connect(under_way, "in_length", length);
+        lengths = Some(m.stream_from(under_way, "out"));
     }
-    m.connect(&queue, "in_valid", &issues);
-    m.connect(&queue, "in_address", &address);
-    m.connect(&queue, "in_length", &length);
-    let burst = m.stream_from(&queue, "out");
+    m.connect(queue, "in_valid", issues);
+    m.connect(queue, "in_address", address);
+    m.connect(queue, "in_length", length);
+    let burst = m.stream_from(queue, "out");
     address_out(m, "m_axi_ar", &burst, stride, beat_bytes);
     lengths
 }
 
 /// Drives an address channel from a queue of record addresses and lengths.
 pub(super) fn address_out(m: &mut Module, prefix: &str, burst: &Stream, stride: usize, beat_bytes: u32) {
-    m.output(&format!("{prefix}valid"), &burst.valid);
+    m.output(&format!("{prefix}valid"), burst.valid);
     let ready = m.input(&format!("{prefix}ready"), 1);
-    m.ready(burst, &ready);
+    m.ready(burst, ready);
     let constants: [(&str, Expr); 2] = [("size", size_of(beat_bytes)), ("burst", INCREMENTING.expr())];
-    m.output(&format!("{prefix}id"), &lit(ID_BITS as usize, 0));
+    m.output(&format!("{prefix}id"), lit(ID_BITS as usize, 0));
     let address = burst.field("address");
-    let address = if stride == 0 { address } else { cat(&[&address, &lit(stride, 0)]) };
-    m.output(&format!("{prefix}addr"), &address);
-    m.output(&format!("{prefix}len"), &burst.field("length"));
+    let address = if stride == 0 { address } else { cat([address, lit(stride, 0)]) };
+    m.output(&format!("{prefix}addr"), address);
+    m.output(&format!("{prefix}len"), burst.field("length"));
     for (name, value) in constants {
-        m.output(&format!("{prefix}{name}"), &value);
+        m.output(&format!("{prefix}{name}"), value);
     }
 }

@@ -36,7 +36,7 @@ impl<'a> Stored<'a> {
     fn value(&self) -> Expr {
         match zero_bits(self.register) {
             0 => self.bits.expr(),
-            zeros => cat(&[&self.bits, &lit(zeros, 0)]),
+            zeros => cat([*self.bits, lit(zeros, 0)]),
         }
     }
 }
@@ -51,7 +51,7 @@ fn zero_bits(register: &Register) -> usize {
 
 /// Whether one of several conditions holds.
 fn any(conditions: &[Expr]) -> Expr {
-    conditions.iter().fold(bit(false), |any, condition| any | condition)
+    conditions.iter().fold(bit(false), |any, condition| any | *condition)
 }
 
 /// Whether a register is one of the counters.
@@ -65,7 +65,7 @@ fn word_of(register: &Register) -> u128 {
 }
 
 /// The number of the register that holds a byte.
-fn word_in(address: &Expr) -> Expr {
+fn word_in(address: Expr) -> Expr {
     address.bits(BYTE_ADDRESS_BITS - 1, BYTE_BITS)
 }
 
@@ -80,28 +80,28 @@ pub fn module(map: &[Register], sources: ErrorSources) -> Module {
     let busy = m.reg_reset("busy", 1, 0);
     let is_stored = |register: &&Register| register.access() == Access::ReadWrite;
     let stored: Vec<Stored> = map.iter().filter(is_stored).map(|register| Stored::new(&mut m, register)).collect();
-    let [refused_access, refused_busy] = write.judge(&mut m, map, &stored, &busy, &occupied);
+    let [refused_access, refused_busy] = write.judge(&mut m, map, &stored, *busy, occupied);
     for Stored { register, bits } in &stored {
         let value = write.data.bits(register.width as usize - 1, zero_bits(register));
-        m.next_if(bits, &(&write.accepted & write.chooses(register)), &value);
+        m.next_if(*bits, write.accepted & write.chooses(register), value);
     }
     let control = map.iter().find(|register| register.kind == Kind::Control).expect("every map has `control`");
-    let commands = m.wire("commands", &(&write.accepted & write.chooses(control)));
+    let commands = m.wire("commands", write.accepted & write.chooses(control));
     let [start, core_reset, clear_errors] = ["start", "core_reset", "clear_errors"].map(|name| m.reg_reset(name, 1, 0));
     for (number, pulse) in [&start, &core_reset, &clear_errors].into_iter().enumerate() {
-        m.next(pulse, &(&commands & write.data.bit(number)));
+        m.next(*pulse, commands & write.data.bit(number));
     }
-    let starts = m.wire("starts", &(&commands & write.data.bit(0)));
-    m.next(&busy, &(&starts | (&busy & !&finished)));
+    let starts = m.wire("starts", commands & write.data.bit(0));
+    m.next(busy, starts | (busy & !finished));
     let done = m.reg_reset("done", 1, 0);
-    m.next(&done, &(!&starts & (&done | (&busy & &finished))));
-    m.output("busy", &busy);
-    m.output("start", &start);
-    m.output("core_reset", &core_reset);
+    m.next(done, !starts & (done | (busy & finished)));
+    m.output("busy", busy);
+    m.output("start", start);
+    m.output("core_reset", core_reset);
     uniform_out(&mut m, map, &write);
 
     let read = Read::new(&mut m, map);
-    let own = [vec![refused_access, read.refused.clone()], vec![refused_busy], vec![], vec![], vec![]];
+    let own = [vec![refused_access, read.refused], vec![refused_busy], vec![], vec![], vec![]];
     let mut errors: [Vec<Expr>; ERRORS.len()] = own;
     for ((name, count), errors) in ERROR_INPUTS.into_iter().zip(sources).zip(&mut errors[1..]) {
         if count > 0 {
@@ -110,24 +110,24 @@ pub fn module(map: &[Register], sources: ErrorSources) -> Module {
         }
     }
     let error = m.reg_reset("error", 1, 0);
-    m.next(&error, &(any(&errors.concat()) | (&error & !&clear_errors)));
+    m.next(error, any(&errors.concat()) | (error & !clear_errors));
     let [taken, sent] = ["packet_taken", "packet_sent"].map(|name| m.input(name, 1));
     let events = ports::events(map).into_iter().map(|name| m.input(name, 1)).collect::<Vec<_>>();
     let in_run = [bit(true), taken, sent].into_iter().chain(events);
-    let in_run = in_run.map(|event| Counter { sources: vec![&event & &busy], clear: start.expr() });
+    let in_run = in_run.map(|event| Counter { sources: vec![event & busy], clear: start.expr() });
     let errors = errors.into_iter().map(|sources| Counter { sources, clear: clear_errors.expr() });
     let counted: Vec<Counter> = errors.chain(in_run).collect();
 
-    let status = cat(&[&error, &done, &busy]);
+    let status = cat([error, done, busy]);
     read.answer(&mut m, map, &counted, |register| match register.kind {
         Kind::Identity(value) => Some(lit(REGISTER_BITS, value.into())),
-        Kind::Status => Some(status.clone()),
+        Kind::Status => Some(status),
         _ => stored.iter().find(|stored| stored.register == register).map(Stored::value),
     });
     for stored in &stored {
         match stored.register.kind {
-            Kind::InterruptEnable => event_out(&mut m, "irq", &(&done & &stored.bits)),
-            _ => m.output(&stored.register.name, &stored.value()),
+            Kind::InterruptEnable => event_out(&mut m, "irq", done & stored.bits),
+            _ => m.output(&stored.register.name, stored.value()),
         }
     }
     m
@@ -149,32 +149,32 @@ impl Write {
     fn new(m: &mut Module) -> Self {
         let [has_address, has_data, bvalid] =
             ["has_address", "has_data", "s_axil_bvalid"].map(|name| m.reg_reset(name, 1, 0));
-        let judges = m.wire("judges", &(&has_address & (&has_data & !&bvalid)));
+        let judges = m.wire("judges", has_address & (has_data & !bvalid));
         let awvalid = m.input("s_axil_awvalid", 1);
-        m.output("s_axil_awready", &!&has_address);
+        m.output("s_axil_awready", !has_address);
         let awaddr = m.input("s_axil_awaddr", BYTE_ADDRESS_BITS);
-        m.next(&has_address, &(has_address.mux(&!&judges, &awvalid)));
+        m.next(has_address, has_address.mux(!judges, awvalid));
         let address = m.reg("write_address", BYTE_ADDRESS_BITS);
-        m.next_if(&address, &!&has_address, &awaddr);
+        m.next_if(address, !has_address, awaddr);
         let wvalid = m.input("s_axil_wvalid", 1);
-        m.output("s_axil_wready", &!&has_data);
+        m.output("s_axil_wready", !has_data);
         let wdata = m.input("s_axil_wdata", REGISTER_BITS);
         let wstrb = m.input("s_axil_wstrb", REGISTER_BYTES);
-        m.next(&has_data, &(has_data.mux(&!&judges, &wvalid)));
+        m.next(has_data, has_data.mux(!judges, wvalid));
         let data = m.reg("write_data", REGISTER_BITS);
-        m.next_if(&data, &!&has_data, &wdata);
+        m.next_if(data, !has_data, wdata);
         let strobes = m.reg("write_strobes", 1);
-        m.next_if(&strobes, &!&has_data, &wstrb.all());
+        m.next_if(strobes, !has_data, wstrb.all());
 
         let accepted = m.forward("write_accepted", 1);
-        m.output("s_axil_bvalid", &bvalid);
+        m.output("s_axil_bvalid", bvalid);
         let bready = m.input("s_axil_bready", 1);
-        m.next(&bvalid, &(&judges | (&bvalid & !bready)));
+        m.next(bvalid, judges | (bvalid & !bready));
         let is_okay = m.reg("write_is_okay", 1);
-        m.next_if(&is_okay, &judges, &accepted);
-        m.output("s_axil_bresp", &is_okay.mux(&OKAY.expr(), &SLAVE_ERROR.expr()));
-        let is_whole = &strobes & address.trunc(BYTE_BITS).is_zero();
-        let word = word_in(&address);
+        m.next_if(is_okay, judges, accepted);
+        m.output("s_axil_bresp", is_okay.mux(OKAY.expr(), SLAVE_ERROR.expr()));
+        let is_whole = strobes & address.trunc(BYTE_BITS).is_zero();
+        let word = word_in(*address);
         Self { judges, word, is_whole, data: data.expr(), accepted }
     }
 
@@ -188,36 +188,36 @@ impl Write {
         let mut words = map.iter().filter(|register| register.kind == Kind::Uniform).map(word_of);
         let Some(first) = words.next() else { return bit(false) };
         let last = words.next_back().unwrap_or(first);
-        self.word.ge_lit(first) & !self.word.gt(&lit(WORD_BITS, last))
+        self.word.ge_lit(first) & !self.word.gt(lit(WORD_BITS, last))
     }
 
     /// Accepts the access or not; returns whether it is refused for what it is, and because a run is under way.
-    fn judge(&self, m: &mut Module, map: &[Register], stored: &[Stored], busy: &Expr, occupied: &Expr) -> [Expr; 2] {
+    fn judge(&self, m: &mut Module, map: &[Register], stored: &[Stored], busy: Expr, occupied: Expr) -> [Expr; 2] {
         let uniform = self.chooses_uniform(map);
         let writable = |register: &&Register| register.access() != Access::Read && register.kind != Kind::Uniform;
         let writable: Vec<&Register> = map.iter().filter(writable).collect();
-        let known = writable.iter().map(|register| self.chooses(register)).chain([uniform.clone()]);
-        let shaped = m.wire("shaped", &(&self.is_whole & any(&known.collect::<Vec<_>>())));
+        let known = writable.iter().map(|register| self.chooses(register)).chain([uniform]);
+        let shaped = m.wire("shaped", self.is_whole & any(&known.collect::<Vec<_>>()));
         let [start, reset] = [0, 1].map(|number| self.data.bit(number));
         let idle_only = writable.iter().filter(|register| register.when() == When::Idle).map(|register| {
             let chosen = self.chooses(register);
-            if register.kind == Kind::Control { chosen & (&start | &reset) } else { chosen }
+            if register.kind == Kind::Control { chosen & (start | reset) } else { chosen }
         });
-        let idle_only = m.wire("idle_only", &any(&idle_only.chain([uniform]).collect::<Vec<_>>()));
+        let idle_only = m.wire("idle_only", any(&idle_only.chain([uniform]).collect::<Vec<_>>()));
         let control = map.iter().filter(|register| register.kind == Kind::Control);
-        let starts = any(&control.map(|register| self.chooses(register) & &start).collect::<Vec<_>>());
-        let starts = m.wire("wants_start", &starts);
-        let blocked = m.wire("blocked", &((&idle_only & busy) | (&starts & occupied)));
+        let starts = any(&control.map(|register| self.chooses(register) & start).collect::<Vec<_>>());
+        let starts = m.wire("wants_start", starts);
+        let blocked = m.wire("blocked", (idle_only & busy) | (starts & occupied));
         let senseless = stored.iter().map(|Stored { register, bits }| match (register.kind, zero_bits(register)) {
-            (Kind::Queries, _) => &starts & bits.is_zero(),
+            (Kind::Queries, _) => starts & bits.is_zero(),
             (_, 0) => bit(false),
             (_, zeros) => self.chooses(register) & self.data.trunc(zeros).any(),
         });
-        let senseless = m.wire("senseless", &any(&senseless.collect::<Vec<_>>()));
-        m.drive(&self.accepted, &(&self.judges & (&shaped & !(&blocked | &senseless))));
-        let refused_access = &self.judges & (!&shaped | (!&blocked & &senseless));
-        let refused_busy = &self.judges & (&shaped & &blocked);
-        [m.wire("refused_write", &refused_access), m.wire("refused_busy", &refused_busy)]
+        let senseless = m.wire("senseless", any(&senseless.collect::<Vec<_>>()));
+        m.drive(self.accepted, self.judges & (shaped & !(blocked | senseless)));
+        let refused_access = self.judges & (!shaped | (!blocked & senseless));
+        let refused_busy = self.judges & (shaped & blocked);
+        [m.wire("refused_write", refused_access), m.wire("refused_busy", refused_busy)]
     }
 }
 
@@ -225,14 +225,14 @@ impl Write {
 fn uniform_out(m: &mut Module, map: &[Register], write: &Write) {
     let Some((address_bits, data_bits)) = ports::uniforms(map) else { return };
     let valid = m.reg_reset("uniform_valid", 1, 0);
-    m.next(&valid, &(&write.accepted & write.chooses_uniform(map)));
+    m.next(valid, write.accepted & write.chooses_uniform(map));
     let address = m.reg("uniform_address", address_bits as usize);
-    m.next(&address, &write.word.trunc(address_bits as usize));
+    m.next(address, write.word.trunc(address_bits as usize));
     let data = m.reg("uniform_data", data_bits as usize);
-    m.next(&data, &write.data.trunc(data_bits as usize));
-    m.output("uniform_valid", &valid);
-    m.output("uniform_address", &address);
-    m.output("uniform_data", &data);
+    m.next(data, write.data.trunc(data_bits as usize));
+    m.output("uniform_valid", valid);
+    m.output("uniform_address", address);
+    m.output("uniform_data", data);
 }
 
 /// The read channels: an address waits in a register until its value is there.
@@ -250,7 +250,7 @@ impl Read {
     fn new(m: &mut Module, map: &[Register]) -> Self {
         let has_address = m.reg_reset("has_read_address", 1, 0);
         let address = m.reg("read_address", BYTE_ADDRESS_BITS);
-        let word = word_in(&address);
+        let word = word_in(*address);
         let counters: Vec<&Register> = map.iter().filter(|register| is_counter(register)).collect();
         let index_bits = address_width(counters.len());
         // Of every number a counter may have: whether it is one's, and which.
@@ -258,45 +258,45 @@ impl Read {
         for (index, register) in counters.into_iter().enumerate() {
             table[word_of(register) as usize] = 1 << index_bits | index as u128;
         }
-        let found = m.lookup("found", &table, index_bits + 1, &word.trunc(COUNTER_WORD_BITS));
+        let found = m.lookup("found", &table, index_bits + 1, word.trunc(COUNTER_WORD_BITS));
         let is_low = word.bits(WORD_BITS - 1, COUNTER_WORD_BITS).is_zero();
-        let is_counted = m.wire("reads_counter", &(found.msb() & is_low));
+        let is_counted = m.wire("reads_counter", found.msb() & is_low);
         let others = map.iter().filter(|register| register.access() != Access::Write && !is_counter(register));
-        let known = others.map(|register| word.eq_lit(word_of(register))).chain([is_counted.clone()]);
+        let known = others.map(|register| word.eq_lit(word_of(register))).chain([is_counted]);
         let shaped = address.trunc(BYTE_BITS).is_zero() & any(&known.collect::<Vec<_>>());
-        let refused = m.wire("refused_read", &(&has_address & !shaped));
+        let refused = m.wire("refused_read", has_address & !shaped);
         Self { has_address, address, is_counter: is_counted, counter: found.trunc(index_bits), refused }
     }
 
     /// Answers with the values of the registers, of which `value` knows all but the counters.
     fn answer(self, m: &mut Module, map: &[Register], counted: &[Counter], value: impl Fn(&Register) -> Option<Expr>) {
-        let word = word_in(&self.address);
-        let asks = m.wire("asks", &(&self.has_address & (&self.is_counter & !&self.refused)));
-        let answer = counters(m, counted, &asks, &self.counter);
+        let word = word_in(*self.address);
+        let asks = m.wire("asks", self.has_address & (self.is_counter & !self.refused));
+        let answer = counters(m, counted, asks, self.counter);
 
         let rvalid = m.reg_reset("s_axil_rvalid", 1, 0);
         let arvalid = m.input("s_axil_arvalid", 1);
-        let arready = m.wire("read_ready", &!(&self.has_address | &rvalid));
-        m.output("s_axil_arready", &arready);
+        let arready = m.wire("read_ready", !(self.has_address | rvalid));
+        m.output("s_axil_arready", arready);
         let araddr = m.input("s_axil_araddr", BYTE_ADDRESS_BITS);
-        m.next_if(&self.address, &arready, &araddr);
-        let answers = m.wire("answers", &(&self.has_address & (!&asks | &answer.valid)));
-        m.next(&self.has_address, &((&arready & arvalid) | (&self.has_address & !&answers)));
-        m.output("s_axil_rvalid", &rvalid);
+        m.next_if(self.address, arready, araddr);
+        let answers = m.wire("answers", self.has_address & (!asks | answer.valid));
+        m.next(self.has_address, (arready & arvalid) | (self.has_address & !answers));
+        m.output("s_axil_rvalid", rvalid);
         let rready = m.input("s_axil_rready", 1);
-        m.next(&rvalid, &(&answers | (&rvalid & !rready)));
+        m.next(rvalid, answers | (rvalid & !rready));
 
         let others = map.iter().filter_map(|register| {
             let value = value(register)?.zext(REGISTER_BITS);
             Some(word.eq_lit(word_of(register)).repeat(REGISTER_BITS) & value)
         });
         let others = others.fold(lit(REGISTER_BITS, 0), |all, value| all | value);
-        let shown = asks.mux(&answer.value, &(others & (!&self.refused).repeat(REGISTER_BITS)));
+        let shown = asks.mux(answer.value, others & (!self.refused).repeat(REGISTER_BITS));
         let rdata = m.reg("s_axil_rdata", REGISTER_BITS);
-        m.next_if(&rdata, &answers, &shown);
-        m.output("s_axil_rdata", &rdata);
+        m.next_if(rdata, answers, shown);
+        m.output("s_axil_rdata", rdata);
         let is_error = m.reg("read_is_error", 1);
-        m.next_if(&is_error, &answers, &self.refused);
-        m.output("s_axil_rresp", &is_error.mux(&SLAVE_ERROR.expr(), &OKAY.expr()));
+        m.next_if(is_error, answers, self.refused);
+        m.output("s_axil_rresp", is_error.mux(SLAVE_ERROR.expr(), OKAY.expr()));
     }
 }

@@ -35,39 +35,39 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let fragments = m.instance("fragments", packet_out::module(&fragment, bus.stream_bits));
     let reads = m.instance("reads", reader::module(&pixel, bus.memory_bits, TILE_PIXELS));
     let writes = m.instance("writes", writer::module(&pixel, bus.memory_bits));
-    export(&mut m, &control, &ports::registers(&map, ERROR_SOURCES), "s_axil", "s_axil");
-    export(&mut m, &splats, &ports::packet_in(&splat, bus.stream_bits), "s_axis", "s_axis_splat");
-    export(&mut m, &fragments, &ports::packet_out(&fragment, bus.stream_bits), "m_axis", "m_axis_fragment");
-    export(&mut m, &reads, &ports::reader(&pixel, bus.memory_bits, TILE_PIXELS), "m_axi", "m_axi");
-    export(&mut m, &writes, &ports::writer(&pixel, bus.memory_bits), "m_axi", "m_axi");
+    export(&mut m, control, &ports::registers(&map, ERROR_SOURCES), "s_axil", "s_axil");
+    export(&mut m, splats, &ports::packet_in(&splat, bus.stream_bits), "s_axis", "s_axis_splat");
+    export(&mut m, fragments, &ports::packet_out(&fragment, bus.stream_bits), "m_axis", "m_axis_fragment");
+    export(&mut m, reads, &ports::reader(&pixel, bus.memory_bits, TILE_PIXELS), "m_axi", "m_axi");
+    export(&mut m, writes, &ports::writer(&pixel, bus.memory_bits), "m_axi", "m_axi");
 
-    let [start, core_reset] = ["start", "core_reset"].map(|name| m.out(&control, name));
-    m.reset_by(&core, &core_reset);
-    m.connect(&splats, "opens", &start);
-    m.pipe((&splats, "out"), (&core, "splat"));
-    join(&mut m, &core, &["uniform_valid", "uniform_address", "uniform_data"].map(|name| (&control, name, name)));
+    let [start, core_reset] = ["start", "core_reset"].map(|name| m.out(control, name));
+    m.reset_by(core, core_reset);
+    m.connect(splats, "opens", start);
+    m.pipe((splats, "out"), (core, "splat"));
+    join(&mut m, core, &["uniform_valid", "uniform_address", "uniform_data"].map(|name| (control, name, name)));
 
-    let base = m.out(&control, "buffer_base");
+    let base = m.out(control, "buffer_base");
     let (tile_pixels, memory_bits) = (TILE_PIXELS, bus.memory_bits);
-    let buffer = Buffer { pixel: &pixel, tile_pixels, memory_bits, base, reads: &reads, writes: &writes };
-    let [read, write] = ["read", "write"].map(|name| m.stream_from(&core, name));
+    let buffer = Buffer { pixel: &pixel, tile_pixels, memory_bits, base, reads, writes };
+    let [read, write] = ["read", "write"].map(|name| m.stream_from(core, name));
     buffer.order(&mut m, &read, &write);
-    m.pipe((&reads, "record"), (&core, "data"));
+    m.pipe((reads, "record"), (core, "data"));
 
     // The run ends when its last packet has left and memory has answered.
-    let fragment = m.stream_from(&core, "fragment");
-    m.stream_into(&fragments, "in", &fragment);
-    let is_last = m.wire("is_last", &(fragment.transfer() & fragment.field("end")));
+    let fragment = m.stream_from(core, "fragment");
+    m.stream_into(fragments, "in", &fragment);
+    let is_last = m.wire("is_last", fragment.transfer() & fragment.field("end"));
     let has_ended = m.reg_reset("has_ended", 1, 0);
-    m.next(&has_ended, &(&is_last | (&has_ended & !&start)));
-    let [sender_idle, writer_idle] = [&fragments, &writes].map(|unit| m.out(unit, "idle"));
-    let finished = (&has_ended & !&start) & (sender_idle & &writer_idle);
-    m.connect(&control, "finished", &finished);
-    m.connect(&control, "occupied", &bit(false));
+    m.next(has_ended, is_last | (has_ended & !start));
+    let [sender_idle, writer_idle] = [&fragments, &writes].map(|unit| m.out(*unit, "idle"));
+    let finished = (has_ended & !start) & (sender_idle & writer_idle);
+    m.connect(control, "finished", finished);
+    m.connect(control, "occupied", bit(false));
 
-    let [read_error, write_error] = [&reads, &writes].map(|unit| m.out(unit, "error"));
-    m.connect(&control, "memory_error", &cat(&[&write_error, &read_error]));
-    join(&mut m, &control, &[(&reads, "misplaced", "burst_error")]);
-    report(&mut m, &control, &core, [&splats, &fragments], EVENTS);
+    let [read_error, write_error] = [&reads, &writes].map(|unit| m.out(*unit, "error"));
+    m.connect(control, "memory_error", cat([write_error, read_error]));
+    join(&mut m, control, &[(reads, "misplaced", "burst_error")]);
+    report(&mut m, control, core, [splats, fragments], EVENTS);
     Ok(Top { module: m, core: core_module, manifests })
 }

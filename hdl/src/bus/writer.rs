@@ -32,33 +32,33 @@ pub fn limited(fields: &[Field], memory_bits: u32, writes_max: u32) -> Module {
     let input = stream_in(&mut m, "in", &input_fields);
 
     let unanswered = m.reg_reset("unanswered", address_width(writes_max as usize + 1), 0);
-    let below_limit = m.wire("below_limit", &!unanswered.eq_lit(writes_max.into()));
+    let below_limit = m.wire("below_limit", !unanswered.eq_lit(writes_max.into()));
     let queue = m.instance("address_queue", skid(&[("address", ADDRESS_BITS - stride), ("length", LENGTH_BITS)]));
-    let room = m.out(&queue, "in_ready");
-    let accepts = m.wire("accepts", &(&room & &below_limit));
-    let words = spread(&mut m, &beats, &input.valid, &Record::from(&input).only(fields), &accepts);
-    m.ready(&input, &words.ready);
-    let accepted = m.wire("accepted", &(&input.valid & &words.ready));
-    m.connect(&queue, "in_valid", &accepted);
-    m.connect(&queue, "in_address", &input.field("address").bits(ADDRESS_BITS - 1, stride));
-    m.connect(&queue, "in_length", &lit(LENGTH_BITS, beats.count as u128 - 1));
-    let burst = m.stream_from(&queue, "out");
+    let room = m.out(queue, "in_ready");
+    let accepts = m.wire("accepts", room & below_limit);
+    let words = spread(&mut m, &beats, input.valid, &Record::from(&input).only(fields), accepts);
+    m.ready(&input, words.ready);
+    let accepted = m.wire("accepted", input.valid & words.ready);
+    m.connect(queue, "in_valid", accepted);
+    m.connect(queue, "in_address", input.field("address").bits(ADDRESS_BITS - 1, stride));
+    m.connect(queue, "in_length", lit(LENGTH_BITS, beats.count as u128 - 1));
+    let burst = m.stream_from(queue, "out");
     address_out(&mut m, "m_axi_aw", &burst, stride, memory_bits / 8);
 
-    m.output("m_axi_wvalid", &words.out.valid);
+    m.output("m_axi_wvalid", words.out.valid);
     let wready = m.input("m_axi_wready", 1);
-    m.ready(&words.out, &wready);
-    m.output("m_axi_wdata", &words.out.field("data"));
-    m.output("m_axi_wstrb", &bit(true).repeat(memory_bits as usize / 8));
-    m.output("m_axi_wlast", &words.out.field("last"));
+    m.ready(&words.out, wready);
+    m.output("m_axi_wdata", words.out.field("data"));
+    m.output("m_axi_wstrb", bit(true).repeat(memory_bits as usize / 8));
+    m.output("m_axi_wlast", words.out.field("last"));
 
     let bvalid = m.input("m_axi_bvalid", 1);
-    m.output("m_axi_bready", &bit(true));
+    m.output("m_axi_bready", bit(true));
     m.input("m_axi_bid", ID_BITS as usize);
     let bresp = m.input("m_axi_bresp", RESPONSE_BITS);
     let width = unanswered.width();
-    m.next(&unanswered, &(&unanswered + accepted.zext(width) - bvalid.zext(width)));
-    event_out(&mut m, "error", &(&bvalid & bresp.any()));
-    m.output("idle", &unanswered.is_zero());
+    m.next(unanswered, unanswered + accepted.zext(width) - bvalid.zext(width));
+    event_out(&mut m, "error", bvalid & bresp.any());
+    m.output("idle", unanswered.is_zero());
     m
 }

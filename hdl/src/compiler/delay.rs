@@ -71,34 +71,33 @@ impl Delays {
     }
 
     /// Makes the registers behind a value that is there as `live` in cycle `available`.
-    pub fn hold(&mut self, emitter: &mut Emitter, value: ValueId, name: &str, live: &Expr, available: u32) {
+    pub fn hold(&mut self, emitter: &mut Emitter, value: ValueId, name: &str, live: Expr, available: u32) {
         let phase = emitter.phase_of(available);
-        self.taps.insert((value, 0), live.clone());
-        let mut data = live.clone();
+        self.taps.insert((value, 0), live);
+        let mut data = live;
         for (from, to) in segments(&self.needs[value.0]) {
             if to - from >= MEMORY_STAGES {
                 let line = self.lines.get_mut(&(phase, to - from)).expect("`new` made a line for every long segment");
-                data = line.take(&data);
+                data = line.take(data);
             } else {
                 for stage in from + 1..=to {
-                    data = emitter.register(&format!("{name}_d{stage}"), phase, &data);
+                    data = emitter.register(&format!("{name}_d{stage}"), phase, data);
                 }
             }
-            self.taps.insert((value, to), data.clone());
+            self.taps.insert((value, to), data);
         }
     }
 
     /// The value after so many registers.
     pub fn tap(&self, value: ValueId, stages: u32) -> Expr {
-        self.taps[&(value, stages)].clone()
+        self.taps[&(value, stages)]
     }
 
     /// Connects the memories' inputs, once all values are held; returns the bits in memories.
     pub fn finish(self, emitter: &mut Emitter) -> u64 {
         let mut bits = 0;
         for ((_, length), line) in self.lines {
-            let inputs: Vec<&Expr> = line.inputs.iter().rev().collect();
-            emitter.module.write(&line.memory, &line.enable, &line.pointer, &cat(&inputs));
+            emitter.module.write(line.memory, line.enable, line.pointer, cat(line.inputs.into_iter().rev()));
             bits += u64::from(length - 1) * line.used as u64;
         }
         bits
@@ -116,27 +115,27 @@ impl Line {
     fn new((phase, length): LineKey, width: usize, emitter: &mut Emitter) -> Self {
         let depth = length - 1;
         let name = emitter.unique(&format!("delay_{length}_from_{phase}"));
-        let enable = emitter.load(phase).clone();
+        let enable = emitter.load(phase);
         let module = &mut emitter.module;
         let pointer = module.reg_reset(&format!("{name}_pointer"), address_width(depth as usize), 0);
         let at_end = pointer.eq_lit(u128::from(depth - 1));
-        let next = at_end.mux(&pointer.sub_lit(u128::from(depth - 1)), &pointer.add_lit(1));
-        module.next_if(&pointer, &enable, &next);
+        let next = at_end.mux(pointer.sub_lit(u128::from(depth - 1)), pointer.add_lit(1));
+        module.next_if(pointer, enable, next);
         let memory = if depth <= DISTRIBUTED_DEPTH {
             module.memory_distributed(&name, depth as usize, width)
         } else {
             module.memory(&name, depth as usize, width)
         };
-        let output = module.read_if(&memory, &format!("{name}_out"), &enable, &pointer);
+        let output = module.read_if(memory, &format!("{name}_out"), enable, pointer);
         emitter.count_registers(pointer.width() + width);
         Self { memory, enable, pointer: pointer.expr(), output, inputs: Vec::new(), used: 0 }
     }
 
     /// Puts `data` in; returns it as it comes out.
-    fn take(&mut self, data: &Expr) -> Expr {
+    fn take(&mut self, data: Expr) -> Expr {
         let low = self.used;
         self.used += data.width();
-        self.inputs.push(data.clone());
+        self.inputs.push(data);
         self.output.bits(self.used - 1, low)
     }
 }

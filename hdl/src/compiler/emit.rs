@@ -30,7 +30,7 @@ pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
     let uniforms = ports(graph, &Operation::Uniform);
     let results: Vec<(String, ValueId)> = graph.outputs().to_vec();
     let queue = module.instance("queue", skid(&layout(graph, &results)));
-    let advance = module.out(&queue, "in_ready");
+    let advance = module.out(queue, "in_ready");
 
     let mut names: Vec<String> =
         ["in", "out"].iter().flat_map(|s| [format!("{s}_valid"), format!("{s}_ready")]).collect();
@@ -43,8 +43,8 @@ pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
         .map(|(name, id)| (*id, input.field(name)))
         .chain(uniforms.iter().map(|(name, id)| (*id, module.input(name, width(graph, *id)))))
         .collect();
-    let mut emitter = Emitter::new(module, initiation_interval, &advance, names.into_iter().collect());
-    emitter.module.ready(&input, &emitter.load(0).clone());
+    let mut emitter = Emitter::new(module, initiation_interval, advance, names.into_iter().collect());
+    emitter.module.ready(&input, emitter.load(0));
 
     let delays = Delays::new(graph, plan, schedule, &mut emitter);
     let mut body = Body { graph, plan, schedule, emitter, delays, values };
@@ -54,9 +54,9 @@ pub(super) fn emit(graph: &Graph, plan: &Plan, schedule: &Schedule, initiation_i
         body.value(ValueId(index));
     }
     for (unit, instance) in units.iter().zip(&instances) {
-        body.operands(unit, instance);
+        body.operands(unit, *instance);
     }
-    body.results(&input, &queue, &results);
+    body.results(&input, queue, &results);
     body.finish()
 }
 
@@ -90,12 +90,12 @@ impl Body<'_> {
     fn instance(&mut self, unit: &Unit) -> Instance {
         let class = &self.plan.classes[unit.class];
         let name = self.emitter.unique(&format!("{}_unit", class.name.replace(['.', '-'], "_")));
-        let advance = self.emitter.advance().clone();
+        let advance = self.emitter.advance();
         let module = &mut self.emitter.module;
         let instance = module.instance(&name, class.operator.module.clone());
-        module.connect(&instance, "enable", &advance);
-        let result = module.out(&instance, "y");
-        self.values.extend(unit.by_phase.iter().flatten().map(|&index| (ValueId(index), result.clone())));
+        module.connect(instance, "enable", advance);
+        let result = module.out(instance, "y");
+        self.values.extend(unit.by_phase.iter().flatten().map(|&index| (ValueId(index), result)));
         instance
     }
 
@@ -104,11 +104,11 @@ impl Body<'_> {
         let node = self.graph.node(id);
         let label = self.graph.label(id);
         let live = match self.values.get(&id) {
-            Some(live) => live.clone(),
+            Some(live) => *live,
             None => self.combinational(id, &label),
         };
         if !self.plan.is_static(id) {
-            self.delays.hold(&mut self.emitter, id, &label, &live, self.schedule.available[id.0]);
+            self.delays.hold(&mut self.emitter, id, &label, live, self.schedule.available[id.0]);
         }
         debug_assert_eq!(live.width(), node.ty.width() as usize, "{label}");
         self.values.insert(id, live);
@@ -127,7 +127,7 @@ impl Body<'_> {
             return value;
         }
         let name = self.emitter.unique(label);
-        self.emitter.module.wire(&name, &value)
+        self.emitter.module.wire(&name, value)
     }
 
     /// An operand when the node `user` takes it.
@@ -138,13 +138,13 @@ impl Body<'_> {
     /// A value in some cycle of its token.
     fn read(&self, id: ValueId, cycle: u32) -> Expr {
         if self.plan.is_static(id) {
-            return self.values[&id].clone();
+            return self.values[&id];
         }
         self.delays.tap(id, stages(cycle - self.schedule.available[id.0], self.emitter.initiation_interval()))
     }
 
     /// Leads the operands of all its operations to an operator.
-    fn operands(&mut self, unit: &Unit, instance: &Instance) {
+    fn operands(&mut self, unit: &Unit, instance: Instance) {
         let class = &self.plan.classes[unit.class];
         let count = unit.by_phase.iter().flatten().map(|&index| self.graph.nodes()[index].operands.len()).max();
         for (position, port) in OPERAND_PORTS.iter().enumerate().take(count.unwrap_or(0)) {
@@ -154,56 +154,54 @@ impl Body<'_> {
                 .collect();
             let mut chosen = self.choose(&sources);
             if class.operand_registers {
-                let advance = self.emitter.advance().clone();
-                chosen = self.emitter.register_if(&format!("{}_{port}", instance.name()), &advance, &chosen);
+                let advance = self.emitter.advance();
+                chosen = self.emitter.register_if(&format!("{}_{port}", instance.name()), advance, chosen);
             }
-            self.emitter.module.connect(instance, port, &chosen);
+            self.emitter.module.connect(instance, port, chosen);
         }
     }
 
     /// The source of the current phase; in phases without one, that of an earlier phase.
     fn choose(&self, sources: &[Option<Expr>]) -> Expr {
-        let mut filler = sources.iter().flatten().next().expect("an instance carries out an operation").clone();
+        let mut filler = *sources.iter().flatten().next().expect("an instance carries out an operation");
         let every_phase: Vec<Expr> = sources
             .iter()
             .map(|source| {
-                filler = source.clone().unwrap_or_else(|| filler.clone());
-                filler.clone()
+                filler = (*source).unwrap_or(filler);
+                filler
             })
             .collect();
         match self.emitter.phase() {
-            Some(phase) if sources.iter().flatten().count() > 1 => {
-                select(phase, &every_phase.iter().collect::<Vec<_>>())
-            }
+            Some(phase) if sources.iter().flatten().count() > 1 => select(phase, every_phase.iter().copied()),
             _ => filler,
         }
     }
 
     /// Sends finished tokens to the output queue.
-    fn results(&mut self, input: &Stream, queue: &Instance, results: &[(String, ValueId)]) {
+    fn results(&mut self, input: &Stream, queue: Instance, results: &[(String, ValueId)]) {
         let latency = self.schedule.latency;
-        let mut valid = input.valid.clone();
+        let mut valid = input.valid;
         for stage in 1..=stages(latency, self.emitter.initiation_interval()) {
-            valid = self.emitter.register_reset(&format!("valid_d{stage}"), 0, &valid);
+            valid = self.emitter.register_reset(&format!("valid_d{stage}"), 0, valid);
         }
         if let Some(condition) = self.graph.keep() {
-            valid = &valid & self.read(condition, latency);
+            valid = valid & self.read(condition, latency);
         }
         if let Some(in_phase) = self.emitter.in_phase(self.emitter.phase_of(latency)) {
-            valid = &valid & in_phase;
+            valid = valid & in_phase;
         }
         let fields: Vec<(String, Expr)> =
             results.iter().map(|(name, id)| (name.clone(), self.read(*id, latency))).collect();
-        let (advance, advance_next) = (self.emitter.advance().clone(), self.emitter.advance_next().cloned());
+        let (advance, advance_next) = (self.emitter.advance(), self.emitter.advance_next());
         let module = &mut self.emitter.module;
-        module.connect(queue, "in_valid", &valid);
+        module.connect(queue, "in_valid", valid);
         for (name, value) in &fields {
-            module.connect(queue, &format!("in_{name}"), value);
+            module.connect(queue, &format!("in_{name}"), *value);
         }
         let out = module.stream_from(queue, "out");
         if let Some(advance_next) = advance_next {
             // The queue of two is full when its head stays and a second item is there or comes.
-            module.drive(&advance_next, &!(&(&out.valid & !&*out.ready) & (!&advance | &valid)));
+            module.drive(advance_next, !((out.valid & !*out.ready) & (!advance | valid)));
         }
         module.stream_export("out", &out);
     }

@@ -21,14 +21,14 @@ pub(super) struct Emitter {
 
 impl Emitter {
     /// Adds phase counter and enables to a module that has the signals `names` already.
-    pub fn new(module: Module, initiation_interval: u32, advance: &Expr, names: HashSet<String>) -> Self {
+    pub fn new(module: Module, initiation_interval: u32, advance: Expr, names: HashSet<String>) -> Self {
         let mut emitter = Self {
             module,
             initiation_interval,
-            advance: advance.clone(),
+            advance,
             phase: None,
             advance_next: None,
-            loads: vec![advance.clone()],
+            loads: vec![advance],
             names,
             register_bits: 0,
         };
@@ -39,24 +39,24 @@ impl Emitter {
     }
 
     fn count_phases(&mut self) {
-        let Self { module, initiation_interval, advance, .. } = self;
-        let phase = module.reg_reset("phase", address_width(*initiation_interval as usize), 0);
-        let last = u128::from(*initiation_interval - 1);
-        let following = phase.eq_lit(last).mux(&phase.sub_lit(last), &phase.add_lit(1));
-        let phase_next = module.wire("phase_next", &advance.mux(&following, &phase));
-        module.next(&phase, &phase_next);
+        let Self { ref mut module, initiation_interval, advance, .. } = *self;
+        let phase = module.reg_reset("phase", address_width(initiation_interval as usize), 0);
+        let last = u128::from(initiation_interval - 1);
+        let following = phase.eq_lit(last).mux(phase.sub_lit(last), phase.add_lit(1));
+        let phase_next = module.wire("phase_next", advance.mux(following, phase));
+        module.next(phase, phase_next);
         let advance_next = module.forward("advance_next", 1);
         let load = |index: u32| {
             let name = format!("load_{index}");
             let load = module.reg_reset(&name, 1, u128::from(index == 0));
-            module.next(&load, &(&advance_next & phase_next.eq_lit(index.into())));
-            module.assert(&format!("{name}_in_phase"), &load.eq(&(&*advance & phase.eq_lit(index.into()))));
+            module.next(load, advance_next & phase_next.eq_lit(index.into()));
+            module.assert(&format!("{name}_in_phase"), load.eq(advance & phase.eq_lit(index.into())));
             load.expr()
         };
-        self.loads = (0..*initiation_interval).map(load).collect();
+        self.loads = (0..initiation_interval).map(load).collect();
         self.names.extend(["phase", "phase_next", "advance_next"].map(str::to_owned));
-        self.names.extend((0..*initiation_interval).map(|index| format!("load_{index}")));
-        self.register_bits += phase.width() as u64 + u64::from(*initiation_interval);
+        self.names.extend((0..initiation_interval).map(|index| format!("load_{index}")));
+        self.register_bits += phase.width() as u64 + u64::from(initiation_interval);
         self.phase = Some(phase.expr());
         self.advance_next = Some(advance_next);
     }
@@ -71,23 +71,23 @@ impl Emitter {
     }
 
     /// The pipeline steps.
-    pub const fn advance(&self) -> &Expr {
-        &self.advance
+    pub const fn advance(&self) -> Expr {
+        self.advance
     }
 
     /// To be driven, once, if there is a phase counter: the pipeline steps in the next cycle.
-    pub const fn advance_next(&self) -> Option<&Wire> {
-        self.advance_next.as_ref()
+    pub const fn advance_next(&self) -> Option<Wire> {
+        self.advance_next
     }
 
     /// The phase counter; there is none when there is only one phase.
-    pub const fn phase(&self) -> Option<&Expr> {
-        self.phase.as_ref()
+    pub const fn phase(&self) -> Option<Expr> {
+        self.phase
     }
 
     /// The pipeline steps, in that phase.
-    pub fn load(&self, phase: u32) -> &Expr {
-        &self.loads[phase as usize]
+    pub fn load(&self, phase: u32) -> Expr {
+        self.loads[phase as usize]
     }
 
     /// The pipeline is in that phase.
@@ -96,25 +96,25 @@ impl Emitter {
     }
 
     /// A register that loads in one phase.
-    pub fn register(&mut self, name: &str, phase: u32, data: &Expr) -> Expr {
-        let enable = self.load(phase).clone();
-        self.register_if(name, &enable, data)
+    pub fn register(&mut self, name: &str, phase: u32, data: Expr) -> Expr {
+        let enable = self.load(phase);
+        self.register_if(name, enable, data)
     }
 
     /// A register with an enable of its own.
-    pub fn register_if(&mut self, name: &str, enable: &Expr, data: &Expr) -> Expr {
+    pub fn register_if(&mut self, name: &str, enable: Expr, data: Expr) -> Expr {
         let name = self.unique(name);
         let register = self.module.reg(&name, data.width());
-        self.module.next_if(&register, enable, data);
+        self.module.next_if(register, enable, data);
         self.count_registers(data.width());
         register.expr()
     }
 
     /// A register that loads in one phase and is cleared by reset.
-    pub fn register_reset(&mut self, name: &str, phase: u32, data: &Expr) -> Expr {
+    pub fn register_reset(&mut self, name: &str, phase: u32, data: Expr) -> Expr {
         let name = self.unique(name);
         let register = self.module.reg_reset(&name, data.width(), 0);
-        self.module.next_if(&register, &self.loads[phase as usize], data);
+        self.module.next_if(register, self.loads[phase as usize], data);
         self.count_registers(data.width());
         register.expr()
     }

@@ -33,24 +33,24 @@ pub(super) fn module(a: Type, b: Type, stages: u32) -> Operator {
     pipe.module.parameter("a", a);
     pipe.module.parameter("b", b);
     let [left, right] = [("a", a), ("b", b)].map(|(name, ty)| pipe.module.input(name, ty.width() as usize));
-    let [left, right] = pipe.cut([("a", &left), ("b", &right)]);
+    let [left, right] = pipe.cut([("a", left), ("b", right)]);
     let product = match a {
-        Type::Signed(_) if is_corrected(a, b) => signed_product(&mut pipe, &left, &right),
-        Type::Signed(_) => left.mul_signed(&right),
-        _ => product(&mut pipe, &left, &right),
+        Type::Signed(_) if is_corrected(a, b) => signed_product(&mut pipe, left, right),
+        Type::Signed(_) => left.mul_signed(right),
+        _ => product(&mut pipe, left, right),
     };
-    pipe.finish(&product)
+    pipe.finish(product)
 }
 
 /// A product of signed numbers: the top bit of one counts `2^width` less than an unsigned number's, times the other.
-fn signed_product(pipe: &mut Pipe, left: &Expr, right: &Expr) -> Expr {
+fn signed_product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
     let width = left.width() + right.width();
     let mut excess = [("left", left, right), ("right", right, left)].map(|(name, signed, other)| {
         let times_sign = signed.msb().repeat(other.width()) & other;
-        (signed.width(), pipe.carry(&format!("excess_{name}"), &times_sign))
+        (signed.width(), pipe.carry(&format!("excess_{name}"), times_sign))
     });
     let unsigned = product(pipe, left, right);
-    let [unsigned] = pipe.cut([("unsigned", &unsigned)]);
+    let [unsigned] = pipe.cut([("unsigned", unsigned)]);
     let [left, right] = excess.each_mut().map(|(place, times)| pipe.arrive(times).zext(width).shl(*place));
     unsigned - left - right
 }

@@ -195,8 +195,8 @@ mod tests {
     fn equal_values_are_computed_once() {
         let p = Program::new("test", "");
         let (a, b) = (p.input("a", Type::Float(Format::F16)), p.input("b", Type::Float(Format::F16)));
-        p.output("x", &(&a * &b + &a));
-        p.output("y", &(&a + &b * &a));
+        p.output("x", a * b + a);
+        p.output("y", a + b * a);
         assert_eq!(remaining(&p), ["mul", "add"]);
     }
 
@@ -204,10 +204,10 @@ mod tests {
     fn differences_share_the_adder_and_reciprocals_the_divider() {
         let p = Program::new("test", "");
         let (a, b) = (p.input("a", Type::Float(Format::F16)), p.input("b", Type::Float(Format::F16)));
-        p.output("x", &(&a - &b));
-        p.output("y", &a.recip());
+        p.output("x", a - b);
+        p.output("y", a.recip());
         assert_eq!(remaining(&p), ["neg", "add", "recip"]);
-        p.output("z", &(&b / &a));
+        p.output("z", b / a);
         assert_eq!(remaining(&p), ["neg", "add", "constant", "div", "div"]);
     }
 
@@ -216,11 +216,11 @@ mod tests {
         let p = Program::new("test", "");
         let n = p.input("n", Type::Unsigned(8));
         let two = p.unsigned(8, 1) + p.unsigned(8, 1);
-        p.output("zero", &(&n * &(&two - &two)));
-        p.output("double", &(&n * &two));
-        p.output("same", &(!(!(&n & &p.unsigned(8, 255)))));
+        p.output("zero", n * (two - two));
+        p.output("double", n * two);
+        p.output("same", !(!(n & p.unsigned(8, 255))));
         let one = p.float(Format::F16, 1.0);
-        p.output("float", &(&one + &one));
+        p.output("float", one + one);
         assert_eq!(remaining(&p), ["constant", "resize", "shl", "constant", "add"]);
     }
 
@@ -228,8 +228,8 @@ mod tests {
     fn values_nobody_uses_vanish() {
         let p = Program::new("test", "");
         let a = p.input("a", Type::Float(Format::F16));
-        let _unused = &a * &a;
-        p.output("y", &a);
+        let _unused = a * a;
+        p.output("y", a);
         assert_eq!(remaining(&p), [""; 0]);
     }
 }

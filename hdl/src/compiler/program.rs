@@ -7,11 +7,13 @@ use super::graph::{Graph, ValueId};
 use super::types::Type;
 use super::value::Value;
 use pointcore_contract::Format;
-use std::cell::RefCell;
-use std::rc::Rc;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+use std::rc::{Rc, Weak};
 
 #[derive(Debug)]
 struct State {
+    id: ProgramId,
     graph: Graph,
     error: Option<CompileError>,
 }
@@ -23,9 +25,35 @@ impl State {
     }
 }
 
-/// A program under construction; clones are handles to the same program.
+/// Tells one program of a thread from another; what a value keeps of its program, so that values can be copied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct ProgramId(u64);
+
+thread_local! {
+    /// The programs of this thread that are still there.
+    static PROGRAMS: RefCell<HashMap<ProgramId, Weak<RefCell<State>>>> = RefCell::default();
+    static NEXT_ID: Cell<u64> = const { Cell::new(0) };
+}
+
+impl ProgramId {
+    /// The program, while something holds it.
+    pub fn find(self) -> Option<Program> {
+        let state = PROGRAMS.with_borrow(|programs| programs.get(&self).and_then(Weak::upgrade))?;
+        Some(Program { id: self, state })
+    }
+}
+
+impl Drop for State {
+    fn drop(&mut self) {
+        // At the end of the thread the list may be gone before the program.
+        let _ = PROGRAMS.try_with(|programs| programs.borrow_mut().remove(&self.id));
+    }
+}
+
+/// A program under construction; clones are handles to the same program. Its values are of use as long as it is there.
 #[derive(Clone, Debug)]
 pub struct Program {
+    id: ProgramId,
     state: Rc<RefCell<State>>,
 }
 
@@ -33,7 +61,10 @@ impl Program {
     /// An empty program for the unit of that name; `doc` becomes the line above its Verilog.
     #[must_use]
     pub fn new(unit: &str, doc: &str) -> Self {
-        Self { state: Rc::new(RefCell::new(State { graph: Graph::new(unit, doc), error: None })) }
+        let id = ProgramId(NEXT_ID.replace(NEXT_ID.get() + 1));
+        let state = Rc::new(RefCell::new(State { id, graph: Graph::new(unit, doc), error: None }));
+        PROGRAMS.with_borrow_mut(|programs| programs.insert(id, Rc::downgrade(&state)));
+        Self { id, state }
     }
 
     /// The program so far.
@@ -76,12 +107,12 @@ impl Program {
     }
 
     /// Declares port `out_<name>`.
-    pub fn output(&self, name: &str, value: &Value) {
+    pub fn output(&self, name: &str, value: Value) {
         self.declare("output", value, |graph, id| graph.output(name, id));
     }
 
     /// Drops tokens for which `condition` is 0 at the end of the pipeline; of several conditions, all must hold.
-    pub fn keep_if(&self, condition: &Value) {
+    pub fn keep_if(&self, condition: Value) {
         self.declare("keep_if", condition, Graph::keep_if);
     }
 
@@ -89,13 +120,13 @@ impl Program {
         let mut state = self.state.borrow_mut();
         let result = build(&mut state.graph);
         let id = state.note(result);
-        Value { program: self.clone(), id }
+        Value { program: self.id, id }
     }
 
     fn declare<T>(
         &self,
         operation: &'static str,
-        value: &Value,
+        value: Value,
         declare: impl FnOnce(&mut Graph, ValueId) -> Result<T, CompileError>,
     ) {
         let own = self.own(operation, value);
@@ -117,12 +148,14 @@ impl Program {
     }
 
     /// The value's identity in this program; `None` when it derives from a mistake.
-    pub(super) fn own(&self, operation: &'static str, value: &Value) -> Result<Option<ValueId>, CompileError> {
-        if Rc::ptr_eq(&self.state, &value.program.state) {
+    pub(super) fn own(&self, operation: &'static str, value: Value) -> Result<Option<ValueId>, CompileError> {
+        if self.id == value.program {
             return Ok(value.id);
         }
         let unit = self.state.borrow().graph.unit().to_owned();
-        let other = value.program.state.borrow().graph.unit().to_owned();
+        let other = value.program.find();
+        let other =
+            other.map_or_else(|| "a program that is gone".into(), |other| other.state.borrow().graph.unit().to_owned());
         Err(CompileError::ForeignValue { unit, operation, other })
     }
 }

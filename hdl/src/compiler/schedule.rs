@@ -267,13 +267,13 @@ mod tests {
         let p = Program::new("test", "");
         let x: Vec<Value> = (0..6).map(|i| p.input(&format!("x{i}"), Type::Float(Format::F16))).collect();
         let m = p.uniform("m", Type::Float(Format::F16));
-        let sum = x.iter().map(|x| x * &m).reduce(|sum, product| sum + product).expect("there are six");
-        p.output("root", &(sum.sqrt() * &x[0] - &x[5]));
+        let sum = x.iter().map(|x| *x * m).reduce(|sum, product| sum + product).expect("there are six");
+        p.output("root", sum.sqrt() * x[0] - x[5]);
         // Held to the end anyway, so its product is better computed late.
-        p.output("last", &x[5]);
+        p.output("last", x[5]);
         let n = p.input("n", Type::Unsigned(16));
-        let chain = x.iter().fold(n, |n, x| (&n + &x.zext(16)).min(&(n ^ x.zext(16))));
-        p.output("chain", &chain);
+        let chain = x.iter().fold(n, |n, x| (n + x.zext(16)).min(n ^ x.zext(16)));
+        p.output("chain", chain);
         optimize(&p.graph().expect("the test's program is well typed"))
     }
 

@@ -2,16 +2,16 @@
 
 use super::graph::ValueId;
 use super::operation::Operation;
-use super::program::Program;
+use super::program::ProgramId;
 use super::table::Table;
 use super::types::Type;
 use pointcore_contract::{Fixed, Format};
 use std::rc::Rc;
 
-/// A value of a [`Program`]. Clones are the same value.
-#[derive(Clone, Debug)]
+/// A value of a [`Program`](super::Program): a handle that is copied, and inert once the program is gone.
+#[derive(Clone, Copy, Debug)]
 pub struct Value {
-    pub(super) program: Program,
+    pub(super) program: ProgramId,
     /// `None` when a mistake led here.
     pub(super) id: Option<ValueId>,
 }
@@ -19,108 +19,109 @@ pub struct Value {
 impl Value {
     /// Applies any operation to this value and others.
     #[must_use]
-    pub fn apply(&self, operation: Operation, others: &[&Self]) -> Self {
+    pub fn apply(self, operation: Operation, others: &[Self]) -> Self {
         let mnemonic = operation.mnemonic();
+        let Some(program) = self.program.find() else { return Self { id: None, ..self } };
         let all = std::iter::once(self).chain(others.iter().copied());
-        let operands: Result<Option<Vec<_>>, _> = all.map(|value| self.program.own(mnemonic, value)).collect();
+        let operands: Result<Option<Vec<_>>, _> = all.map(|value| program.own(mnemonic, value)).collect();
         match operands {
-            Ok(Some(operands)) => self.program.record(|graph| graph.apply(operation, &operands)),
-            Ok(None) => Self { program: self.program.clone(), id: None },
-            Err(error) => self.program.record(|_| Err(error)),
+            Ok(Some(operands)) => program.record(|graph| graph.apply(operation, &operands)),
+            Ok(None) => Self { id: None, ..self },
+            Err(error) => program.record(|_| Err(error)),
         }
     }
 
     /// Names the value for messages and for the Verilog; a port keeps its name.
     #[must_use]
     pub fn named(self, name: &str) -> Self {
-        if let Some(id) = self.id {
-            self.program.name(id, name);
+        if let (Some(id), Some(program)) = (self.id, self.program.find()) {
+            program.name(id, name);
         }
         self
     }
 
     /// The value's type; `None` when a mistake led here.
     #[must_use]
-    pub fn ty(&self) -> Option<Type> {
-        self.id.map(|id| self.program.type_of(id))
+    pub fn ty(self) -> Option<Type> {
+        Some(self.program.find()?.type_of(self.id?))
     }
 
     /// `self · factor + addend`, rounded once.
     #[must_use]
-    pub fn fma(&self, factor: &Self, addend: &Self) -> Self {
+    pub fn fma(self, factor: Self, addend: Self) -> Self {
         self.apply(Operation::MultiplyAdd, &[factor, addend])
     }
 
     /// Converts to another floating-point format.
     #[must_use]
-    pub fn convert(&self, format: Format) -> Self {
+    pub fn convert(self, format: Format) -> Self {
         self.apply(Operation::Convert(format), &[])
     }
 
     /// Float to fixed point, truncated and saturated.
     #[must_use]
-    pub fn to_fixed(&self, fixed: Fixed) -> Self {
+    pub fn to_fixed(self, fixed: Fixed) -> Self {
         self.apply(Operation::ToFixed(fixed), &[])
     }
 
     /// An integer times `2^−fraction` as a float.
     #[must_use]
-    pub fn to_float(&self, format: Format, fraction: u32) -> Self {
+    pub fn to_float(self, format: Format, fraction: u32) -> Self {
         self.apply(Operation::ToFloat { format, fraction }, &[])
     }
 
     /// Looks the value up in `table`, with linear interpolation if it has fraction bits.
     #[must_use]
-    pub fn kernel(&self, table: &Rc<Table>) -> Self {
+    pub fn kernel(self, table: &Rc<Table>) -> Self {
         self.apply(Operation::Interpolate(Rc::clone(table)), &[])
     }
 
     /// `when_true` where this truth value is 1, else `when_false`.
     #[must_use]
-    pub fn select(&self, when_true: &Self, when_false: &Self) -> Self {
+    pub fn select(self, when_true: Self, when_false: Self) -> Self {
         self.apply(Operation::Select, &[when_true, when_false])
     }
 
     /// Bits `high` down to `low`, unsigned.
     #[must_use]
-    pub fn bits(&self, high: u32, low: u32) -> Self {
+    pub fn bits(self, high: u32, low: u32) -> Self {
         self.apply(Operation::Bits { high, low }, &[])
     }
 
     /// This value above `lower`.
     #[must_use]
-    pub fn concat(&self, lower: &Self) -> Self {
+    pub fn concat(self, lower: Self) -> Self {
         self.apply(Operation::Concatenate, &[lower])
     }
 
     /// Shifted left by a constant.
     #[must_use]
-    pub fn shl(&self, by: u32) -> Self {
+    pub fn shl(self, by: u32) -> Self {
         self.apply(Operation::ShiftLeft(by), &[])
     }
 
     /// Shifted right by a constant, keeping a signed value's sign.
     #[must_use]
-    pub fn shr(&self, by: u32) -> Self {
+    pub fn shr(self, by: u32) -> Self {
         self.apply(Operation::ShiftRight(by), &[])
     }
 
     /// Truncated or extended to `width` bits, as the value's signedness says.
     #[must_use]
-    pub fn resize(&self, width: u32) -> Self {
+    pub fn resize(self, width: u32) -> Self {
         self.apply(Operation::Resize(width), &[])
     }
 
     /// The value's bits as an unsigned integer, extended with zeros or truncated to `width` bits.
     #[must_use]
-    pub fn zext(&self, width: u32) -> Self {
+    pub fn zext(self, width: u32) -> Self {
         let bits = self.ty().map_or(1, Type::width);
         self.reinterpret(Type::Unsigned(bits)).resize(width)
     }
 
     /// The same bits under another type.
     #[must_use]
-    pub fn reinterpret(&self, ty: Type) -> Self {
+    pub fn reinterpret(self, ty: Type) -> Self {
         self.apply(Operation::Reinterpret(ty), &[])
     }
 }
@@ -131,7 +132,7 @@ macro_rules! methods {
         impl Value {$(
             $(#[$doc])*
             #[must_use]
-            pub fn $name(&self $(, $other: &Self)?) -> Self {
+            pub fn $name(self $(, $other: Self)?) -> Self {
                 self.apply(Operation::$operation, &[$($other)?])
             }
         )*}
@@ -163,19 +164,13 @@ methods! {
     equal(other) = Equal;
 }
 
-/// Rust's operators, on values and references to them.
+/// Rust's operators.
 macro_rules! binary_operators {
     ($($operator:ident::$method:ident = $operation:ident;)*) => {$(
-        impl<T: std::borrow::Borrow<Value>> std::ops::$operator<T> for &Value {
-            type Output = Value;
-            fn $method(self, other: T) -> Value {
-                self.apply(Operation::$operation, &[other.borrow()])
-            }
-        }
-        impl<T: std::borrow::Borrow<Value>> std::ops::$operator<T> for Value {
-            type Output = Value;
-            fn $method(self, other: T) -> Value {
-                self.apply(Operation::$operation, &[other.borrow()])
+        impl std::ops::$operator for Value {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.apply(Operation::$operation, &[other])
             }
         }
     )*};
@@ -193,15 +188,9 @@ binary_operators! {
 
 macro_rules! unary_operators {
     ($($operator:ident::$method:ident = $operation:ident;)*) => {$(
-        impl std::ops::$operator for &Value {
-            type Output = Value;
-            fn $method(self) -> Value {
-                self.apply(Operation::$operation, &[])
-            }
-        }
         impl std::ops::$operator for Value {
-            type Output = Value;
-            fn $method(self) -> Value {
+            type Output = Self;
+            fn $method(self) -> Self {
                 self.apply(Operation::$operation, &[])
             }
         }

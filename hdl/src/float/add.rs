@@ -40,26 +40,26 @@ pub fn module(format: Format, stages: u32) -> Operator {
     pipe.module.parameter("format", format);
     let (a, b) = (Operand::input(&mut pipe, format, "a"), Operand::input(&mut pipe, format, "b"));
 
-    let swap = pipe.module.wire("swap", &a.magnitude.lt(&b.magnitude));
-    let sign = pipe.carry("sign", &swap.mux(&b.sign, &a.sign));
-    let nan = &a.nan | &b.nan | (&a.infinite & &b.infinite & (&a.sign ^ &b.sign));
-    let nan = pipe.carry("nan", &nan);
-    let infinite = pipe.carry("infinite", &(&a.infinite | &b.infinite));
-    let mut subtract = pipe.carry("subtract", &(&a.sign ^ &b.sign));
-    let mut limit = pipe.carry("limit", &swap.mux(&b.exponent, &a.exponent));
+    let swap = pipe.module.wire("swap", a.magnitude.lt(b.magnitude));
+    let sign = pipe.carry("sign", swap.mux(b.sign, a.sign));
+    let nan = a.nan | b.nan | (a.infinite & b.infinite & (a.sign ^ b.sign));
+    let nan = pipe.carry("nan", nan);
+    let infinite = pipe.carry("infinite", a.infinite | b.infinite);
+    let mut subtract = pipe.carry("subtract", a.sign ^ b.sign);
+    let mut limit = pipe.carry("limit", swap.mux(b.exponent, a.exponent));
     let [distance, large, small] = pipe.cut([
-        ("distance", &swap.mux(&(&b.exponent - &a.exponent), &(&a.exponent - &b.exponent))),
-        ("large", &swap.mux(&b.significand, &a.significand)),
-        ("small", &swap.mux(&a.significand, &b.significand)),
+        ("distance", swap.mux(b.exponent - a.exponent, a.exponent - b.exponent)),
+        ("large", swap.mux(b.significand, a.significand)),
+        ("small", swap.mux(a.significand, b.significand)),
     ]);
 
     let room = lit(EXTRA, 0);
     let stop = stop(&mut pipe, format, &mut limit, sum_width(format));
-    let aligned = shift_right_sticky(&cat(&[&small, &room]), &distance.trunc(format.exponent as usize));
-    let [large, aligned] = pipe.cut([("large", &large), ("aligned", &aligned)]);
+    let aligned = shift_right_sticky(cat([small, room]), distance.trunc(format.exponent as usize));
+    let [large, aligned] = pipe.cut([("large", large), ("aligned", aligned)]);
 
-    let (large, aligned) = (cat(&[&large, &room]).zext(sum_width(format)), aligned.zext(sum_width(format)));
-    let sum = add_or_subtract(&large, &aligned, &pipe.arrive(&mut subtract));
+    let (large, aligned) = (cat([large, room]).zext(sum_width(format)), aligned.zext(sum_width(format)));
+    let sum = add_or_subtract(large, aligned, pipe.arrive(&mut subtract));
     normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, limit, stop, sum })
 }
 
@@ -97,26 +97,26 @@ pub(super) fn stop(pipe: &mut Pipe, format: Format, limit: &mut Carried, width: 
         return None;
     }
     let top = lit(width, 1 << (width - 1));
-    let stop = top.shr_by(&pipe.arrive(limit));
-    Some(pipe.carry("stop", &stop))
+    let stop = top.shr_by(pipe.arrive(limit));
+    Some(pipe.carry("stop", stop))
 }
 
 /// Takes the sum through a cut, shifts leading zeros out, with the cuts that takes, and rounds.
 pub(super) fn normalize_sum(mut pipe: Pipe, format: Format, raw: Sum) -> Operator {
     let Sum { mut sign, mut nan, mut infinite, mut subtract, mut limit, stop, sum } = raw;
-    let [sum] = pipe.cut([("sum", &sum)]);
+    let [sum] = pipe.cut([("sum", sum)]);
 
     let marked = match stop {
-        Some(mut stop) => &sum | pipe.arrive(&mut stop),
-        None => sum.clone(),
+        Some(mut stop) => sum | pipe.arrive(&mut stop),
+        None => sum,
     };
     let cancelled = sum.is_zero();
     let [sign, nan, infinite, subtract] =
         [&mut sign, &mut nan, &mut infinite, &mut subtract].map(|flag| pipe.arrive(flag));
-    let special = Special { sign: sign & !(&cancelled & subtract), nan, zero: cancelled & !&infinite, infinite };
+    let special = Special { sign: sign & !(cancelled & subtract), nan, zero: cancelled & !infinite, infinite };
     let special = special.carry(&pipe);
-    let (sum, shift) = shift_out_zeros(&mut pipe, &sum, &marked);
-    let significand = keep_sticky(&sum, precision(format) + 2);
+    let (sum, shift) = shift_out_zeros(&mut pipe, sum, marked);
+    let significand = keep_sticky(sum, precision(format) + 2);
     let exponent = pipe.arrive(&mut limit).add_lit(1) - shift.zext(exponent_width(format));
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })
 }

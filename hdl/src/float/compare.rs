@@ -50,21 +50,21 @@ fn module(relation: Relation, format: Format, stages: u32) -> Operator {
     pipe.module.parameter("format", format);
     let [a, b] = ["a", "b"].map(|name| {
         let encoded = pipe.module.input(name, width(format));
-        flushed(format, &encoded)
+        flushed(format, encoded)
     });
     let magnitude_bits = width(format) - 1;
-    let unordered = is_nan(format, &a) | is_nan(format, &b);
+    let unordered = is_nan(format, a) | is_nan(format, b);
     let both_zero = (a.trunc(magnitude_bits) | b.trunc(magnitude_bits)).is_zero();
     let compared = match relation {
-        Relation::Less => order(&a).lt(&order(&b)),
-        Relation::LessOrEqual => order(&a).le(&order(&b)),
-        Relation::Equal => a.eq(&b),
+        Relation::Less => order(a).lt(order(b)),
+        Relation::LessOrEqual => order(a).le(order(b)),
+        Relation::Equal => a.eq(b),
     };
     let [unordered, both_zero, compared] =
-        pipe.cut([("unordered", &unordered), ("both_zero", &both_zero), ("compared", &compared)]);
+        pipe.cut([("unordered", unordered), ("both_zero", both_zero), ("compared", compared)]);
     let holds = match relation {
         Relation::Less => compared & !both_zero,
         Relation::LessOrEqual | Relation::Equal => compared | both_zero,
     };
-    pipe.finish(&(holds & !unordered))
+    pipe.finish(holds & !unordered)
 }

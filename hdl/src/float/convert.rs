@@ -36,8 +36,7 @@ pub fn module(from: Format, to: Format, stages: u32) -> Operator {
     pipe.module.parameter("from", from);
     pipe.module.parameter("to", to);
     let a = Operand::input(&mut pipe, from, "a");
-    let special =
-        Special { sign: a.sign.clone(), nan: a.nan.clone(), infinite: a.infinite.clone(), zero: a.zero.clone() };
+    let special = Special { sign: a.sign, nan: a.nan, infinite: a.infinite, zero: a.zero };
     let special = special.carry(&pipe);
     let [a] = normalize(&mut pipe, from, [&a]);
 
@@ -46,6 +45,6 @@ pub fn module(from: Format, to: Format, stages: u32) -> Operator {
         .max(exponent_width(from))
         .max(exponent_width(to));
     let exponent = a.exponent.sext(bits) + signed(bits, offset);
-    let significand = keep_sticky(&a.significand, precision(to) + 2);
+    let significand = keep_sticky(a.significand, precision(to) + 2);
     round(pipe, to, underflow(from, to), Raw { special, exponent, significand })
 }

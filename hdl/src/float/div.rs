@@ -33,10 +33,10 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_div", "Floating-point quotient, correctly rounded.", &delays(format), stages);
     let [a, b] = ["a", "b"].map(|name| Operand::input(&mut pipe, format, name));
     let special = Special {
-        sign: &a.sign ^ &b.sign,
-        nan: &a.nan | &b.nan | (&a.zero & &b.zero) | (&a.infinite & &b.infinite),
-        infinite: &a.infinite | &b.zero,
-        zero: &a.zero | &b.infinite,
+        sign: a.sign ^ b.sign,
+        nan: a.nan | b.nan | (a.zero & b.zero) | (a.infinite & b.infinite),
+        infinite: a.infinite | b.zero,
+        zero: a.zero | b.infinite,
     };
     let special = special.carry(&pipe);
     let [a, b] = normalize(&mut pipe, format, [&a, &b]);
@@ -59,7 +59,7 @@ pub fn recip(format: Format, stages: u32) -> Operator {
 
 /// Special results of a reciprocal.
 pub(super) fn recip_special(a: &Operand) -> Special {
-    Special { sign: a.sign.clone(), nan: a.nan.clone(), infinite: a.zero.clone(), zero: a.infinite.clone() }
+    Special { sign: a.sign, nan: a.nan, infinite: a.zero, zero: a.infinite }
 }
 
 /// `a / b` of normalized operands.
@@ -67,27 +67,26 @@ fn quotient(mut pipe: Pipe, format: Format, special: CarriedSpecial, a: &Normali
     pipe.module.parameter("format", format);
     let (p, exponent_bits) = (precision(format), exponent_width(format));
     let bias = lit(exponent_bits, format.bias() as u128);
-    let mut exponent = pipe.carry("exponent", &(&a.exponent - &b.exponent + bias));
-    let mut divisor = pipe.carry("divisor", &b.significand);
-    let [mut remainder] = pipe.cut([("remainder", &a.significand.zext(p + 1))]);
+    let mut exponent = pipe.carry("exponent", a.exponent - b.exponent + bias);
+    let mut divisor = pipe.carry("divisor", b.significand);
+    let [mut remainder] = pipe.cut([("remainder", a.significand.zext(p + 1))]);
 
     let mut quotient = None;
     for _ in 0..p + 2 {
         let difference = remainder.zext(p + 2) - pipe.arrive(&mut divisor).zext(p + 2);
         let digit = !difference.msb();
-        let kept = digit.mux(&difference.trunc(p), &remainder.trunc(p));
-        let digits = quotient.map_or(digit.clone(), |quotient| cat(&[&quotient, &digit]));
-        let [next_remainder, next_quotient] =
-            pipe.cut([("remainder", &cat(&[&kept, &bit(false)])), ("quotient", &digits)]);
+        let kept = digit.mux(difference.trunc(p), remainder.trunc(p));
+        let digits = quotient.map_or(digit, |quotient| cat([quotient, digit]));
+        let [next_remainder, next_quotient] = pipe.cut([("remainder", cat([kept, bit(false)])), ("quotient", digits)]);
         remainder = next_remainder;
         quotient = Some(next_quotient);
     }
     let quotient = quotient.expect("there are p + 2 digits");
 
     let below_one = !quotient.msb();
-    let digits = cat(&[&quotient, &remainder.any()]);
+    let digits = cat([quotient, remainder.any()]);
     let exponent = pipe.arrive(&mut exponent) - below_one.zext(exponent_bits);
-    let [exponent, significand] = pipe
-        .cut([("exponent", &exponent), ("significand", &keep_sticky(&below_one.mux(&digits.shl(1), &digits), p + 2))]);
+    let [exponent, significand] =
+        pipe.cut([("exponent", exponent), ("significand", keep_sticky(below_one.mux(digits.shl(1), digits), p + 2))]);
     round(pipe, format, Underflow::Possible, Raw { special, exponent, significand })
 }

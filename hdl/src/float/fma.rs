@@ -50,22 +50,22 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let (p, field) = (precision(format), field_width(format));
     let [a, b, c] = ["a", "b", "c"].map(|name| Operand::input(&mut pipe, format, name));
 
-    let product_sign = &a.sign ^ &b.sign;
-    let product_infinite = &a.infinite | &b.infinite;
-    let product_zero = &a.zero | &b.zero;
-    let opposed = &product_sign ^ &c.sign;
-    let nan = &a.nan
-        | &b.nan
-        | &c.nan
-        | (&a.infinite & &b.zero)
-        | (&a.zero & &b.infinite)
-        | (&product_infinite & &c.infinite & &opposed);
-    let infinite = product_infinite | &c.infinite;
+    let product_sign = a.sign ^ b.sign;
+    let product_infinite = a.infinite | b.infinite;
+    let product_zero = a.zero | b.zero;
+    let opposed = product_sign ^ c.sign;
+    let nan = a.nan
+        | b.nan
+        | c.nan
+        | (a.infinite & b.zero)
+        | (a.zero & b.infinite)
+        | (product_infinite & c.infinite & opposed);
+    let infinite = product_infinite | c.infinite;
     // An infinite result takes its sign here: the sum does not know which operand is infinite.
-    let mut sign = pipe.carry("sign", &c.infinite.mux(&c.sign, &product_sign));
-    let mut subtract = pipe.carry("subtract", &(opposed & !&infinite));
-    let nan = pipe.carry("nan", &nan);
-    let infinite = pipe.carry("infinite", &infinite);
+    let mut sign = pipe.carry("sign", c.infinite.mux(c.sign, product_sign));
+    let mut subtract = pipe.carry("subtract", opposed & !infinite);
+    let nan = pipe.carry("nan", nan);
+    let infinite = pipe.carry("infinite", infinite);
 
     // The product's biased exponent at the field's top bit, where the addend stands unshifted, is `factors + lead`; less
     // one, it is the shift down to exponent 1.
@@ -73,39 +73,39 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let lead = (p + EXTRA) as i32 - format.bias();
     let addend_exponent = c.exponent.zext(bits);
     let factors = a.exponent.zext(bits) + b.exponent.zext(bits);
-    let below_lead = signed(bits, lead) - &addend_exponent;
+    let below_lead = signed(bits, lead) - addend_exponent;
     let [factors, below_lead, addend_exponent, product_zero, left, right, addend] = pipe.cut([
-        ("factors", &factors),
-        ("below_lead", &below_lead),
-        ("addend_exponent", &addend_exponent),
-        ("product_zero", &product_zero),
-        ("left", &a.significand),
-        ("right", &b.significand),
-        ("addend", &c.significand),
+        ("factors", factors),
+        ("below_lead", below_lead),
+        ("addend_exponent", addend_exponent),
+        ("product_zero", product_zero),
+        ("left", a.significand),
+        ("right", b.significand),
+        ("addend", c.significand),
     ]);
-    let distance = &factors + below_lead;
-    let addend_leads = pipe.module.wire("addend_leads", &(product_zero | distance.msb()));
-    let limit = addend_leads.mux(&addend_exponent.sub_lit(1), &(factors + signed(bits, lead - 1))).trunc(bits - 1);
-    let mut limit = pipe.carry("limit", &limit);
+    let distance = factors + below_lead;
+    let addend_leads = pipe.module.wire("addend_leads", product_zero | distance.msb());
+    let limit = addend_leads.mux(addend_exponent.sub_lit(1), factors + signed(bits, lead - 1)).trunc(bits - 1);
+    let mut limit = pipe.carry("limit", limit);
     let [distance, left, right, addend] = pipe.cut([
-        ("distance", &(distance & !addend_leads.repeat(bits)).trunc(bits - 1)),
-        ("left", &left),
-        ("right", &right),
-        ("addend", &addend),
+        ("distance", (distance & !addend_leads.repeat(bits)).trunc(bits - 1)),
+        ("left", left),
+        ("right", right),
+        ("addend", addend),
     ]);
 
     let stop = stop(&mut pipe, format, &mut limit, field);
-    let aligned = shift_right_sticky(&cat(&[&addend, &lit(field - p, 0)]), &distance);
-    let mut aligned = pipe.carry("aligned", &aligned);
-    let product = product(&mut pipe, &left, &right);
-    let [product] = pipe.cut([("product", &product)]);
+    let aligned = shift_right_sticky(cat([addend, lit(field - p, 0)]), distance);
+    let mut aligned = pipe.carry("aligned", aligned);
+    let product = product(&mut pipe, left, right);
+    let [product] = pipe.cut([("product", product)]);
     let aligned = pipe.arrive(&mut aligned);
 
-    let product = cat(&[&product, &lit(EXTRA, 0)]).zext(field);
-    let forward = add_or_subtract(&product.zext(field + 1), &aligned.zext(field + 1), &pipe.arrive(&mut subtract));
-    let addend_larger = pipe.module.wire("addend_larger", &forward.msb());
-    let sum = addend_larger.mux(&(&aligned - &product), &forward.trunc(field));
+    let product = cat([product, lit(EXTRA, 0)]).zext(field);
+    let forward = add_or_subtract(product.zext(field + 1), aligned.zext(field + 1), pipe.arrive(&mut subtract));
+    let addend_larger = pipe.module.wire("addend_larger", forward.msb());
+    let sum = addend_larger.mux(aligned - product, forward.trunc(field));
     let sign = pipe.arrive(&mut sign) ^ addend_larger;
-    let sign = pipe.carry("sign", &sign);
+    let sign = pipe.carry("sign", sign);
     normalize_sum(pipe, format, Sum { sign, nan, infinite, subtract, limit, stop, sum })
 }

@@ -38,17 +38,17 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
     let width = fixed.width as usize;
     let a = pipe.module.input("a", width);
     let (sign, magnitude) = match fixed.signed {
-        Signedness::Signed => (a.msb(), a.msb().mux(&(!&a).add_lit(1), &a)),
+        Signedness::Signed => (a.msb(), a.msb().mux((!a).add_lit(1), a)),
         Signedness::Unsigned => (bit(false), a),
     };
     let special = Special { sign, nan: bit(false), infinite: bit(false), zero: magnitude.is_zero() }.carry(&pipe);
-    let [magnitude] = pipe.cut([("magnitude", &magnitude)]);
-    let [magnitude, zeros] = pipe.cut([("magnitude", &magnitude), ("zeros", &leading_zeros(&magnitude))]);
+    let [magnitude] = pipe.cut([("magnitude", magnitude)]);
+    let [magnitude, zeros] = pipe.cut([("magnitude", magnitude), ("zeros", leading_zeros(magnitude))]);
 
     let top = format.bias() + fixed.width as i32 - 1 - fixed.fraction as i32;
     let bits = signed_width(top.unsigned_abs() + fixed.width).max(format.exponent as usize + 1);
     let exponent = signed(bits, top) - zeros.zext(bits);
-    let significand = keep_sticky(&magnitude.shl_by(&zeros), precision(format) + 2);
+    let significand = keep_sticky(magnitude.shl_by(zeros), precision(format) + 2);
     round(pipe, format, underflow(format, fixed), Raw { special, exponent, significand })
 }
 

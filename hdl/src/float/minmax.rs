@@ -43,22 +43,17 @@ fn module(extremum: Extremum, format: Format, stages: u32) -> Operator {
     pipe.module.parameter("format", format);
     let [a, b] = ["a", "b"].map(|name| {
         let encoded = pipe.module.input(name, width(format));
-        flushed(format, &encoded)
+        flushed(format, encoded)
     });
-    let less = order(&a).lt(&order(&b));
-    let [a_nan, b_nan, less, a, b] = pipe.cut([
-        ("a_nan", &is_nan(format, &a)),
-        ("b_nan", &is_nan(format, &b)),
-        ("less", &less),
-        ("a", &a),
-        ("b", &b),
-    ]);
+    let less = order(a).lt(order(b));
+    let [a_nan, b_nan, less, a, b] =
+        pipe.cut([("a_nan", is_nan(format, a)), ("b_nan", is_nan(format, b)), ("less", less), ("a", a), ("b", b)]);
     let first = match extremum {
         Extremum::Minimum => less,
         Extremum::Maximum => !less,
     };
-    let take_a = &b_nan | (!&a_nan & first);
+    let take_a = b_nan | (!a_nan & first);
     let quiet_nan = lit(width(format), u128::from(format.quiet_nan()));
-    let result = (a_nan & b_nan).mux(&quiet_nan, &take_a.mux(&a, &b));
-    pipe.finish(&result)
+    let result = (a_nan & b_nan).mux(quiet_nan, take_a.mux(a, b));
+    pipe.finish(result)
 }

@@ -32,26 +32,26 @@ pub fn module(format: Format, stages: u32) -> Operator {
     pipe.module.parameter("format", format);
     let [a, b] = ["a", "b"].map(|name| Operand::input(&mut pipe, format, name));
     let special = Special {
-        sign: &a.sign ^ &b.sign,
-        nan: &a.nan | &b.nan | (&a.infinite & &b.zero) | (&a.zero & &b.infinite),
-        infinite: &a.infinite | &b.infinite,
-        zero: &a.zero | &b.zero,
+        sign: a.sign ^ b.sign,
+        nan: a.nan | b.nan | (a.infinite & b.zero) | (a.zero & b.infinite),
+        infinite: a.infinite | b.infinite,
+        zero: a.zero | b.zero,
     };
     let special = special.carry(&pipe);
 
     let [a, b] = normalize(&mut pipe, format, [&a, &b]);
     let [left, right, exponent] =
-        pipe.cut([("left", &a.significand), ("right", &b.significand), ("exponent", &(&a.exponent + &b.exponent))]);
+        pipe.cut([("left", a.significand), ("right", b.significand), ("exponent", (a.exponent + b.exponent))]);
 
     let bias = lit(exponent_width(format), format.bias() as u128);
-    let mut exponent = pipe.carry("exponent", &(&exponent - &bias));
-    let product = product(&mut pipe, &left, &right);
-    let [product] = pipe.cut([("product", &product)]);
+    let mut exponent = pipe.carry("exponent", exponent - bias);
+    let product = product(&mut pipe, left, right);
+    let [product] = pipe.cut([("product", product)]);
 
     // Both factors lie in [1, 2), the product in [1, 4).
     let carry = product.msb();
-    let normalized = carry.mux(&product, &product.shl(1));
+    let normalized = carry.mux(product, product.shl(1));
     let exponent = pipe.arrive(&mut exponent) + carry.zext(exponent_width(format));
-    let significand = keep_sticky(&normalized, precision(format) + 2);
+    let significand = keep_sticky(normalized, precision(format) + 2);
     round(pipe, format, Underflow::Possible, Raw { special, exponent, significand })
 }

@@ -28,16 +28,16 @@ pub(super) fn iterate_fraction(format: Format, step: usize) -> usize {
 }
 
 /// The top `count` fraction bits of a significand, zeros behind the last.
-pub(super) fn top_fraction(significand: &Expr, count: usize) -> Expr {
+pub(super) fn top_fraction(significand: Expr, count: usize) -> Expr {
     let mantissa = significand.width() - 1;
     match count.checked_sub(mantissa) {
         None | Some(0) => significand.bits(mantissa - 1, mantissa - count),
-        Some(missing) => cat(&[&significand.trunc(mantissa), &lit(missing, 0)]),
+        Some(missing) => cat([significand.trunc(mantissa), lit(missing, 0)]),
     }
 }
 
 /// `value` of `from` fraction bits truncated to `to` of them and cut to `width` bits.
-pub(super) fn floor(value: &Expr, from: usize, to: usize, width: usize) -> Expr {
+pub(super) fn floor(value: Expr, from: usize, to: usize, width: usize) -> Expr {
     value.bits(from - to + width - 1, from - to)
 }
 
@@ -47,15 +47,15 @@ pub(super) fn finish(
     format: Format,
     underflow: Underflow,
     special: CarriedSpecial,
-    exponent: &Expr,
-    y: &Expr,
+    exponent: Expr,
+    y: Expr,
 ) -> Operator {
     let below_one = !y.msb();
-    let normalized = below_one.mux(&y.shl(1), y);
+    let normalized = below_one.mux(y.shl(1), y);
     let raw = Raw {
         special,
         exponent: exponent - below_one.zext(exponent_width(format)),
-        significand: keep_sticky(&normalized, precision(format) + 2),
+        significand: keep_sticky(normalized, precision(format) + 2),
     };
     round(pipe, format, underflow, raw)
 }

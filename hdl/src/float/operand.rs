@@ -46,27 +46,27 @@ impl Operand {
     /// The number in the input port `name`.
     pub fn input(pipe: &mut Pipe, format: Format, name: &'static str) -> Self {
         let encoded = pipe.module.input(name, width(format));
-        Self::unpack(&mut pipe.module, format, name, &encoded)
+        Self::unpack(&mut pipe.module, format, name, encoded)
     }
 
-    fn unpack(module: &mut Module, format: Format, name: &'static str, encoded: &Expr) -> Self {
+    fn unpack(module: &mut Module, format: Format, name: &'static str, encoded: Expr) -> Self {
         let mantissa = format.mantissa as usize;
-        let field = module.wire(&format!("{name}_field"), &encoded.bits(width(format) - 2, mantissa));
-        let fraction = module.wire(&format!("{name}_fraction"), &encoded.trunc(mantissa));
+        let field = module.wire(&format!("{name}_field"), encoded.bits(width(format) - 2, mantissa));
+        let fraction = module.wire(&format!("{name}_fraction"), encoded.trunc(mantissa));
         let normal = field.any();
         // Of a full exponent field nothing is flushed.
         let (infinite, nan) = (field.all() & fraction.is_zero(), field.all() & fraction.any());
         let (zero, lowest, significant) = match format.subnormals {
-            Subnormals::Keep => (!(&normal | fraction.any()), field.bit(0) | !&normal, fraction.clone()),
-            Subnormals::Flush => (!&normal, field.bit(0), &fraction & normal.repeat(mantissa)),
+            Subnormals::Keep => (!(normal | fraction.any()), field.bit(0) | !normal, fraction),
+            Subnormals::Flush => (!normal, field.bit(0), fraction & normal.repeat(mantissa)),
         };
-        let exponent = cat(&[&field.bits(field.width() - 1, 1), &lowest]);
+        let exponent = cat([field.bits(field.width() - 1, 1), lowest]);
         Self {
             name,
             sign: encoded.msb(),
             magnitude: encoded.trunc(width(format) - 1),
             exponent: exponent.zext(exponent_width(format)),
-            significand: cat(&[&normal, &significant]),
+            significand: cat([normal, significant]),
             zero,
             infinite,
             nan,
@@ -85,23 +85,20 @@ pub(super) struct Normalized {
 /// Normalizes operands. Takes one cut, none if the format flushes subnormal numbers.
 pub(super) fn normalize<const N: usize>(pipe: &mut Pipe, format: Format, operands: [&Operand; N]) -> [Normalized; N] {
     if format.subnormals == Subnormals::Flush {
-        return operands.map(|operand| Normalized {
-            exponent: operand.exponent.clone(),
-            significand: operand.significand.clone(),
-        });
+        return operands.map(|operand| Normalized { exponent: operand.exponent, significand: operand.significand });
     }
     let mut carried = operands.map(|operand| {
-        let carry = |field: &str, value: &Expr| pipe.carry(&format!("{}_{field}", operand.name), value);
+        let carry = |field: &str, value: Expr| pipe.carry(&format!("{}_{field}", operand.name), value);
         [
-            carry("zeros", &leading_zeros(&operand.significand)),
-            carry("exponent", &operand.exponent),
-            carry("significand", &operand.significand),
+            carry("zeros", leading_zeros(operand.significand)),
+            carry("exponent", operand.exponent),
+            carry("significand", operand.significand),
         ]
     });
     pipe.cut([]);
     carried.each_mut().map(|values| {
         let [zeros, exponent, significand] = values.each_mut().map(|value| pipe.arrive(value));
-        Normalized { exponent: &exponent - zeros.zext(exponent.width()), significand: significand.shl_by(&zeros) }
+        Normalized { exponent: exponent - zeros.zext(exponent.width()), significand: significand.shl_by(zeros) }
     })
 }
 
@@ -115,25 +112,25 @@ pub(super) fn normalize_delays(format: Format, following: u32) -> Vec<u32> {
 }
 
 /// An encoded number, subnormal ones as zero if the format flushes them.
-pub(super) fn flushed(format: Format, encoded: &Expr) -> Expr {
+pub(super) fn flushed(format: Format, encoded: Expr) -> Expr {
     if format.subnormals == Subnormals::Keep {
-        return encoded.clone();
+        return encoded;
     }
     let mantissa = format.mantissa as usize;
     let (field, fraction) = (encoded.bits(width(format) - 2, mantissa), encoded.trunc(mantissa));
-    cat(&[&encoded.msb(), &field, &(&fraction & field.any().repeat(mantissa))])
+    cat([encoded.msb(), field, (fraction & field.any().repeat(mantissa))])
 }
 
 /// Whether an encoded number is NaN.
-pub(super) fn is_nan(format: Format, encoded: &Expr) -> Expr {
+pub(super) fn is_nan(format: Format, encoded: Expr) -> Expr {
     let mantissa = format.mantissa as usize;
     encoded.bits(width(format) - 2, mantissa).all() & encoded.trunc(mantissa).any()
 }
 
 /// An unsigned number in the order of the encoded ones, −0 right below +0.
-pub(super) fn order(encoded: &Expr) -> Expr {
+pub(super) fn order(encoded: Expr) -> Expr {
     let (sign, magnitude_bits) = (encoded.msb(), encoded.width() - 1);
-    cat(&[&!&sign, &(encoded.trunc(magnitude_bits) ^ sign.repeat(magnitude_bits))])
+    cat([!sign, (encoded.trunc(magnitude_bits) ^ sign.repeat(magnitude_bits))])
 }
 
 /// Delay of [`flushed`] and [`order`].

@@ -49,7 +49,7 @@ impl Pipe {
     }
 
     /// Ends the current segment and takes these values into the next.
-    pub fn cut<const N: usize>(&mut self, values: [(&str, &Expr); N]) -> [Expr; N] {
+    pub fn cut<const N: usize>(&mut self, values: [(&str, Expr); N]) -> [Expr; N] {
         let mut carried = values.map(|(name, value)| self.carry(name, value));
         self.cuts_passed += 1;
         carried.each_mut().map(|value| self.arrive(value))
@@ -57,8 +57,8 @@ impl Pipe {
 
     /// A value of the current segment for use in later ones.
     #[must_use]
-    pub fn carry(&self, name: &str, value: &Expr) -> Carried {
-        Carried { name: name.into(), value: value.clone(), cuts_passed: self.cuts_passed }
+    pub fn carry(&self, name: &str, value: Expr) -> Carried {
+        Carried { name: name.into(), value, cuts_passed: self.cuts_passed }
     }
 
     /// A carried value in the current segment.
@@ -67,12 +67,12 @@ impl Pipe {
             if self.registered[cut] && carried.value.literal_value().is_none() {
                 let stage = count(&self.registered[..=cut]);
                 let register = self.module.reg(&format!("{}_s{stage}", carried.name), carried.value.width());
-                self.module.next_if(&register, &self.enable, &carried.value);
+                self.module.next_if(register, self.enable, carried.value);
                 carried.value = register.expr();
             }
         }
         carried.cuts_passed = self.cuts_passed;
-        carried.value.clone()
+        carried.value
     }
 
     /// Registers the result and drives port `y` with it.
@@ -80,11 +80,11 @@ impl Pipe {
     /// # Panics
     /// If the description has not as many segments as there are delays.
     #[must_use]
-    pub fn finish(mut self, result: &Expr) -> Operator {
+    pub fn finish(mut self, result: Expr) -> Operator {
         assert_eq!(self.cuts_passed + 1, self.registered.len(), "segments and delays of {} differ", self.module.unit());
         let y = self.module.reg("y", result.width());
-        self.module.next_if(&y, &self.enable, result);
-        self.module.output("y", &y);
+        self.module.next_if(y, self.enable, result);
+        self.module.output("y", y);
         Operator { module: Rc::new(self.module), latency: count(&self.registered) as u32 }
     }
 }

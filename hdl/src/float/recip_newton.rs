@@ -47,24 +47,24 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let special = recip_special(&a).carry(&pipe);
     let [a] = normalize(&mut pipe, format, [&a]);
 
-    let exponent = lit(exponent_width(format), 2 * format.bias() as u128) - &a.exponent;
-    let mut exponent = pipe.carry("exponent", &exponent);
-    let mut m = pipe.carry("m", &a.significand);
-    let [index] = pipe.cut([("index", &top_fraction(&a.significand, INDEX_BITS))]);
-    let seed = pipe.module.lookup("seed", &seeds(), SEED_FRACTION + 1, &index);
-    let [mut y] = pipe.cut([("y", &seed)]);
+    let exponent = lit(exponent_width(format), 2 * format.bias() as u128) - a.exponent;
+    let mut exponent = pipe.carry("exponent", exponent);
+    let mut m = pipe.carry("m", a.significand);
+    let [index] = pipe.cut([("index", top_fraction(a.significand, INDEX_BITS))]);
+    let seed = pipe.module.lookup("seed", &seeds(), SEED_FRACTION + 1, index);
+    let [mut y] = pipe.cut([("y", seed)]);
     for step in 0..steps(format) {
         let y_fraction = iterate_fraction(format, step);
-        let mut iterate = pipe.carry("iterate", &y);
+        let mut iterate = pipe.carry("iterate", y);
         let current_m = pipe.arrive(&mut m);
-        let my = product(&mut pipe, &current_m, &y);
-        let [my] = pipe.cut([("my", &floor(&my, p - 1 + y_fraction, fraction, fraction + 1))]);
+        let my = product(&mut pipe, current_m, y);
+        let [my] = pipe.cut([("my", floor(my, p - 1 + y_fraction, fraction, fraction + 1))]);
         // Modulo 2^(F+1), where 2 is zero.
-        let [e] = pipe.cut([("e", &(lit(fraction + 1, 0) - my))]);
+        let [e] = pipe.cut([("e", (lit(fraction + 1, 0) - my))]);
         let previous = pipe.arrive(&mut iterate);
-        let ye = product(&mut pipe, &previous, &e);
-        [y] = pipe.cut([("y", &floor(&ye, y_fraction + fraction, fraction, fraction + 1))]);
+        let ye = product(&mut pipe, previous, e);
+        [y] = pipe.cut([("y", floor(ye, y_fraction + fraction, fraction, fraction + 1))]);
     }
     let exponent = pipe.arrive(&mut exponent);
-    finish(pipe, format, Underflow::Possible, special, &exponent, &y)
+    finish(pipe, format, Underflow::Possible, special, exponent, y)
 }

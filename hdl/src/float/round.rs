@@ -31,10 +31,10 @@ impl Special {
     /// Sends it along to the rounder.
     pub fn carry(&self, pipe: &Pipe) -> CarriedSpecial {
         CarriedSpecial {
-            sign: pipe.carry("sign", &self.sign),
-            nan: pipe.carry("nan", &self.nan),
-            infinite: pipe.carry("infinite", &self.infinite),
-            zero: pipe.carry("zero", &self.zero),
+            sign: pipe.carry("sign", self.sign),
+            nan: pipe.carry("nan", self.nan),
+            infinite: pipe.carry("infinite", self.infinite),
+            zero: pipe.carry("zero", self.zero),
         }
     }
 }
@@ -73,17 +73,17 @@ pub(super) fn round(mut pipe: Pipe, format: Format, underflow: Underflow, raw: R
     let (exponent, significand) = if underflow.shifts(format) {
         let small = exponent.msb() | exponent.is_zero();
         let one = lit(exponent.width(), 1);
-        let mut clamped = pipe.carry("exponent", &small.mux(&one, &exponent));
-        let distance = (one - &exponent) & small.repeat(exponent.width());
-        let [distance, significand] = pipe.cut([("distance", &distance), ("significand", &significand)]);
-        let [significand] = pipe.cut([("significand", &shift_right_sticky(&significand, &distance))]);
+        let mut clamped = pipe.carry("exponent", small.mux(one, exponent));
+        let distance = (one - exponent) & small.repeat(exponent.width());
+        let [distance, significand] = pipe.cut([("distance", distance), ("significand", significand)]);
+        let [significand] = pipe.cut([("significand", shift_right_sticky(significand, distance))]);
         (pipe.arrive(&mut clamped), significand)
     } else {
-        let [exponent, significand] = pipe.cut([("exponent", &exponent), ("significand", &significand)]);
+        let [exponent, significand] = pipe.cut([("exponent", exponent), ("significand", significand)]);
         (exponent, significand)
     };
-    let result = pack(&mut pipe, format, special, &exponent, &significand);
-    pipe.finish(&result)
+    let result = pack(&mut pipe, format, special, exponent, significand);
+    pipe.finish(result)
 }
 
 /// Delays of [`round`]'s segments, the first following `preceding`.
@@ -98,35 +98,35 @@ pub(super) fn round_delays(format: Format, underflow: Underflow, preceding: u32)
 }
 
 /// Rounds the significand and encodes the number.
-fn pack(pipe: &mut Pipe, format: Format, special: CarriedSpecial, exponent: &Expr, significand: &Expr) -> Expr {
+fn pack(pipe: &mut Pipe, format: Format, special: CarriedSpecial, exponent: Expr, significand: Expr) -> Expr {
     let CarriedSpecial { mut sign, mut nan, mut infinite, mut zero } = special;
     let [sign, nan, infinite, zero] = [&mut sign, &mut nan, &mut infinite, &mut zero].map(|flag| pipe.arrive(flag));
     let (p, mantissa, exponent_bits) = (precision(format), format.mantissa as usize, format.exponent as usize);
     let (leading, fraction) = (significand.bit(p + 1), significand.bits(p, 2));
     let (guard, sticky) = (significand.bit(1), significand.bit(0));
-    let round_up = pipe.module.wire("round_up", &(&guard & (sticky | fraction.bit(0))));
+    let round_up = pipe.module.wire("round_up", guard & (sticky | fraction.bit(0)));
     let low = exponent.trunc(exponent_bits);
     let field = match format.subnormals {
-        Subnormals::Keep => &low & leading.repeat(exponent_bits),
+        Subnormals::Keep => low & leading.repeat(exponent_bits),
         Subnormals::Flush => low,
     };
     // A carry out of the fraction increments the exponent, up to infinity.
-    let rounded = pipe.module.wire("rounded", &(cat(&[&field, &fraction]) + round_up.zext(mantissa + exponent_bits)));
+    let rounded = pipe.module.wire("rounded", cat([field, fraction]) + round_up.zext(mantissa + exponent_bits));
     let negative = exponent.msb();
-    let overflow = !&negative & exponent.ge_lit(u128::from(format.exponent_max()));
+    let overflow = !negative & exponent.ge_lit(u128::from(format.exponent_max()));
     let zero = match format.subnormals {
         Subnormals::Keep => zero,
         Subnormals::Flush => {
-            let carries = fraction.all() & &guard;
+            let carries = fraction.all() & guard;
             let underflow = negative | (exponent.is_zero() & !carries);
-            zero | (underflow & !&infinite)
+            zero | (underflow & !infinite)
         }
     };
     let infinity = lit(width(format) - 1, u128::from(format.infinity()));
     let infinite = infinite | overflow;
     let [sign, nan, infinite, zero, rounded] =
-        pipe.cut([("sign", &sign), ("nan", &nan), ("infinite", &infinite), ("zero", &zero), ("rounded", &rounded)]);
-    let magnitude = zero.mux(&lit(width(format) - 1, 0), &infinite.mux(&infinity, &rounded));
+        pipe.cut([("sign", sign), ("nan", nan), ("infinite", infinite), ("zero", zero), ("rounded", rounded)]);
+    let magnitude = zero.mux(lit(width(format) - 1, 0), infinite.mux(infinity, rounded));
     let quiet_nan = lit(width(format), u128::from(format.quiet_nan()));
-    nan.mux(&quiet_nan, &cat(&[&sign, &magnitude]))
+    nan.mux(quiet_nan, cat([sign, magnitude]))
 }

@@ -46,36 +46,36 @@ pub fn module(format: Format, stages: u32) -> Operator {
     let (m, half) = even_exponent(format, &a);
     // The root's leading one stands for 1/2.
     let exponent = lit(exponent_width(format), (2 * format.bias() - 1) as u128) - half;
-    let mut exponent = pipe.carry("exponent", &exponent);
-    let mut m = pipe.carry("m", &m);
+    let mut exponent = pipe.carry("exponent", exponent);
+    let mut m = pipe.carry("m", m);
     pipe.cut([]);
 
     // Y_1 = 1/2: w_1 = 2 − m/2 with p fraction bits, u_2 = 5m/4 with p + 1.
     let first = pipe.arrive(&mut m);
-    let mut triple = pipe.carry("triple", &(first.zext(p + 3) + first.zext(p + 3).shl(1)));
+    let mut triple = pipe.carry("triple", first.zext(p + 3) + first.zext(p + 3).shl(1));
     let [mut residual, mut threshold] = pipe.cut([
-        ("residual", &(lit(p + 2, 2 << p) - first.zext(p + 2))),
-        ("threshold", &(first.zext(p + 4).shl(2) + first.zext(p + 4))),
+        ("residual", (lit(p + 2, 2 << p) - first.zext(p + 2))),
+        ("threshold", (first.zext(p + 4).shl(2) + first.zext(p + 4))),
     ]);
 
     let mut root = bit(true);
     for digit in 2..=p + 1 {
         // Sign, three integer bits, p − 1 + digit fraction bits.
         let bits = p + digit + 3;
-        let doubled = cat(&[&residual, &lit(2, 0)]).zext(bits);
-        let difference = &doubled - threshold.zext(bits);
+        let doubled = cat([residual, lit(2, 0)]).zext(bits);
+        let difference = doubled - threshold.zext(bits);
         let reached = !difference.msb();
-        let next_threshold = cat(&[&threshold, &bit(false)]);
-        let raised = &next_threshold + pipe.arrive(&mut triple).zext(bits);
-        let lowered = &next_threshold - pipe.arrive(&mut m).zext(bits);
+        let next_threshold = cat([threshold, bit(false)]);
+        let raised = next_threshold + pipe.arrive(&mut triple).zext(bits);
+        let lowered = next_threshold - pipe.arrive(&mut m).zext(bits);
         [residual, threshold, root] = pipe.cut([
-            ("residual", &reached.mux(&difference, &doubled).trunc(bits - 2)),
-            ("threshold", &reached.mux(&raised, &lowered)),
-            ("root", &cat(&[&root, &reached])),
+            ("residual", reached.mux(difference, doubled).trunc(bits - 2)),
+            ("threshold", reached.mux(raised, lowered)),
+            ("root", cat([root, reached])),
         ]);
     }
 
-    let significand = cat(&[&root, &bit(true)]);
+    let significand = cat([root, bit(true)]);
     let exponent = pipe.arrive(&mut exponent);
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })
 }
@@ -83,9 +83,9 @@ pub fn module(format: Format, stages: u32) -> Operator {
 /// Special results of a reciprocal square root.
 pub(super) fn rsqrt_special(operand: &Operand) -> Special {
     Special {
-        sign: operand.sign.clone(),
-        nan: &operand.nan | (&operand.sign & !&operand.zero),
-        infinite: operand.zero.clone(),
-        zero: operand.infinite.clone(),
+        sign: operand.sign,
+        nan: operand.nan | (operand.sign & !operand.zero),
+        infinite: operand.zero,
+        zero: operand.infinite,
     }
 }

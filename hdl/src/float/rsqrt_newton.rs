@@ -58,25 +58,25 @@ pub fn module(format: Format, stages: u32) -> Operator {
 
     let (m, half) = even_exponent(format, &a);
     let exponent = lit(exponent_width(format), 2 * format.bias() as u128) - half;
-    let mut exponent = pipe.carry("exponent", &exponent);
-    let mut m = pipe.carry("m", &m);
+    let mut exponent = pipe.carry("exponent", exponent);
+    let mut m = pipe.carry("m", m);
     let odd = !a.exponent.bit(0);
-    let [index] = pipe.cut([("index", &cat(&[&odd, &top_fraction(&a.significand, INDEX_BITS - 1)]))]);
-    let seed = pipe.module.lookup("seed", &seeds(), SEED_FRACTION + 1, &index);
-    let [mut y] = pipe.cut([("y", &seed)]);
+    let [index] = pipe.cut([("index", cat([odd, top_fraction(a.significand, INDEX_BITS - 1)]))]);
+    let seed = pipe.module.lookup("seed", &seeds(), SEED_FRACTION + 1, index);
+    let [mut y] = pipe.cut([("y", seed)]);
     for step in 0..steps(format) {
         let y_fraction = iterate_fraction(format, step);
-        let mut iterate = pipe.carry("iterate", &y);
-        let square = product(&mut pipe, &y, &y);
-        let [square] = pipe.cut([("square", &floor(&square, 2 * y_fraction, fraction, fraction + 1))]);
+        let mut iterate = pipe.carry("iterate", y);
+        let square = product(&mut pipe, y, y);
+        let [square] = pipe.cut([("square", floor(square, 2 * y_fraction, fraction, fraction + 1))]);
         let current_m = pipe.arrive(&mut m);
-        let s = product(&mut pipe, &current_m, &square);
-        let [s] = pipe.cut([("s", &floor(&s, p - 1 + fraction, fraction, fraction + 1))]);
-        let [u] = pipe.cut([("u", &(lit(fraction + 2, 3 << fraction) - s.zext(fraction + 2)))]);
+        let s = product(&mut pipe, current_m, square);
+        let [s] = pipe.cut([("s", floor(s, p - 1 + fraction, fraction, fraction + 1))]);
+        let [u] = pipe.cut([("u", (lit(fraction + 2, 3 << fraction) - s.zext(fraction + 2)))]);
         let previous = pipe.arrive(&mut iterate);
-        let yu = product(&mut pipe, &previous, &u);
-        [y] = pipe.cut([("y", &floor(&yu, y_fraction + fraction + 1, fraction, fraction + 1))]);
+        let yu = product(&mut pipe, previous, u);
+        [y] = pipe.cut([("y", floor(yu, y_fraction + fraction + 1, fraction, fraction + 1))]);
     }
     let exponent = pipe.arrive(&mut exponent);
-    finish(pipe, format, Underflow::Impossible, special, &exponent, &y)
+    finish(pipe, format, Underflow::Impossible, special, exponent, y)
 }

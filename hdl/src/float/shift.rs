@@ -6,22 +6,22 @@ use rtl::{Expr, bit, cat, lit};
 
 /// Number of zeros above the highest one, `⌈log2(width)⌉` bits wide; of no meaning for the value zero.
 #[must_use]
-pub(super) fn leading_zeros(value: &Expr) -> Expr {
+pub(super) fn leading_zeros(value: Expr) -> Expr {
     let padding = value.width().next_power_of_two() - value.width();
-    if padding == 0 { count(value).1 } else { count(&cat(&[value, &bit(true).repeat(padding)])).1 }
+    if padding == 0 { count(value).1 } else { count(cat([value, bit(true).repeat(padding)])).1 }
 }
 
 /// Whether a value of 2^k bits is zero, and the zeros above its highest one in k bits; one bit has an empty count,
 /// given as one bit of zero.
-fn count(value: &Expr) -> (Expr, Expr) {
+fn count(value: Expr) -> (Expr, Expr) {
     if value.width() == 1 {
         return (!value, bit(false));
     }
     let half = value.width() / 2;
-    let (high_zero, high) = count(&value.bits(2 * half - 1, half));
-    let (low_zero, low) = count(&value.bits(half - 1, 0));
-    let zero = &high_zero & &low_zero;
-    if half == 1 { (zero, high_zero) } else { (zero, cat(&[&high_zero, &high_zero.mux(&low, &high)])) }
+    let (high_zero, high) = count(value.bits(2 * half - 1, half));
+    let (low_zero, low) = count(value.bits(half - 1, 0));
+    let zero = high_zero & low_zero;
+    if half == 1 { (zero, high_zero) } else { (zero, cat([high_zero, high_zero.mux(low, high)])) }
 }
 
 /// Values wider than this lose their leading zeros in two steps.
@@ -33,34 +33,34 @@ const GROUP: usize = 16;
 ///
 /// Takes one cut behind the count, or two for wide values: one behind the counts in each group, one behind the shift by
 /// whole groups.
-pub(super) fn shift_out_zeros(pipe: &mut Pipe, value: &Expr, marked: &Expr) -> (Expr, Expr) {
+pub(super) fn shift_out_zeros(pipe: &mut Pipe, value: Expr, marked: Expr) -> (Expr, Expr) {
     let width = value.width();
     if width <= WIDE {
-        let [value, zeros] = pipe.cut([("value", value), ("zeros", &leading_zeros(marked))]);
-        return (value.shl_by(&zeros), zeros);
+        let [value, zeros] = pipe.cut([("value", value), ("zeros", leading_zeros(marked))]);
+        return (value.shl_by(zeros), zeros);
     }
     let missing = width.next_multiple_of(GROUP) - width;
-    let padded = if missing == 0 { marked.clone() } else { cat(&[marked, &lit(missing, 0)]) };
+    let padded = if missing == 0 { marked } else { cat([marked, lit(missing, 0)]) };
     let groups = padded.width() / GROUP;
     let mut counts: Vec<_> = (0..groups)
         .map(|group| {
             let low = padded.width() - GROUP * (group + 1);
-            let (empty, zeros) = count(&padded.bits(low + GROUP - 1, low));
-            (pipe.carry(&format!("empty_{group}"), &empty), pipe.carry(&format!("zeros_{group}"), &zeros))
+            let (empty, zeros) = count(padded.bits(low + GROUP - 1, low));
+            (pipe.carry(&format!("empty_{group}"), empty), pipe.carry(&format!("zeros_{group}"), zeros))
         })
         .collect();
     let [value] = pipe.cut([("value", value)]);
 
     let index_bits = groups.next_power_of_two().trailing_zeros() as usize;
-    let place = |group: usize, zeros: &Expr| cat(&[&lit(index_bits, group as u128), zeros]);
-    let mut zeros = place(groups - 1, &pipe.arrive(&mut counts[groups - 1].1));
+    let place = |group: usize, zeros: Expr| cat([lit(index_bits, group as u128), zeros]);
+    let mut zeros = place(groups - 1, pipe.arrive(&mut counts[groups - 1].1));
     for (group, (empty, of_group)) in counts.iter_mut().enumerate().take(groups - 1).rev() {
-        zeros = pipe.arrive(empty).mux(&zeros, &place(group, &pipe.arrive(of_group)));
+        zeros = pipe.arrive(empty).mux(zeros, place(group, pipe.arrive(of_group)));
     }
     let group_bits = zeros.width() - index_bits;
-    let whole_groups = cat(&[&zeros.bits(zeros.width() - 1, group_bits), &lit(group_bits, 0)]);
-    let [value, zeros] = pipe.cut([("value", &value.shl_by(&whole_groups)), ("zeros", &zeros)]);
-    (value.shl_by(&zeros.trunc(group_bits)), zeros)
+    let whole_groups = cat([zeros.bits(zeros.width() - 1, group_bits), lit(group_bits, 0)]);
+    let [value, zeros] = pipe.cut([("value", value.shl_by(whole_groups)), ("zeros", zeros)]);
+    (value.shl_by(zeros.trunc(group_bits)), zeros)
 }
 
 /// Delays of [`shift_out_zeros`]' segments; the last one goes on behind its last cut.
@@ -74,37 +74,37 @@ pub(super) fn shift_out_zeros_delays(width: u32) -> Vec<u32> {
 
 /// `value` shifted right; the lowest bit of the result is set if any one was shifted out of it.
 #[must_use]
-pub(super) fn shift_right_sticky(value: &Expr, amount: &Expr) -> Expr {
+pub(super) fn shift_right_sticky(value: Expr, amount: Expr) -> Expr {
     let width = value.width();
     let levels = amount.width().min(width.next_power_of_two().trailing_zeros() as usize);
-    let (mut shifted, mut sticky) = (value.clone(), bit(false));
+    let (mut shifted, mut sticky) = (value, bit(false));
     for level in (0..levels).rev() {
         let (distance, enabled) = (1 << level, amount.bit(level));
-        sticky = sticky | (&enabled & shifted.trunc(distance.min(width)).any());
-        shifted = enabled.mux(&shifted.shr(distance), &shifted);
+        sticky = sticky | (enabled & shifted.trunc(distance.min(width)).any());
+        shifted = enabled.mux(shifted.shr(distance), shifted);
     }
-    let result = cat(&[&shifted.bits(width - 1, 1), &(shifted.bit(0) | sticky)]);
+    let result = cat([shifted.bits(width - 1, 1), (shifted.bit(0) | sticky)]);
     if amount.width() == levels {
         return result;
     }
     let beyond = amount.bits(amount.width() - 1, levels).any();
-    beyond.mux(&value.any().zext(width), &result)
+    beyond.mux(value.any().zext(width), result)
 }
 
 /// The top `width − 1` bits of `value` and whether any below is set; padded if `value` is narrower.
 #[must_use]
-pub(super) fn keep_sticky(value: &Expr, width: usize) -> Expr {
+pub(super) fn keep_sticky(value: Expr, width: usize) -> Expr {
     let lost = (value.width() + 1).saturating_sub(width);
     match lost {
-        0 => cat(&[value, &lit(width - value.width(), 0)]),
-        _ => cat(&[&value.bits(value.width() - 1, lost), &value.trunc(lost).any()]),
+        0 => cat([value, lit(width - value.width(), 0)]),
+        _ => cat([value.bits(value.width() - 1, lost), value.trunc(lost).any()]),
     }
 }
 
 /// `left − right` where `subtract` is set, else `left + right`, from one carry chain.
 #[must_use]
-pub(super) fn add_or_subtract(left: &Expr, right: &Expr, subtract: &Expr) -> Expr {
+pub(super) fn add_or_subtract(left: Expr, right: Expr, subtract: Expr) -> Expr {
     let width = left.width();
     let addend = right ^ subtract.repeat(width);
-    (cat(&[left, &bit(true)]) + cat(&[&addend, subtract])).bits(width, 1)
+    (cat([left, bit(true)]) + cat([addend, subtract])).bits(width, 1)
 }

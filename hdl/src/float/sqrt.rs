@@ -30,8 +30,7 @@ fn delays(format: Format) -> Vec<u32> {
 pub(super) fn even_exponent(format: Format, operand: &Normalized) -> (Expr, Expr) {
     // The bias is odd, so an even biased exponent is an odd one.
     let odd = !operand.exponent.bit(0);
-    let significand =
-        odd.mux(&cat(&[&operand.significand, &bit(false)]), &operand.significand.zext(precision(format) + 1));
+    let significand = odd.mux(cat([operand.significand, bit(false)]), operand.significand.zext(precision(format) + 1));
     let half = operand.exponent.add_lit(format.bias() as u128).sar(1);
     (significand, half)
 }
@@ -43,41 +42,36 @@ pub fn module(format: Format, stages: u32) -> Operator {
     pipe.module.parameter("format", format);
     let p = precision(format);
     let a = Operand::input(&mut pipe, format, "a");
-    let special = Special {
-        nan: &a.nan | (&a.sign & !&a.zero),
-        sign: a.sign.clone(),
-        infinite: a.infinite.clone(),
-        zero: a.zero.clone(),
-    };
+    let special = Special { nan: a.nan | (a.sign & !a.zero), sign: a.sign, infinite: a.infinite, zero: a.zero };
     let special = special.carry(&pipe);
     let [a] = normalize(&mut pipe, format, [&a]);
 
     let (radicand, exponent) = even_exponent(format, &a);
-    let mut exponent = pipe.carry("exponent", &exponent);
-    let mut pending = pipe.carry("pending", &radicand.trunc(p - 1));
+    let mut exponent = pipe.carry("exponent", exponent);
+    let mut pending = pipe.carry("pending", radicand.trunc(p - 1));
     // The first digit is one.
-    let [mut remainder] = pipe.cut([("remainder", &radicand.bits(p, p - 1).sub_lit(1))]);
+    let [mut remainder] = pipe.cut([("remainder", radicand.bits(p, p - 1).sub_lit(1))]);
 
     let mut root = bit(true);
     for digits in 1..=p {
         let unread = pipe.arrive(&mut pending);
-        let reach = cat(&[&remainder, &next_pair(&unread)]);
-        let trial = cat(&[&root, &lit(2, 1)]);
+        let reach = cat([remainder, next_pair(unread)]);
+        let trial = cat([root, lit(2, 1)]);
         let difference = reach.zext(digits + 4) - trial.zext(digits + 4);
         let digit = !difference.msb();
-        let kept = digit.mux(&difference.trunc(digits + 2), &reach.trunc(digits + 2));
+        let kept = digit.mux(difference.trunc(digits + 2), reach.trunc(digits + 2));
         let rest = if unread.width() > 2 { unread.trunc(unread.width() - 2) } else { bit(false) };
-        pending = pipe.carry("pending", &rest);
-        [remainder, root] = pipe.cut([("remainder", &kept), ("root", &cat(&[&root, &digit]))]);
+        pending = pipe.carry("pending", rest);
+        [remainder, root] = pipe.cut([("remainder", kept), ("root", cat([root, digit]))]);
     }
 
-    let significand = cat(&[&root, &remainder.any()]);
+    let significand = cat([root, remainder.any()]);
     let exponent = pipe.arrive(&mut exponent);
     round(pipe, format, Underflow::Impossible, Raw { special, exponent, significand })
 }
 
 /// The top two of the pending bits, zeros behind the last.
-fn next_pair(pending: &Expr) -> Expr {
+fn next_pair(pending: Expr) -> Expr {
     let width = pending.width();
-    if width == 1 { cat(&[pending, &bit(false)]) } else { pending.bits(width - 1, width - 2) }
+    if width == 1 { cat([pending, bit(false)]) } else { pending.bits(width - 1, width - 2) }
 }

@@ -32,9 +32,9 @@ pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
     let argument = pipe.module.input("a", fraction_bits + shape.index_bits as usize);
     if fraction_bits == 0 {
         let samples: Vec<u128> = samples.iter().map(|&sample| sample.into()).collect();
-        let entry = pipe.module.lookup("samples", &samples, value_bits, &argument);
-        let [entry] = pipe.cut([("entry", &entry)]);
-        return pipe.finish(&entry);
+        let entry = pipe.module.lookup("samples", &samples, value_bits, argument);
+        let [entry] = pipe.cut([("entry", entry)]);
+        return pipe.finish(entry);
     }
     let slope_mask = (1 << (value_bits + 1)) - 1;
     let entries: Vec<u128> = samples
@@ -46,15 +46,15 @@ pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
         .collect();
 
     let index = argument.bits(argument.width() - 1, fraction_bits);
-    let entry = pipe.module.lookup("samples", &entries, 2 * value_bits + 1, &index);
-    let [entry, fraction] = pipe.cut([("entry", &entry), ("fraction", &argument.trunc(fraction_bits))]);
-    let mut start = pipe.carry("start", &entry.bits(2 * value_bits, value_bits + 1));
-    let [slope, fraction] = pipe.cut([("slope", &entry.trunc(value_bits + 1)), ("fraction", &fraction)]);
-    let product = slope.mul_signed(&fraction.zext(fraction_bits + 1));
+    let entry = pipe.module.lookup("samples", &entries, 2 * value_bits + 1, index);
+    let [entry, fraction] = pipe.cut([("entry", entry), ("fraction", argument.trunc(fraction_bits))]);
+    let mut start = pipe.carry("start", entry.bits(2 * value_bits, value_bits + 1));
+    let [slope, fraction] = pipe.cut([("slope", entry.trunc(value_bits + 1)), ("fraction", fraction)]);
+    let product = slope.mul_signed(fraction.zext(fraction_bits + 1));
     let rise = product.bits(value_bits + fraction_bits - 1, fraction_bits);
-    let [rise] = pipe.cut([("rise", &rise)]);
+    let [rise] = pipe.cut([("rise", rise)]);
     let value = pipe.arrive(&mut start) + rise;
-    pipe.finish(&value)
+    pipe.finish(value)
 }
 
 /// Samples at equal distances of a function from [0, 1] to [0, 1]: of the ends of intervals, or without interpolation of their

@@ -41,8 +41,8 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_to_fixed", "Floating to fixed point.", &delays(format, fixed), stages);
     fixed_parameters(&mut pipe, format, fixed);
     let a = Operand::input(&mut pipe, format, "a");
-    let [mut sign, mut nan] = [pipe.carry("sign", &a.sign), pipe.carry("nan", &a.nan)];
-    let mut flags = [pipe.carry("infinite", &a.infinite), pipe.carry("zero", &a.zero)];
+    let [mut sign, mut nan] = [pipe.carry("sign", a.sign), pipe.carry("nan", a.nan)];
+    let mut flags = [pipe.carry("infinite", a.infinite), pipe.carry("zero", a.zero)];
     let a = if normalizes(format, fixed) {
         let [normalized] = normalize(&mut pipe, format, [&a]);
         normalized
@@ -61,16 +61,16 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
     let [infinite, zero] = flags.each_mut().map(|flag| pipe.arrive(flag));
     let integer_bits = a.exponent.sext(bits) + signed(bits, offset);
     let fraction_only = integer_bits.msb() | integer_bits.is_zero();
-    let too_large = !&fraction_only & integer_bits.ge_lit(magnitude_bits as u128 + 1);
-    let vanishes = pipe.carry("vanishes", &((fraction_only & !&infinite) | &zero));
-    let saturates = pipe.carry("saturates", &((too_large & !zero) | infinite));
+    let too_large = !fraction_only & integer_bits.ge_lit(magnitude_bits as u128 + 1);
+    let vanishes = pipe.carry("vanishes", (fraction_only & !infinite) | zero);
+    let saturates = pipe.carry("saturates", (too_large & !zero) | infinite);
     let [distance, significand] = pipe.cut([
-        ("distance", &(signed(bits, wide as i32) - integer_bits).trunc(delay::levels(wide as u32) as usize)),
-        ("significand", &a.significand),
+        ("distance", (signed(bits, wide as i32) - integer_bits).trunc(delay::levels(wide as u32) as usize)),
+        ("significand", a.significand),
     ]);
 
     let padded = significand.zext(wide).shl(wide - precision(format));
-    let [magnitude] = pipe.cut([("magnitude", &padded.shr_by(&distance).trunc(width))]);
+    let [magnitude] = pipe.cut([("magnitude", padded.shr_by(distance).trunc(width))]);
 
     let [mut vanishes, mut saturates] = [vanishes, saturates];
     let [sign, nan, vanishes, saturates] =
@@ -78,10 +78,10 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
     let largest = (1 << magnitude_bits) - 1;
     let (value, limit, cleared) = match fixed.signed {
         Signedness::Signed => {
-            let limit = sign.mux(&lit(width, largest + 1), &lit(width, largest));
-            (sign.mux(&(!&magnitude).add_lit(1), &magnitude), limit, vanishes | nan)
+            let limit = sign.mux(lit(width, largest + 1), lit(width, largest));
+            (sign.mux((!magnitude).add_lit(1), magnitude), limit, vanishes | nan)
         }
         Signedness::Unsigned => (magnitude, lit(width, largest), vanishes | nan | sign),
     };
-    pipe.finish(&cleared.mux(&lit(width, 0), &saturates.mux(&limit, &value)))
+    pipe.finish(cleared.mux(lit(width, 0), saturates.mux(limit, value)))
 }

@@ -29,18 +29,18 @@ impl HeadQueue {
         let [write_address, read_address] =
             ["write", "read"].map(|side| m.reg_reset(&format!("{name}_{side}_address"), address_bits, 0));
         let items = m.memory_distributed(name, depth, width(fields));
-        let head = m.read_now(&items, &format!("{name}_head"), &read_address);
-        let (room, holds, head) = (!count.eq_lit(depth as u128), count.any(), Record::unpack(fields, &head));
+        let head = m.read_now(items, &format!("{name}_head"), read_address);
+        let (room, holds, head) = (!count.eq_lit(depth as u128), count.any(), Record::unpack(fields, head));
         Self { room, holds, head, fields: fields.to_vec(), items, count, write_address, read_address }
     }
 
     /// Pushes an item, which has all fields and may have more, where `push` is set, which implies room, and takes out the head
     /// where `pop` is; to be called once.
-    pub fn update(&self, m: &mut Module, push: &Expr, item: &Record, pop: &Expr) {
-        m.write(&self.items, push, &self.write_address, &item.only(&self.fields).pack());
-        m.next_if(&self.write_address, push, &self.write_address.add_lit(1));
-        m.next_if(&self.read_address, pop, &self.read_address.add_lit(1));
+    pub fn update(&self, m: &mut Module, push: Expr, item: &Record, pop: Expr) {
+        m.write(self.items, push, self.write_address, item.only(&self.fields).pack());
+        m.next_if(self.write_address, push, self.write_address.add_lit(1));
+        m.next_if(self.read_address, pop, self.read_address.add_lit(1));
         let count = &self.count;
-        m.next(count, &(count + push.zext(count.width()) - pop.zext(count.width())));
+        m.next(*count, *count + push.zext(count.width()) - pop.zext(count.width()));
     }
 }

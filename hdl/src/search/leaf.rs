@@ -26,12 +26,12 @@ fn distances(config: &Config, options: &Options) -> Result<Datapath, CompileErro
     let beat = Inputs::new(&program, &operands(config));
     let query = QUERY.map(|name| beat.float(config.geometry, name));
     for name in ["thread", "address", "last"] {
-        program.output(name, &beat.bits(name));
+        program.output(name, beat.bits(name));
     }
     for lane in 0..config.lanes {
         let point = ["x", "y", "z"].map(|axis| beat.float(config.geometry, &format!("{axis}{lane}")));
-        let offset: [Value; 3] = std::array::from_fn(|axis| &point[axis] - &query[axis]);
-        program.output(&format!("distance{lane}"), &dot(&offset, &offset));
+        let offset: [Value; 3] = std::array::from_fn(|axis| point[axis] - query[axis]);
+        program.output(&format!("distance{lane}"), dot(&offset, &offset));
     }
     compile(&program, options)
 }
@@ -42,22 +42,22 @@ fn request_points(m: &mut Module, config: &Config) {
     let leaf = queue_in(m, "leaf", &records::leaf(config));
     let fetch = queue_out(m, "fetch", &records::fetch(config));
     let entry = records::bucket(config);
-    let writes = m.wire("writes_leaf", &(&tree.valid & tree.record.get("is_leaf")));
-    let table = Sliced::new(m, "leaves", &writes, &tree.record.get("address"), &tree.record.only(&entry).pack());
-    m.assert("no_leaf_is_looked_up_while_one_is_written", &!(&writes & &leaf.valid));
+    let writes = m.wire("writes_leaf", tree.valid & tree.record.get("is_leaf"));
+    let table = Sliced::new(m, "leaves", writes, tree.record.get("address"), tree.record.only(&entry).pack());
+    m.assert("no_leaf_is_looked_up_while_one_is_written", !(writes & leaf.valid));
     // f0: the table shows the entry; f1: it is in a register, for a block RAM is slow to show it.
     let [f0_valid, f1_valid] = ["f0_valid", "f1_valid"].map(|name| m.reg_reset(name, 1, 0));
     let [f0_thread, f1_thread] = ["f0_thread", "f1_thread"].map(|name| m.reg(name, config.thread_bits() as usize));
-    let advance = m.wire("table_advance", &(!&f1_valid | &fetch.room));
-    m.ready(&leaf, &advance);
-    m.next_if(&f0_valid, &advance, &leaf.valid);
-    m.next_if(&f1_valid, &advance, &f0_valid);
-    m.next_if(&f0_thread, &advance, &leaf.field("thread"));
-    m.next_if(&f1_thread, &advance, &f0_thread);
-    let found = table.read_if(m, "f0_found", &advance, &leaf.field("leaf"));
-    let found = Record::unpack(&entry, &found).register(m, "f1_", &advance);
-    let request = &f1_valid & &fetch.room;
-    fetch.push(m, &request, |name| match name {
+    let advance = m.wire("table_advance", !f1_valid | fetch.room);
+    m.ready(&leaf, advance);
+    m.next_if(f0_valid, advance, leaf.valid);
+    m.next_if(f1_valid, advance, f0_valid);
+    m.next_if(f0_thread, advance, leaf.field("thread"));
+    m.next_if(f1_thread, advance, f0_thread);
+    let found = table.read_if(m, "f0_found", advance, leaf.field("leaf"));
+    let found = Record::unpack(&entry, found).register(m, "f1_", advance);
+    let request = f1_valid & fetch.room;
+    fetch.push(m, request, |name| match name {
         "thread" => f1_thread.expr(),
         "address" => found.get("begin"),
         field => found.get(field),
@@ -82,18 +82,18 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let Datapath { module, manifest } = distances(config, options)?;
     let distance = m.instance("distance", module);
     let query_valid = m.reg_reset("query_valid", 1, 0);
-    let accepts = m.out(&distance, "in_ready");
-    let query_advance = m.wire("query_advance", &(!&query_valid | accepts));
-    m.ready(&beat, &query_advance);
-    m.next_if(&query_valid, &query_advance, &beat.valid);
-    let points = Record::from(&beat).register(&mut m, "points_", &query_advance);
-    let query = coordinates(&mut m, config, &start, &query_advance, &beat.field("thread"));
-    m.connect(&distance, "in_valid", &query_valid);
-    points.connect(&mut m, &distance, "in_");
+    let accepts = m.out(distance, "in_ready");
+    let query_advance = m.wire("query_advance", !query_valid | accepts);
+    m.ready(&beat, query_advance);
+    m.next_if(query_valid, query_advance, beat.valid);
+    let points = Record::from(&beat).register(&mut m, "points_", query_advance);
+    let query = coordinates(&mut m, config, &start, query_advance, beat.field("thread"));
+    m.connect(distance, "in_valid", query_valid);
+    points.connect(&mut m, distance, "in_");
     for (name, axis) in QUERY.iter().zip(AXES) {
-        m.connect(&distance, &format!("in_{name}"), &query.get(axis));
+        m.connect(distance, &format!("in_{name}"), query.get(axis));
     }
-    let candidates = m.stream_from(&distance, "out");
+    let candidates = m.stream_from(distance, "out");
     m.stream_export("candidates", &candidates);
     Ok(Datapath { module: m, manifest })
 }

@@ -33,10 +33,10 @@ impl Token {
         Place { valid: self.valid.expr(), thread: self.thread.expr(), node: self.node.expr() }
     }
 
-    pub fn take(&self, m: &mut Module, advance: &Expr, place: &Place) {
-        m.next_if(&self.valid, advance, &place.valid);
-        m.next_if(&self.thread, advance, &place.thread);
-        m.next_if(&self.node, advance, &place.node);
+    pub fn take(&self, m: &mut Module, advance: Expr, place: &Place) {
+        m.next_if(self.valid, advance, place.valid);
+        m.next_if(self.thread, advance, place.thread);
+        m.next_if(self.node, advance, place.node);
     }
 }
 
@@ -54,7 +54,7 @@ const fn pair_bits(config: &Config) -> usize {
 }
 
 /// The address of the pair that a node is of.
-fn pair(config: &Config, node: &Expr) -> Expr {
+fn pair(config: &Config, node: Expr) -> Expr {
     node.bits(node.width() - 1, 1).resize(pair_bits(config))
 }
 
@@ -68,13 +68,13 @@ impl Nodes {
         let tree = pulse_in(m, "tree", &records::tree_write(config));
         let fields = records::node(config);
         let address = tree.record.get("address");
-        let writes = &tree.valid & !tree.record.get("is_leaf");
-        let written = pair(config, &address.resize(config.node_bits() as usize));
+        let writes = tree.valid & !tree.record.get("is_leaf");
+        let written = pair(config, address.resize(config.node_bits() as usize));
         let is_odd = address.bit(0);
         let word = tree.record.only(&fields).pack();
-        Self::Memories([("even", !&is_odd), ("odd", is_odd)].map(|(name, is_here)| {
-            let writes = m.wire(&format!("writes_{name}"), &(&writes & is_here));
-            Sliced::new(m, &format!("{name}_nodes"), &writes, &written, &word)
+        Self::Memories([("even", !is_odd), ("odd", is_odd)].map(|(name, is_here)| {
+            let writes = m.wire(&format!("writes_{name}"), writes & is_here);
+            Sliced::new(m, &format!("{name}_nodes"), writes, written, word)
         }))
     }
 
@@ -82,7 +82,7 @@ impl Nodes {
     pub fn room(&self) -> Expr {
         match self {
             Self::Memories(_) => bit(true),
-            Self::Cache { node, .. } => node.room.clone(),
+            Self::Cache { node, .. } => node.room,
         }
     }
 
@@ -92,8 +92,8 @@ impl Nodes {
         self,
         m: &mut Module,
         config: &Config,
-        advance: &Expr,
-        next: &Expr,
+        advance: Expr,
+        next: Expr,
         (wanted, v): (Place, &Token),
     ) -> (Place, Record) {
         let fields = records::node(config);
@@ -101,7 +101,7 @@ impl Nodes {
             Self::Memories(memories) => {
                 let address = pair(config, next);
                 let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
-                    Record::unpack(&fields, &memory.read_if(m, &format!("{name}_node"), advance, &address))
+                    Record::unpack(&fields, memory.read_if(m, &format!("{name}_node"), advance, address))
                 });
                 // The split is chosen behind registers: in one cycle a block RAM only gets as far as these. The few bits that
                 // choose the coordinate, and so are needed early, are chosen in front of them.
@@ -109,19 +109,19 @@ impl Nodes {
                 let splits = [("even", &even), ("odd", &odd)];
                 let [even_split, odd_split] =
                     splits.map(|(name, node)| node.only(&wide).register(m, &format!("v_{name}_"), advance));
-                let chosen = odd.only(&few).mux(&wanted.node.bit(0), &even.only(&few)).register(m, "v_", advance);
-                let split = odd_split.mux(&v.node.bit(0), &even_split);
+                let chosen = odd.only(&few).mux(wanted.node.bit(0), &even.only(&few)).register(m, "v_", advance);
+                let split = odd_split.mux(v.node.bit(0), &even_split);
                 let record = |name: &str| if name == "split" { split.get(name) } else { chosen.get(name) };
                 (wanted, Record::new(&fields, record))
             }
             Self::Cache { node, record } => {
-                node.push(m, &(advance & &wanted.valid), |name| match name {
-                    "thread" => wanted.thread.clone(),
-                    _ => wanted.node.clone(),
+                node.push(m, advance & wanted.valid, |name| match name {
+                    "thread" => wanted.thread,
+                    _ => wanted.node,
                 });
                 m.ready(&record, advance);
                 let [thread, node] = ["thread", "node"].map(|name| record.field(name));
-                let place = Place { valid: record.valid.clone(), thread, node };
+                let place = Place { valid: record.valid, thread, node };
                 (place, Record::from(&record).only(&fields).register(m, "v_", advance))
             }
         }

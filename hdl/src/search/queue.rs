@@ -44,35 +44,35 @@ fn lane_distance(beat: &Record, lane: u32) -> Expr {
 }
 
 /// The lanes of a beat that are nearer than each of the limits that counts.
-fn near_lanes(config: &Config, beat: &Record, limits: &[(&Expr, &Expr)]) -> Expr {
-    let is_near = |distance: &Expr| {
-        let within = limits.iter().map(|(counts, limit)| !*counts | distance.lt(limit));
+fn near_lanes(config: &Config, beat: &Record, limits: &[(Expr, Expr)]) -> Expr {
+    let is_near = |distance: Expr| {
+        let within = limits.iter().map(|(counts, limit)| !*counts | distance.lt(*limit));
         within.fold(bit(true), |all, one| all & one)
     };
-    let near: Vec<_> = (0..config.lanes).map(|lane| is_near(&lane_distance(beat, lane))).collect();
+    let near: Vec<_> = (0..config.lanes).map(|lane| is_near(lane_distance(beat, lane))).collect();
     set(&near)
 }
 
 impl Choice {
     /// Chooses among the pending lanes.
     fn new(m: &mut Module, config: &Config, beat: &Beat) -> Self {
-        let chosen = m.wire("chosen", &lowest(&beat.pending));
-        let rest = m.wire("rest", &(&beat.pending & !&chosen));
+        let chosen = m.wire("chosen", lowest(beat.pending));
+        let rest = m.wire("rest", beat.pending & !chosen);
         let nearest_lane =
             (1..config.lanes).rev().fold(lane_distance(&beat.record, config.lanes - 1), |other, lane| {
-                chosen.bit(lane as usize - 1).mux(&lane_distance(&beat.record, lane - 1), &other)
+                chosen.bit(lane as usize - 1).mux(lane_distance(&beat.record, lane - 1), other)
             });
         let address = beat.record.get("address");
         let index = match config.lanes.ilog2() as usize {
             0 => address,
-            bits => cat(&[&address, &index_of(&chosen, bits)]),
+            bits => cat([address, index_of(chosen, bits)]),
         };
         let neighbor = Record::new(&entry_fields(config), |name| match name {
             "found" => bit(true),
-            "index" => index.clone(),
-            _ => nearest_lane.clone(),
+            "index" => index,
+            _ => nearest_lane,
         });
-        let stays = m.wire("stays", &(&beat.valid & several(&beat.pending)));
+        let stays = m.wire("stays", beat.valid & several(beat.pending));
         Self { any: beat.pending.any(), rest, stays, neighbor }
     }
 }
@@ -124,13 +124,13 @@ impl Insertion {
     }
 
     /// Takes an item's candidate, which is `nearer` than some entries.
-    fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: &Expr, candidate: &Record) {
-        m.next(&self.nearer, &(nearer & item.inserts.repeat(self.nearer.width())));
+    fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: Expr, candidate: &Record) {
+        m.next(self.nearer, nearer & item.inserts.repeat(self.nearer.width()));
         for ((name, _), register) in entry_fields(config).iter().zip(&self.fields) {
-            m.next(register, &candidate.get(name));
+            m.next(*register, candidate.get(name));
         }
-        m.next(&self.last, &item.last);
-        m.next(&self.thread, &item.thread);
+        m.next(self.last, item.last);
+        m.next(self.thread, item.thread);
     }
 }
 
@@ -142,16 +142,16 @@ fn query_fields(config: &Config) -> Vec<Field> {
 }
 
 /// A memory of the queries: written at their start, read as the rows are.
-fn queries(m: &mut Module, config: &Config, start: &Pulse, thread: &Expr) -> Record {
+fn queries(m: &mut Module, config: &Config, start: &Pulse, thread: Expr) -> Record {
     let fields = query_fields(config);
     let memory = m.memory("queries", 1 << config.thread_bits(), width(&fields));
     let query = Record::new(&fields, |name| match name {
-        "sentinels" => sentinels(config, &start.record.get("k")),
+        "sentinels" => sentinels(config, start.record.get("k")),
         field => start.record.get(field),
     });
-    m.write(&memory, &start.valid, &start.record.get("thread"), &query.pack());
-    let word = m.read(&memory, "query", thread);
-    Record::unpack(&fields, &word)
+    m.write(memory, start.valid, start.record.get("thread"), query.pack());
+    let word = m.read(memory, "query", thread);
+    Record::unpack(&fields, word)
 }
 
 /// A beat on its way, with the squared radius of its thread's last leaf as it came in.
@@ -174,7 +174,7 @@ pub fn module(config: &Config) -> Module {
     let candidates = stream_in(&mut m, "candidates", &records::candidates(config));
     let finish = queue_in(&mut m, "finish", &records::thread_only(config));
     let arrivals = HeadQueue::new(&mut m, "arrivals", BEATS, &arrival_fields(config));
-    m.ready(&candidates, &arrivals.room);
+    m.ready(&candidates, arrivals.room);
     let head_thread = arrivals.head.get("thread");
 
     let owned = m.reg_reset("owned", 1, 0);
@@ -186,102 +186,102 @@ pub fn module(config: &Config) -> Module {
         valid: m.reg_reset("beat_valid", 1, 0),
         reads: m.reg_reset("beat_reads", 1, 0),
         pending: m.reg("beat_pending", lanes),
-        record: arrivals.head.only(&records::candidates(config)).register(&mut m, "beat_", &free),
+        record: arrivals.head.only(&records::candidates(config)).register(&mut m, "beat_", free),
     };
     let thread = beat.record.get("thread");
     let item = Item::new(&mut m, config);
-    let write_back = m.wire("write_back", &(&item.reads & &owned));
+    let write_back = m.wire("write_back", item.reads & owned);
 
     // d: the neighbor is moved to its place in the working row.
     let insertion = Insertion::new(&mut m, config);
-    let working_entries = entries(config, &working);
-    let inserted = insert(&working_entries, &insertion.nearer, &insertion.neighbor, |here, a, b| a.mux(here, b));
-    let inserted_row = m.wire("inserted_row", &row(&inserted));
+    let working_entries = entries(config, *working);
+    let inserted = insert(&working_entries, *insertion.nearer, &insertion.neighbor, |here, a, b| a.mux(here, b));
+    let inserted_row = m.wire("inserted_row", row(&inserted));
     let radius = Record::new(&records::radius(config), |name| match name {
         "thread" => insertion.thread.expr(),
         _ => inserted[inserted.len() - 1].get("distance2"),
     });
-    let radius = registered_pulse_out(&mut m, "radius", &insertion.last, &radius);
-    event_out(&mut m, "event_insert", &insertion.nearer.msb());
+    let radius = registered_pulse_out(&mut m, "radius", insertion.last, &radius);
+    event_out(&mut m, "event_insert", insertion.nearer.msb());
 
     // e: the farthest neighbor of the row that was the working row a cycle ago and still is.
     let farthest = m.reg("farthest", config.geometry.width() as usize);
     let farthest_thread = m.reg("farthest_thread", thread_bits);
     let farthest_valid = m.reg_reset("farthest_valid", 1, 0);
-    m.next(&farthest, &inserted[inserted.len() - 1].get("distance2"));
-    m.next(&farthest_thread, &owner);
-    m.next(&farthest_valid, &(&owned & !&item.reads));
-    let is_current = m.wire("farthest_is_current", &(&farthest_valid & !(&beat.reads | &item.reads)));
+    m.next(farthest, inserted[inserted.len() - 1].get("distance2"));
+    m.next(farthest_thread, owner);
+    m.next(farthest_valid, owned & !item.reads);
+    let is_current = m.wire("farthest_is_current", farthest_valid & !(beat.reads | item.reads));
 
     // Rows and queries are read for a beat that moves on or for a readout that may start, never for both.
-    let whose = Whose { fresh: &fresh, owned: &owned, owner: &owner, displaced: &item.reads };
+    let whose = Whose { fresh: *fresh, owned: *owned, owner: *owner, displaced: *item.reads };
     let readout = Readout::new(&mut m, config, &finish, &whose);
-    let waits = m.wire("waits", &(&beat.reads & &readout.reads));
-    let moves = m.wire("moves", &(&beat.valid & !&waits));
-    let reads = m.wire("reads", &(&moves & &beat.reads));
-    let read_thread = m.wire("read_thread", &readout.reads.mux(&finish.field("thread"), &thread));
+    let waits = m.wire("waits", beat.reads & readout.reads);
+    let moves = m.wire("moves", beat.valid & !waits);
+    let reads = m.wire("reads", moves & beat.reads);
+    let read_thread = m.wire("read_thread", readout.reads.mux(finish.field("thread"), thread));
     let rows = m.memory("rows", 1 << thread_bits, row_bits(config));
-    m.write(&rows, &write_back, &owner, &inserted_row);
-    let stored = m.read(&rows, "stored", &read_thread);
-    let query = queries(&mut m, config, &start, &read_thread);
-    let initial = m.wire("initial_row", &initial(config, &query.get("sentinels"), &query.get("radius2")));
+    m.write(rows, write_back, owner, inserted_row);
+    let stored = m.read(rows, "stored", read_thread);
+    let query = queries(&mut m, config, &start, read_thread);
+    let initial = m.wire("initial_row", initial(config, query.get("sentinels"), query.get("radius2")));
 
     // b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
     let choice = Choice::new(&mut m, config, &beat);
-    let is_known = m.wire("farthest_is_known", &(&is_current & farthest_thread.eq(&thread)));
-    let near = near_lanes(config, &beat.record, &[(&is_known, &farthest)]);
-    let left = m.wire("left", &waits.mux(&beat.pending, &(&choice.rest & near)));
-    let done = m.wire("done", &(&moves & !&choice.stays));
-    m.next(&item.valid, &moves);
-    m.next(&item.reads, &reads);
-    m.next(&item.inserts, &(&moves & &choice.any));
-    m.next(&item.last, &(&done & beat.record.get("last")));
-    m.next(&item.fresh, &contains(&fresh, &thread));
-    m.next(&item.thread, &thread);
-    let candidate = choice.neighbor.register(&mut m, "item_", &bit(true));
-    let started = decode(&start.valid, &start.record.get("thread"), threads);
-    m.next(&fresh, &((&fresh & !decode(&reads, &thread, threads)) | started));
+    let is_known = m.wire("farthest_is_known", is_current & farthest_thread.eq(thread));
+    let near = near_lanes(config, &beat.record, &[(is_known, *farthest)]);
+    let left = m.wire("left", waits.mux(beat.pending, choice.rest & near));
+    let done = m.wire("done", moves & !choice.stays);
+    m.next(item.valid, moves);
+    m.next(item.reads, reads);
+    m.next(item.inserts, moves & choice.any);
+    m.next(item.last, done & beat.record.get("last"));
+    m.next(item.fresh, contains(fresh, thread));
+    m.next(item.thread, thread);
+    let candidate = choice.neighbor.register(&mut m, "item_", bit(true));
+    let started = decode(start.valid, start.record.get("thread"), threads);
+    m.next(fresh, (fresh & !decode(reads, thread, threads)) | started);
 
     // a: a row that the beat at work will drive out is not in memory when the next beat's is read.
-    let tail = m.wire("tail", &item.valid.mux(&item.thread, &owner));
-    let follows_tail = m.wire("follows_tail", &((&item.valid | &owned) & tail.eq(&head_thread)));
-    let follows_beat = m.wire("follows_beat", &thread.eq(&head_thread));
-    let driven_out = &beat.valid & (&follows_tail & !&follows_beat);
-    m.drive(&free, &(!&beat.valid | (&moves & !&choice.stays)));
-    let take = m.wire("take", &(&arrivals.holds & (&free & !driven_out)));
-    m.next(&beat.valid, &(&take | (&choice.stays | &waits)));
-    let is_fresh = m.wire("is_fresh", &contains(&fresh, &head_thread));
-    let take_reads = beat.valid.mux(&!&follows_beat, &(!&follows_tail | is_fresh));
-    m.next(&beat.reads, &take.mux(&take_reads, &(&beat.reads & &waits)));
+    let tail = m.wire("tail", item.valid.mux(item.thread, owner));
+    let follows_tail = m.wire("follows_tail", (item.valid | owned) & tail.eq(head_thread));
+    let follows_beat = m.wire("follows_beat", thread.eq(head_thread));
+    let driven_out = beat.valid & (follows_tail & !follows_beat);
+    m.drive(free, !beat.valid | (moves & !choice.stays));
+    let take = m.wire("take", arrivals.holds & (free & !driven_out));
+    m.next(beat.valid, take | (choice.stays | waits));
+    let is_fresh = m.wire("is_fresh", contains(fresh, head_thread));
+    let take_reads = beat.valid.mux(!follows_beat, !follows_tail | is_fresh);
+    m.next(beat.reads, take.mux(take_reads, beat.reads & waits));
     // Pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
-    let limit = radii_now(&mut m, config, [&start, &radius], &candidates.field("thread"));
+    let limit = radii_now(&mut m, config, [&start, &radius], candidates.field("thread"));
     let arriving = Record::from(&candidates);
     let arriving =
-        Record::new(&arrival_fields(config), |name| if name == "limit" { limit.clone() } else { arriving.get(name) });
-    arrivals.update(&mut m, &candidates.transfer(), &arriving, &take);
+        Record::new(&arrival_fields(config), |name| if name == "limit" { limit } else { arriving.get(name) });
+    arrivals.update(&mut m, candidates.transfer(), &arriving, take);
     let limit = arrivals.head.get("limit");
-    let will_be_known = &is_current & (farthest_thread.eq(&head_thread) & !&take_reads);
-    let will_be_known = m.wire("farthest_will_be_known", &will_be_known);
-    let near = near_lanes(config, &arrivals.head, &[(&bit(true), &limit), (&will_be_known, &farthest)]);
-    m.next(&beat.pending, &take.mux(&near, &left));
+    let will_be_known = is_current & (farthest_thread.eq(head_thread) & !take_reads);
+    let will_be_known = m.wire("farthest_will_be_known", will_be_known);
+    let near = near_lanes(config, &arrivals.head, &[(bit(true), limit), (will_be_known, *farthest)]);
+    m.next(beat.pending, take.mux(near, left));
 
     // c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders. Both rows are
     // compared: to choose one of them first would take as much and come before the comparison.
-    let is_nearer = |entry: &Record| candidate.get("distance2").lt(&entry.get("distance2"));
+    let is_nearer = |entry: &Record| candidate.get("distance2").lt(entry.get("distance2"));
     let [nearer, nearer_stored] =
-        [&working.expr(), &stored].map(|row| entries(config, row).iter().map(is_nearer).collect::<Vec<_>>());
-    let nearer_now = insert(&nearer, &insertion.nearer, &is_nearer(&insertion.neighbor), |here, a, b| here.mux(a, b));
+        [&working.expr(), &stored].map(|row| entries(config, *row).iter().map(is_nearer).collect::<Vec<_>>());
+    let nearer_now = insert(&nearer, *insertion.nearer, &is_nearer(&insertion.neighbor), |here, a, b| here.mux(*a, *b));
     let nearer_now = set(&nearer_now);
-    let nearer_read = item.fresh.mux(&!query.get("sentinels"), &set(&nearer_stored));
-    let nearer = m.wire("nearer_entries", &item.reads.mux(&nearer_read, &nearer_now));
-    insertion.take(&mut m, config, &item, &nearer, &candidate);
-    let read_row = item.fresh.mux(&initial, &stored);
-    m.next(&working, &item.reads.mux(&read_row, &inserted_row));
-    m.next_if(&owner, &item.valid, &item.thread);
-    m.next(&owned, &(&owned | &item.valid));
+    let nearer_read = item.fresh.mux(!query.get("sentinels"), set(&nearer_stored));
+    let nearer = m.wire("nearer_entries", item.reads.mux(nearer_read, nearer_now));
+    insertion.take(&mut m, config, &item, nearer, &candidate);
+    let read_row = item.fresh.mux(initial, stored);
+    m.next(working, item.reads.mux(read_row, inserted_row));
+    m.next_if(owner, item.valid, item.thread);
+    m.next(owned, owned | item.valid);
 
-    readout.send(&mut m, config, &Rows { initial: &initial, working: &working, stored: &stored }, &query);
-    event_out(&mut m, "event_beat", &done);
-    event_out(&mut m, "event_insert_wait", &(&moves & &choice.stays));
+    readout.send(&mut m, config, &Rows { initial, working: *working, stored }, &query);
+    event_out(&mut m, "event_beat", done);
+    event_out(&mut m, "event_insert_wait", moves & choice.stays);
     m
 }

@@ -22,32 +22,32 @@ pub(super) fn row_bits(config: &Config) -> usize {
 }
 
 /// The neighbors of a row, nearest first.
-pub(super) fn entries(config: &Config, row: &Expr) -> Vec<Record> {
+pub(super) fn entries(config: &Config, row: Expr) -> Vec<Record> {
     let fields = entry_fields(config);
     let bits = width(&fields);
-    let entry = |number: usize| Record::unpack(&fields, &row.bits((number + 1) * bits - 1, number * bits));
+    let entry = |number: usize| Record::unpack(&fields, row.bits((number + 1) * bits - 1, number * bits));
     (0..config.neighbors as usize).map(entry).collect()
 }
 
 /// The word of a row.
 pub(super) fn row(entries: &[Record]) -> Expr {
     let words: Vec<_> = entries.iter().rev().map(Record::pack).collect();
-    cat(&words.iter().collect::<Vec<_>>())
+    cat(words.iter().copied())
 }
 
 /// The entries that stay empty in a row for `k` neighbors, a bit each.
-pub(super) fn sentinels(config: &Config, k: &Expr) -> Expr {
+pub(super) fn sentinels(config: &Config, k: Expr) -> Expr {
     set(&(0..config.neighbors).map(|number| k.lt_lit((config.neighbors - number).into())).collect::<Vec<_>>())
 }
 
 /// The row of a query that has met no point: sentinels of distance 0 that leave `k` entries, then placeholders at the
 /// radius.
-pub(super) fn initial(config: &Config, sentinels: &Expr, radius2: &Expr) -> Expr {
+pub(super) fn initial(config: &Config, sentinels: Expr, radius2: Expr) -> Expr {
     let nothing = Record::zeros(&entry_fields(config));
     let entry = |number: u32| {
         let is_sentinel = sentinels.bit(number as usize);
         Record::new(&entry_fields(config), |name| match name {
-            "distance2" => is_sentinel.mux(&lit(radius2.width(), 0), radius2),
+            "distance2" => is_sentinel.mux(lit(radius2.width(), 0), radius2),
             field => nothing.get(field),
         })
     };
@@ -56,12 +56,12 @@ pub(super) fn initial(config: &Config, sentinels: &Expr, radius2: &Expr) -> Expr
 
 /// A row of anything after an insertion: the neighbor before those entries that it is `nearer` than, a bit each and the last
 /// ones of the row; the last one falls out.
-pub(super) fn insert<T>(old: &[T], nearer: &Expr, neighbor: &T, mux: impl Fn(&Expr, &T, &T) -> T) -> Vec<T> {
+pub(super) fn insert<T>(old: &[T], nearer: Expr, neighbor: &T, mux: impl Fn(Expr, &T, &T) -> T) -> Vec<T> {
     let entry = |number: usize| {
         let here = nearer.bit(number);
         match number {
-            0 => mux(&here, neighbor, &old[0]),
-            _ => mux(&here, &mux(&nearer.bit(number - 1), &old[number - 1], neighbor), &old[number]),
+            0 => mux(here, neighbor, &old[0]),
+            _ => mux(here, &mux(nearer.bit(number - 1), &old[number - 1], neighbor), &old[number]),
         }
     };
     (0..old.len()).map(entry).collect()

@@ -9,7 +9,8 @@ use rtl::{Expr, Module};
 /// A squared radius for each thread, set by its query and by its leaves, which come in the same cycle for different
 /// threads: a memory for each, and a bit that says which of the two was written last. Reads that of `thread`, as it was before
 /// the cycle, without a register.
-pub(super) fn radii_now(m: &mut Module, config: &Config, writers: [&Pulse; 2], thread: &Expr) -> Expr {
+pub(super) fn radii_now(m: &mut Module, config: &Config, writers: [&Pulse; 2], thread: impl Into<Expr>) -> Expr {
+    let thread = thread.into();
     let threads = config.threads as usize;
     let [(by_query, query_set), (by_leaf, leaf_set)] =
         [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
@@ -19,19 +20,26 @@ pub(super) fn radii_now(m: &mut Module, config: &Config, writers: [&Pulse; 2], t
                 1 << config.thread_bits(),
                 config.geometry.width() as usize,
             );
-            m.write(&memory, &writer.valid, &writes, &writer.record.get("radius2"));
-            let radius = m.read_now(&memory, &format!("{name}_radius2"), thread);
-            (radius, m.wire(&format!("{name}_set"), &decode(&writer.valid, &writes, threads)))
+            m.write(memory, writer.valid, writes, writer.record.get("radius2"));
+            let radius = m.read_now(memory, &format!("{name}_radius2"), thread);
+            (radius, m.wire(&format!("{name}_set"), decode(writer.valid, writes, threads)))
         });
     let from_leaf = m.reg_reset("from_leaf", threads, 0);
-    m.next(&from_leaf, &((&from_leaf & !query_set) | leaf_set));
-    contains(&from_leaf, thread).mux(&by_leaf, &by_query)
+    m.next(from_leaf, (from_leaf & !query_set) | leaf_set);
+    contains(from_leaf, thread).mux(by_leaf, by_query)
 }
 
 /// As [`radii_now`], into a register where `enable` is set: chosen in front of it, for behind it the radius is compared at once.
-pub(super) fn radii(m: &mut Module, config: &Config, writers: [&Pulse; 2], enable: &Expr, thread: &Expr) -> Expr {
+pub(super) fn radii(
+    m: &mut Module,
+    config: &Config,
+    writers: [&Pulse; 2],
+    enable: impl Into<Expr>,
+    thread: impl Into<Expr>,
+) -> Expr {
+    let (enable, thread) = (enable.into(), thread.into());
     let now = radii_now(m, config, writers, thread);
     let radius2 = m.reg("radius2", config.geometry.width() as usize);
-    m.next_if(&radius2, enable, &now);
+    m.next_if(radius2, enable, now);
     radius2.expr()
 }

@@ -24,32 +24,32 @@ pub fn module(config: &Config) -> Module {
     let [r0_valid, r1_valid, r2_valid] = ["r0_valid", "r1_valid", "r2_valid"].map(|name| m.reg_reset(name, 1, 0));
     let [r0_thread, r1_thread, r2_thread] =
         ["r0_thread", "r1_thread", "r2_thread"].map(|name| m.reg(name, thread_bits));
-    let advance = m.wire("advance", &(!&r2_valid | &resume.room));
-    let threads_only = |thread: &Expr| Record::new(&thread_only, |_| thread.clone());
-    pulse_out(&mut m, "pop", &(&advance & &r0_valid), &threads_only(&r0_thread));
-    m.next_if(&r1_valid, &advance, &r0_valid);
-    m.next_if(&r1_thread, &advance, &r0_thread);
+    let advance = m.wire("advance", !r2_valid | resume.room);
+    let threads_only = |thread: Expr| Record::new(&thread_only, |_| thread);
+    pulse_out(&mut m, "pop", advance & r0_valid, &threads_only(*r0_thread));
+    m.next_if(r1_valid, advance, r0_valid);
+    m.next_if(r1_thread, advance, r0_thread);
 
     // The path comes late in its cycle, from the memory of the stacks.
-    m.next_if(&r2_valid, &advance, &r1_valid);
-    m.next_if(&r2_thread, &advance, &r1_thread);
+    m.next_if(r2_valid, advance, r1_valid);
+    m.next_if(r2_thread, advance, r1_thread);
     let found = m.reg("found", 1);
-    m.next_if(&found, &advance, &!top_empty);
-    let top = top.register(&mut m, "path_", &advance);
-    let radius2 = radii(&mut m, config, [&start, &radius], &advance, &r1_thread);
+    m.next_if(found, advance, !top_empty);
+    let top = top.register(&mut m, "path_", advance);
+    let radius2 = radii(&mut m, config, [&start, &radius], advance, r1_thread);
 
-    let decides = m.wire("decides", &(&advance & &r2_valid));
-    let popped = m.wire("popped", &(&decides & &found));
-    let nearer = m.wire("nearer", &top.get("distance2").lt(&radius2));
-    let back = m.wire("back", &(&popped & !&nearer));
-    m.next_if(&r0_valid, &advance, &(&back | &head.valid));
-    m.next_if(&r0_thread, &advance, &back.mux(&r2_thread, &head.field("thread")));
-    m.ready(&head, &(&advance & !&back));
-    resume.push(&mut m, &(&popped & &nearer), |name| match name {
+    let decides = m.wire("decides", advance & r2_valid);
+    let popped = m.wire("popped", decides & found);
+    let nearer = m.wire("nearer", top.get("distance2").lt(radius2));
+    let back = m.wire("back", popped & !nearer);
+    m.next_if(r0_valid, advance, back | head.valid);
+    m.next_if(r0_thread, advance, back.mux(r2_thread, head.field("thread")));
+    m.ready(&head, advance & !back);
+    resume.push(&mut m, popped & nearer, |name| match name {
         "thread" => r2_thread.expr(),
         field => top.get(field),
     });
-    registered_pulse_out(&mut m, "empty", &(decides & !&found), &threads_only(&r2_thread));
-    event_out(&mut m, "event_pop", &popped);
+    registered_pulse_out(&mut m, "empty", decides & !found, &threads_only(*r2_thread));
+    event_out(&mut m, "event_pop", popped);
     m
 }

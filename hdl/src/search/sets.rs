@@ -4,27 +4,31 @@ use rtl::{Expr, bit, cat, lit};
 
 /// The members' bits side by side, the first lowest.
 pub(super) fn set(members: &[Expr]) -> Expr {
-    cat(&members.iter().rev().collect::<Vec<_>>())
+    cat(members.iter().rev().copied())
 }
 
 /// The set of one number where `valid`, else of none, whatever the number: a shift would be unknown where that is.
-pub(super) fn decode(valid: &Expr, number: &Expr, count: usize) -> Expr {
+pub(super) fn decode(valid: impl Into<Expr>, number: impl Into<Expr>, count: usize) -> Expr {
+    let (valid, number) = (valid.into(), number.into());
     let members: Vec<_> = (0..count).map(|member| valid & number.eq_lit(member as u128)).collect();
     set(&members)
 }
 
 /// Whether a number is in a set.
-pub(super) fn contains(set: &Expr, number: &Expr) -> Expr {
+pub(super) fn contains(set: impl Into<Expr>, number: impl Into<Expr>) -> Expr {
+    let (set, number) = (set.into(), number.into());
     set.shr_by(number).bit(0)
 }
 
 /// The set's lowest member alone.
-pub(super) fn lowest(set: &Expr) -> Expr {
+pub(super) fn lowest(set: impl Into<Expr>) -> Expr {
+    let set = set.into();
     set & (lit(set.width(), 0) - set)
 }
 
 /// The number of a set's only member.
-pub(super) fn index_of(single: &Expr, bits: usize) -> Expr {
+pub(super) fn index_of(single: impl Into<Expr>, bits: usize) -> Expr {
+    let single = single.into();
     let digits: Vec<Expr> = (0..bits)
         .map(|digit| {
             let with_digit = (0..single.width()).filter(|number| number >> digit & 1 == 1);
@@ -36,7 +40,8 @@ pub(super) fn index_of(single: &Expr, bits: usize) -> Expr {
 }
 
 /// Whether a set has more than one member, each against those before it: sooner known than which is the lowest.
-pub(super) fn several(set: &Expr) -> Expr {
+pub(super) fn several(set: impl Into<Expr>) -> Expr {
+    let set = set.into();
     let pair = |member: usize| set.bit(member) & set.trunc(member).any();
     (1..set.width()).map(pair).fold(bit(false), |any, pair| any | pair)
 }

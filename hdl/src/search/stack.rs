@@ -25,30 +25,29 @@ pub fn module(config: &Config) -> Module {
 
     let depth_bits = index_bits(depth + 1) as usize;
     let depths: Vec<_> = (0..threads).map(|thread| m.reg_reset(&format!("depth_{thread}"), depth_bits, 0)).collect();
-    let entries: Vec<_> = depths.iter().map(AsRef::as_ref).collect();
-    let push_depth = m.wire("push_depth", &select(&pushing, &entries));
-    let pop_depth = m.wire("pop_depth", &select(&popping, &entries));
-    let takes = m.wire("takes", &(&pop.valid & pop_depth.any()));
-    let [up, down] = [("up", &push.valid, &pushing), ("down", &takes, &popping)]
-        .map(|(name, valid, thread)| m.wire(name, &decode(valid, thread, threads)));
+    let push_depth = m.wire("push_depth", select(pushing, depths.clone()));
+    let pop_depth = m.wire("pop_depth", select(popping, depths.clone()));
+    let takes = m.wire("takes", pop.valid & pop_depth.any());
+    let [up, down] = [("up", push.valid, pushing), ("down", takes, popping)]
+        .map(|(name, valid, thread)| m.wire(name, decode(valid, thread, threads)));
     for (thread, register) in depths.iter().enumerate() {
         let changes = up.bit(thread) | down.bit(thread);
-        m.next_if(register, &changes, &up.bit(thread).mux(&register.add_lit(1), &register.sub_lit(1)));
+        m.next_if(*register, changes, up.bit(thread).mux(register.add_lit(1), register.sub_lit(1)));
     }
 
     let level_bits = address_width(depth as usize);
     let paths = m.memory_unordered("paths", 1 << (config.thread_bits() as usize + level_bits), width(&path));
-    let write_address = cat(&[&pushing, &push_depth.trunc(level_bits)]);
-    m.write(&paths, &push.valid, &write_address, &push.record.only(&path).pack());
-    let read_address = cat(&[&popping, &pop_depth.sub_lit(1).trunc(level_bits)]);
-    let top = m.read_if(&paths, "top", &takes, &read_address);
+    let write_address = cat([pushing, push_depth.trunc(level_bits)]);
+    m.write(paths, push.valid, write_address, push.record.only(&path).pack());
+    let read_address = cat([popping, pop_depth.sub_lit(1).trunc(level_bits)]);
+    let top = m.read_if(paths, "top", takes, read_address);
 
     let top_empty = m.reg_reset("top_empty", 1, 1);
-    m.next_if(&top_empty, &pop.valid, &pop_depth.is_zero());
-    m.output("top_empty", &top_empty);
-    Record::unpack(&path, &top).output(&mut m, "top_");
-    m.assert("stack_has_room", &(!&push.valid | push_depth.lt_lit(depth.into())));
-    let same_thread = if threads > 1 { pushing.eq(&popping) } else { bit(true) };
-    m.assert("one_access_a_thread", &!((&push.valid & &pop.valid) & same_thread));
+    m.next_if(top_empty, pop.valid, pop_depth.is_zero());
+    m.output("top_empty", top_empty);
+    Record::unpack(&path, top).output(&mut m, "top_");
+    m.assert("stack_has_room", !push.valid | push_depth.lt_lit(depth.into()));
+    let same_thread = if threads > 1 { pushing.eq(popping) } else { bit(true) };
+    m.assert("one_access_a_thread", !((push.valid & pop.valid) & same_thread));
     m
 }

@@ -11,26 +11,26 @@ use rtl::{Expr, Module, Reg, lit};
 /// Shows a thread and, when it is taken, chooses the next: the first from a pointer on that has a wish, behind which the pointer
 /// moves; returns whose wish is granted. Choice and pointer are sets, the pointer's those behind the thread granted last: a
 /// thread's number is encoded on its way out.
-fn grant(m: &mut Module, name: &str, wishes: &Reg, thread_bits: usize) -> Expr {
+fn grant(m: &mut Module, name: &str, wishes: Reg, thread_bits: usize) -> Expr {
     let threads = wishes.width();
     let behind = m.reg_reset(&format!("behind_{name}"), threads, 0);
     let chosen = m.reg_reset(&format!("chosen_{name}"), threads, 0);
     let shown = m.reg_reset(&format!("{name}_shown"), 1, 0);
-    let ready = m.stream_out(name, &shown, &[("thread", &index_of(&chosen, thread_bits))]);
-    let advance = m.wire(&format!("{name}_advance"), &(ready | !&shown));
-    m.next_if(&shown, &advance, &wishes.any());
+    let ready = m.stream_out(name, shown, [("thread", index_of(chosen, thread_bits))]);
+    let advance = m.wire(&format!("{name}_advance"), ready | !shown);
+    m.next_if(shown, advance, wishes.any());
 
     // The first of those behind and the first of all are sought side by side.
-    let next = m.wire(&format!("{name}_next"), &(wishes & &behind));
+    let next = m.wire(&format!("{name}_next"), wishes & behind);
     let [below_next, below_any] = [("next", &next), ("any", &wishes.expr())]
-        .map(|(which, set)| m.wire(&format!("{name}_below_{which}"), &(set - lit(threads, 1))));
-    let from_next = m.wire(&format!("{name}_from_next"), &next.any());
-    let first = from_next.mux(&(&next & !&below_next), &(wishes & !&below_any));
-    let first = m.wire(&format!("first_{name}"), &first);
-    m.next_if(&chosen, &advance, &first);
-    let after = from_next.mux(&(&next ^ &below_next), &(wishes ^ &below_any));
-    m.next_if(&behind, &(&advance & wishes.any()), &!after);
-    m.wire(&format!("granted_{name}"), &(&first & advance.repeat(threads)))
+        .map(|(which, set)| m.wire(&format!("{name}_below_{which}"), *set - lit(threads, 1)));
+    let from_next = m.wire(&format!("{name}_from_next"), next.any());
+    let first = from_next.mux(next & !below_next, wishes & !below_any);
+    let first = m.wire(&format!("first_{name}"), first);
+    m.next_if(chosen, advance, first);
+    let after = from_next.mux(next ^ below_next, wishes ^ below_any);
+    m.next_if(behind, advance & wishes.any(), !after);
+    m.wire(&format!("granted_{name}"), first & advance.repeat(threads))
 }
 
 /// The unit; ports as in `contract::search::ports::threads`.
@@ -46,53 +46,53 @@ pub fn module(config: &Config) -> Module {
         ["busy", "waiting", "exhausted", "wants_pop", "wants_finish"].map(|name| m.reg_reset(name, threads, 0));
 
     // A query goes to the lowest free thread, whose descent begins at the root a cycle later.
-    let free = m.wire("free", &lowest(&!&busy));
-    let take = m.wire("take", &query.transfer());
+    let free = m.wire("free", lowest(!busy));
+    let take = m.wire("take", query.transfer());
     let started = Record::new(&records::start(config), |name| match name {
-        "thread" => index_of(&free, thread_bits),
+        "thread" => index_of(free, thread_bits),
         field => query.field(field),
     });
-    let start = registered_pulse_out(&mut m, "start", &take, &started);
+    let start = registered_pulse_out(&mut m, "start", take, &started);
     let descend = queue_out(&mut m, "descend", &records::descent(config));
-    m.ready(&query, &((free.any() & !&start.valid) & &descend.room));
-    descend.push(&mut m, &start.valid, |name| match name {
+    m.ready(&query, (free.any() & !start.valid) & descend.room);
+    descend.push(&mut m, start.valid, |name| match name {
         "node" => lit(config.node_bits() as usize, 1),
         field => start.record.get(field),
     });
 
-    let popped = grant(&mut m, "pop", &wants_pop, thread_bits);
-    let finished = grant(&mut m, "finish", &wants_finish, thread_bits);
+    let popped = grant(&mut m, "pop", wants_pop, thread_bits);
+    let finished = grant(&mut m, "finish", wants_finish, thread_bits);
 
     let pulses = ["reached", "leaf_done", "skipped", "empty", "released"];
     let [reached, leaf_done, skipped, empty, released] = pulses.map(|name| {
         let pulse = pulse_in(&mut m, name, &thread_only);
-        m.wire(&format!("{name}_set"), &decode(&pulse.valid, &pulse.record.get("thread"), threads))
+        m.wire(&format!("{name}_set"), decode(pulse.valid, pulse.record.get("thread"), threads))
     });
-    let leaf_ended = m.wire("leaf_ended", &(&leaf_done | &skipped));
+    let leaf_ended = m.wire("leaf_ended", leaf_done | skipped);
     let count_bits = index_bits(config.leaves_in_flight + 1) as usize;
     let (mut below, mut none, mut early) = (vec![], vec![], vec![]);
     for thread in 0..threads {
         let outstanding = m.reg_reset(&format!("outstanding_{thread}"), count_bits, 0);
         let [more, done, skip] = [&reached, &leaf_done, &skipped].map(|event| event.bit(thread).zext(count_bits));
-        let next = m.wire(&format!("outstanding_{thread}_next"), &(&outstanding + more - done - skip));
-        m.next(&outstanding, &next);
+        let next = m.wire(&format!("outstanding_{thread}_next"), outstanding + more - done - skip);
+        m.next(outstanding, next);
         below.push(next.lt_lit(config.leaves_in_flight.into()));
         none.push(next.is_zero());
         early.push(leaf_ended.bit(thread) & !(outstanding.any() | reached.bit(thread)));
     }
     let (below, none) = (set(&below), set(&none));
-    m.assert("leaves_are_reached_before_they_end", &!set(&early).any());
+    m.assert("leaves_are_reached_before_they_end", !set(&early).any());
 
-    let kept = m.wire("kept", &!released);
+    let kept = m.wire("kept", !released);
     let taken = free & take.repeat(threads);
-    m.next(&busy, &((&busy | taken) & &kept));
-    let exhausted_now = m.wire("exhausted_now", &(&exhausted | &empty));
-    m.next(&exhausted, &(&exhausted_now & &kept));
-    m.next(&waiting, &(((&waiting & !&leaf_ended) | (&reached & !&below)) & &kept));
-    let pop_wishes = (&reached & below) | (&leaf_ended & &waiting);
-    m.next(&wants_pop, &(((&wants_pop & !popped) | pop_wishes) & &kept));
+    m.next(busy, (busy | taken) & kept);
+    let exhausted_now = m.wire("exhausted_now", exhausted | empty);
+    m.next(exhausted, exhausted_now & kept);
+    m.next(waiting, ((waiting & !leaf_ended) | (reached & !below)) & kept);
+    let pop_wishes = (reached & below) | (leaf_ended & waiting);
+    m.next(wants_pop, ((wants_pop & !popped) | pop_wishes) & kept);
     let finish_wishes = (empty | leaf_ended) & (exhausted_now & none);
-    m.next(&wants_finish, &(((&wants_finish & !finished) | finish_wishes) & kept));
-    event_out(&mut m, "event_thread_wait", &(&query.valid & busy.all()));
+    m.next(wants_finish, ((wants_finish & !finished) | finish_wishes) & kept);
+    event_out(&mut m, "event_thread_wait", query.valid & busy.all());
     m
 }

@@ -22,14 +22,14 @@ pub struct Core {
 }
 
 /// A pulse that a unit puts out.
-fn pulse_from(m: &mut Module, from: &Instance, name: &str, fields: &[Field]) -> Pulse {
+fn pulse_from(m: &mut Module, from: Instance, name: &str, fields: &[Field]) -> Pulse {
     let valid = m.out(from, &format!("{name}_valid"));
     Pulse { valid, record: Record::new(fields, |field| m.out(from, &format!("{name}_{field}"))) }
 }
 
 /// Leads a pulse into a unit.
-fn pulse_into(m: &mut Module, to: &Instance, name: &str, pulse: &Pulse) {
-    m.connect(to, &format!("{name}_valid"), &pulse.valid);
+fn pulse_into(m: &mut Module, to: Instance, name: &str, pulse: &Pulse) {
+    m.connect(to, &format!("{name}_valid"), pulse.valid);
     pulse.record.connect(m, to, &format!("{name}_"));
 }
 
@@ -57,7 +57,7 @@ impl Units {
             sieve: m.instance("sieve", sieve::module(config)),
             queue: m.instance("queue", queue::module(config)),
         };
-        let Self { threads, traversal, stack, recursion, leaf, sieve, queue } = &units;
+        let Self { threads, traversal, stack, recursion, leaf, sieve, queue } = units;
         let start = pulse_from(m, threads, "start", &records::start(config));
         for unit in [traversal, recursion, leaf, sieve, queue] {
             pulse_into(m, unit, "start", &start);
@@ -77,7 +77,7 @@ impl Units {
         let pop = pulse_from(m, recursion, "pop", &thread_only);
         pulse_into(m, stack, "pop", &pop);
         let top_empty = m.out(stack, "top_empty");
-        m.connect(recursion, "top_empty", &top_empty);
+        m.connect(recursion, "top_empty", top_empty);
         Record::new(&path, |field| m.out(stack, &format!("top_{field}"))).connect(m, recursion, "top_");
 
         let radius = pulse_from(m, queue, "radius", &records::radius(config));
@@ -96,7 +96,7 @@ impl Units {
     /// Leads the tree to the units, from the host or through the cache of a tree in external memory; returns the requests
     /// for points, and the cache.
     fn tree(&self, m: &mut Module, config: &Config) -> (Stream, Option<Instance>) {
-        let Self { traversal, leaf, .. } = self;
+        let Self { traversal, leaf, .. } = *self;
         if config.tree_cache == 0 {
             let tree = pulse_in(m, "tree", &records::tree_write(config));
             for unit in [traversal, leaf] {
@@ -106,28 +106,28 @@ impl Units {
             return (m.stream_from(leaf, "fetch"), None);
         }
         let cache = m.instance("tree_cache", tree_cache::module(config));
-        let lookup = m.stream_from(&cache, "lookup");
+        let lookup = m.stream_from(cache, "lookup");
         m.stream_export("lookup", &lookup);
         let record = stream_in(m, "record", &records::tree_record(config));
-        m.stream_into(&cache, "fill", &record);
-        m.pipe((traversal, "node"), (&cache, "node"));
-        m.pipe((traversal, "leaf"), (&cache, "leaf"));
-        m.pipe((&cache, "record"), (traversal, "record"));
-        (m.stream_from(&cache, "fetch"), Some(cache))
+        m.stream_into(cache, "fill", &record);
+        m.pipe((traversal, "node"), (cache, "node"));
+        m.pipe((traversal, "leaf"), (cache, "leaf"));
+        m.pipe((cache, "record"), (traversal, "record"));
+        (m.stream_from(cache, "fetch"), Some(cache))
     }
 
     /// Leads queries in, through the neighbor cache where there is one.
-    fn queries(&self, m: &mut Module, config: &Config, cache: Option<&Instance>) {
+    fn queries(&self, m: &mut Module, config: &Config, cache: Option<Instance>) {
         let Some(cache) = cache else {
             let query = stream_in(m, "query", &records::query(config));
-            m.stream_into(&self.threads, "query", &query);
+            m.stream_into(self.threads, "query", &query);
             return;
         };
         let setup = pulse_in(m, "setup", &records::cache_setup(config));
         pulse_into(m, cache, "setup", &setup);
         let query = stream_in(m, "query", &records::cached_query(config));
         m.stream_into(cache, "query", &query);
-        m.pipe((cache, "search"), (&self.threads, "query"));
+        m.pipe((cache, "search"), (self.threads, "query"));
     }
 
     /// Leads requests for points to the memory and beats back, through the point cache where there is one; returns it.
@@ -136,25 +136,25 @@ impl Units {
         if config.point_cache == 0 {
             m.stream_export("fetch", fetch);
             let beat = stream_in(m, "beat", &beat_fields);
-            m.stream_into(&self.leaf, "beat", &beat);
+            m.stream_into(self.leaf, "beat", &beat);
             return None;
         }
         let cache = m.instance("point_cache", point_cache::module(config));
-        m.stream_into(&cache, "fetch", fetch);
-        let miss = m.stream_from(&cache, "miss");
+        m.stream_into(cache, "fetch", fetch);
+        let miss = m.stream_from(cache, "miss");
         m.stream_export("fetch", &miss);
         let beat = stream_in(m, "beat", &beat_fields);
-        m.stream_into(&cache, "fill", &beat);
-        m.pipe((&cache, "beat"), (&self.leaf, "beat"));
+        m.stream_into(cache, "fill", &beat);
+        m.pipe((cache, "beat"), (self.leaf, "beat"));
         Some(cache)
     }
 
     /// Leads results out, through the neighbor cache where there is one.
-    fn results(&self, m: &mut Module, cache: Option<&Instance>) {
+    fn results(&self, m: &mut Module, cache: Option<Instance>) {
         if let Some(cache) = cache {
-            m.pipe((&self.queue, "result"), (cache, "found"));
+            m.pipe((self.queue, "result"), (cache, "found"));
         }
-        let result = m.stream_from(cache.unwrap_or(&self.queue), "result");
+        let result = m.stream_from(cache.unwrap_or(self.queue), "result");
         m.stream_export("result", &result);
     }
 }
@@ -178,18 +178,19 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     };
     let units = Units::connected(&mut m, config, [traversal.module, leaf.module]);
     let (fetch, tree_cache) = units.tree(&mut m, config);
-    units.queries(&mut m, config, neighbor_cache.as_ref());
+    units.queries(&mut m, config, neighbor_cache);
     let point_cache = units.points(&mut m, config, &fetch);
-    units.results(&mut m, neighbor_cache.as_ref());
+    units.results(&mut m, neighbor_cache);
 
-    let Units { threads, traversal, recursion, queue, .. } = &units;
+    let Units { threads, traversal, recursion, queue, .. } = units;
     let own = EVENTS.into_iter().zip([traversal, recursion, queue, queue, queue, threads]);
-    let point_events = point_cache.iter().flat_map(|cache| POINT_CACHE_EVENTS.map(|event| (event, cache)));
-    let tree_events = tree_cache.iter().flat_map(|cache| TREE_CACHE_EVENTS.map(|event| (event, cache)));
-    let neighbor_events = neighbor_cache.iter().flat_map(|cache| NEIGHBOR_CACHE_EVENTS.map(|event| (event, cache)));
+    let point_events = point_cache.into_iter().flat_map(|cache| POINT_CACHE_EVENTS.map(|event| (event, cache)));
+    let tree_events = tree_cache.into_iter().flat_map(|cache| TREE_CACHE_EVENTS.map(|event| (event, cache)));
+    let neighbor_events =
+        neighbor_cache.into_iter().flat_map(|cache| NEIGHBOR_CACHE_EVENTS.map(|event| (event, cache)));
     for (name, unit) in own.chain(point_events).chain(tree_events).chain(neighbor_events) {
         let event = m.out(unit, name);
-        m.output(name, &event);
+        m.output(name, event);
     }
     Ok(Core { module: m, manifests })
 }

@@ -15,7 +15,7 @@ const fn line_bits(config: &Config) -> usize {
 }
 
 /// The number of the line that holds a record, the low bits of its address.
-fn line_of(config: &Config, address: &Expr) -> Expr {
+fn line_of(config: &Config, address: Expr) -> Expr {
     address.resize(line_bits(config))
 }
 
@@ -28,14 +28,14 @@ fn line_fields(config: &Config) -> Vec<Field> {
 }
 
 /// The bits of an address that are not the line's number; the others are known from the line.
-fn tag_of(config: &Config, address: &Expr) -> Expr {
+fn tag_of(config: &Config, address: Expr) -> Expr {
     address.bits(address.width() - 1, line_bits(config))
 }
 
 /// Whether a line holds the record of an address.
-fn holds(config: &Config, line: &Record, address: &Expr) -> Expr {
+fn holds(config: &Config, line: &Record, address: Expr) -> Expr {
     match config.node_bits() as usize > line_bits(config) {
-        true => line.get("valid") & line.get("tag").eq(&tag_of(config, address)),
+        true => line.get("valid") & line.get("tag").eq(tag_of(config, address)),
         false => line.get("valid"),
     }
 }
@@ -44,8 +44,8 @@ fn holds(config: &Config, line: &Record, address: &Expr) -> Expr {
 fn long_queue_in(m: &mut Module, name: &str, depth: u32, fields: &[Field]) -> Stream {
     let ports = stream_in(m, name, fields);
     let queue = m.instance(&format!("{name}_queue"), fifo(depth.max(2) as usize, &layout(fields)));
-    m.stream_into(&queue, "in", &ports);
-    m.stream_from(&queue, "out")
+    m.stream_into(queue, "in", &ports);
+    m.stream_from(queue, "out")
 }
 
 /// The unit; ports as in `contract::search::ports::tree_cache`.
@@ -64,78 +64,78 @@ pub fn module(config: &Config) -> Module {
     let fill = queue_in(&mut m, "fill", &records::tree_record(config));
 
     let cleared_lines = m.reg_reset("cleared_lines", line_bits(config) + 1, 0);
-    let cleared = m.wire("cleared", &cleared_lines.msb());
-    m.next_if(&cleared_lines, &!&cleared, &cleared_lines.add_lit(1));
+    let cleared = m.wire("cleared", cleared_lines.msb());
+    m.next_if(cleared_lines, !cleared, cleared_lines.add_lit(1));
 
     // What comes from the memory goes straight on, and into its line.
     let fill_address = fill.field("address");
     let fill_is_leaf = fill_address.msb();
-    m.ready(&fill, &(&cleared & fill_is_leaf.mux(&fetch.room, &record.room)));
-    let fills = m.wire("fills", &fill.transfer());
-    let fills_fetch = m.wire("fills_fetch", &(&fills & &fill_is_leaf));
-    let fills_record = m.wire("fills_record", &(&fills & !&fill_is_leaf));
+    m.ready(&fill, cleared & fill_is_leaf.mux(fetch.room, record.room));
+    let fills = m.wire("fills", fill.transfer());
+    let fills_fetch = m.wire("fills_fetch", fills & fill_is_leaf);
+    let fills_record = m.wire("fills_record", fills & !fill_is_leaf);
     let filling = Record::from(&fill);
     let lines = m.memory("lines", config.tree_cache as usize, width(&line_fields));
     let [node_word, leaf_word] = [&node_fields, &leaf_fields].map(|fields| filling.only(fields).pack());
     let filled = Record::new(&line_fields, |name| match name {
         "valid" => bit(true),
-        "tag" => tag_of(config, &fill_address),
+        "tag" => tag_of(config, fill_address),
         _ => {
             let bits = node_word.width().max(leaf_word.width());
-            fill_is_leaf.mux(&leaf_word.zext(bits), &node_word.zext(bits))
+            fill_is_leaf.mux(leaf_word.zext(bits), node_word.zext(bits))
         }
     });
-    let written = cleared.mux(&line_of(config, &fill_address), &cleared_lines.trunc(line_bits(config)));
+    let written = cleared.mux(line_of(config, fill_address), cleared_lines.trunc(line_bits(config)));
     let nothing = Record::zeros(&line_fields);
-    m.write(&lines, &(&fills | !&cleared), &written, &filled.mux(&cleared, &nothing).pack());
+    m.write(lines, fills | !cleared, written, filled.mux(cleared, &nothing).pack());
 
     // A lookup, leaves first.
     let advance = m.forward("advance", 1);
     let [b_valid, c_valid] = ["b_valid", "c_valid"].map(|name| m.reg_reset(name, 1, 0));
-    m.next_if(&b_valid, &advance, &(&cleared & (&leaf.valid | &node.valid)));
-    m.next_if(&c_valid, &advance, &b_valid);
-    m.ready(&leaf, &(&advance & &cleared));
-    m.ready(&node, &(&advance & (&cleared & !&leaf.valid)));
-    let sought = leaf.valid.mux(&cat(&[&bit(true), &leaf.field("leaf")]), &node.field("node"));
+    m.next_if(b_valid, advance, cleared & (leaf.valid | node.valid));
+    m.next_if(c_valid, advance, b_valid);
+    m.ready(&leaf, advance & cleared);
+    m.ready(&node, advance & (cleared & !leaf.valid));
+    let sought = leaf.valid.mux(cat([bit(true), leaf.field("leaf")]), node.field("node"));
     let sought = Record::new(&records::lookup(config), |name| match name {
-        "thread" => leaf.valid.mux(&leaf.field("thread"), &node.field("thread")),
-        _ => sought.clone(),
+        "thread" => leaf.valid.mux(leaf.field("thread"), node.field("thread")),
+        _ => sought,
     });
-    let b = sought.register(&mut m, "b_", &advance);
-    let c = b.register(&mut m, "c_", &advance);
+    let b = sought.register(&mut m, "b_", advance);
+    let c = b.register(&mut m, "c_", advance);
     let [b_is_leaf, c_is_leaf] = ["b_is_leaf", "c_is_leaf"].map(|name| m.reg(name, 1));
-    m.next_if(&b_is_leaf, &advance, &leaf.valid);
-    m.next_if(&c_is_leaf, &advance, &b_is_leaf);
-    let line = m.read_if(&lines, "b_line", &advance, &line_of(config, &sought.get("address")));
-    let line = Record::unpack(&line_fields, &line).register(&mut m, "line_", &advance);
+    m.next_if(b_is_leaf, advance, leaf.valid);
+    m.next_if(c_is_leaf, advance, b_is_leaf);
+    let line = m.read_if(lines, "b_line", advance, line_of(config, sought.get("address")));
+    let line = Record::unpack(&line_fields, line).register(&mut m, "line_", advance);
 
     // Nobody looks at the record of a node of the deepest level.
     let address = c.get("address");
-    let deepest = m.wire("deepest", &(&address.msb() & !&c_is_leaf));
-    let hit = m.wire("hit", &(&deepest | holds(config, &line, &address)));
-    let free = c_is_leaf.mux(&(&fetch.room & !&fills_fetch), &(&record.room & !&fills_record));
-    let hits = m.wire("hits", &(&c_valid & (&hit & free)));
-    let misses = m.wire("misses", &(&c_valid & (!&hit & &lookup.room)));
-    m.drive(&advance, &(!&c_valid | (&hits | &misses)));
+    let deepest = m.wire("deepest", address.msb() & !c_is_leaf);
+    let hit = m.wire("hit", deepest | holds(config, &line, address));
+    let free = c_is_leaf.mux(fetch.room & !fills_fetch, record.room & !fills_record);
+    let hits = m.wire("hits", c_valid & (hit & free));
+    let misses = m.wire("misses", c_valid & (!hit & lookup.room));
+    m.drive(advance, !c_valid | (hits | misses));
 
     let word = line.get("word");
-    let found_leaf = Record::unpack(&leaf_fields, &word.trunc(width(&leaf_fields)));
-    let found_node = Record::unpack(&node_fields, &word.trunc(width(&node_fields)));
-    let found_node = Record::zeros(&node_fields).mux(&deepest, &found_node);
-    let hits_record = &hits & !&c_is_leaf;
-    record.push(&mut m, &(&fills_record | &hits_record), |name| match name {
-        "thread" => fills_record.mux(&filling.get("thread"), &c.get("thread")),
-        "node" => fills_record.mux(&fill_address, &address),
-        field => fills_record.mux(&filling.get(field), &found_node.get(field)),
+    let found_leaf = Record::unpack(&leaf_fields, word.trunc(width(&leaf_fields)));
+    let found_node = Record::unpack(&node_fields, word.trunc(width(&node_fields)));
+    let found_node = Record::zeros(&node_fields).mux(deepest, &found_node);
+    let hits_record = hits & !c_is_leaf;
+    record.push(&mut m, fills_record | hits_record, |name| match name {
+        "thread" => fills_record.mux(filling.get("thread"), c.get("thread")),
+        "node" => fills_record.mux(fill_address, address),
+        field => fills_record.mux(filling.get(field), found_node.get(field)),
     });
-    let hits_fetch = &hits & &c_is_leaf;
-    fetch.push(&mut m, &(&fills_fetch | &hits_fetch), |name| match name {
-        "thread" => fills_fetch.mux(&filling.get("thread"), &c.get("thread")),
-        "address" => fills_fetch.mux(&filling.get("begin"), &found_leaf.get("begin")),
-        field => fills_fetch.mux(&filling.get(field), &found_leaf.get(field)),
+    let hits_fetch = hits & c_is_leaf;
+    fetch.push(&mut m, fills_fetch | hits_fetch, |name| match name {
+        "thread" => fills_fetch.mux(filling.get("thread"), c.get("thread")),
+        "address" => fills_fetch.mux(filling.get("begin"), found_leaf.get("begin")),
+        field => fills_fetch.mux(filling.get(field), found_leaf.get(field)),
     });
-    lookup.push(&mut m, &misses, |name| c.get(name));
-    event_out(&mut m, "event_tree_hit", &(&hits & !&deepest));
-    event_out(&mut m, "event_tree_miss", &misses);
+    lookup.push(&mut m, misses, |name| c.get(name));
+    event_out(&mut m, "event_tree_hit", hits & !deepest);
+    event_out(&mut m, "event_tree_miss", misses);
     m
 }

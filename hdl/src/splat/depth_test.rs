@@ -9,30 +9,28 @@ use rtl::{Expr, Module};
 pub(super) const LATENCY: u32 = 3;
 
 /// A register that follows a value.
-fn delayed(m: &mut Module, name: &str, value: &Expr) -> Expr {
+fn delayed(m: &mut Module, name: &str, value: Expr) -> Expr {
     let register = m.reg(name, value.width());
-    m.next(&register, value);
+    m.next(register, value);
     register.expr()
 }
 
 /// `left · right` in two cycles, pieced together from products of halves, which fit hardware multipliers.
-fn product(m: &mut Module, name: &str, left: &Expr, right: &Expr) -> Expr {
+fn product(m: &mut Module, name: &str, left: Expr, right: Expr) -> Expr {
     let width = left.width() + right.width();
     let (left_half, right_half) = (left.width() / 2, right.width() / 2);
     let [low_left, high_left] = [left.trunc(left_half), left.bits(left.width() - 1, left_half)];
     let [low_right, high_right] = [right.trunc(right_half), right.bits(right.width() - 1, right_half)];
-    let mut partial = |part: &str, left: &Expr, right: &Expr, place: usize| {
-        delayed(m, &format!("{name}_{part}"), &(left * right)).zext(width).shl(place)
+    let mut partial = |part: &str, left: Expr, right: Expr, place: usize| {
+        delayed(m, &format!("{name}_{part}"), left * right).zext(width).shl(place)
     };
     // The outer two do not overlap.
-    let outer = partial("low_low", &low_left, &low_right, 0)
-        | partial("high_high", &high_left, &high_right, left_half + right_half);
-    let inner = [
-        partial("high_low", &high_left, &low_right, left_half),
-        partial("low_high", &low_left, &high_right, right_half),
-    ];
+    let outer = partial("low_low", low_left, low_right, 0)
+        | partial("high_high", high_left, high_right, left_half + right_half);
+    let inner =
+        [partial("high_low", high_left, low_right, left_half), partial("low_high", low_left, high_right, right_half)];
     let [first, second] = inner;
-    delayed(m, name, &(outer + first + second))
+    delayed(m, name, outer + first + second)
 }
 
 /// The unit; ports as in `contract::splat::ports::depth_test`.
@@ -44,15 +42,15 @@ pub fn module(_config: &Config) -> Module {
     let low = m.input("depth_low", DEPTH_BITS as usize);
     let high = m.input("depth_high", DEPTH_BITS as usize);
 
-    let arrived = delayed(&mut m, "arrived", &depth);
-    let stored = delayed(&mut m, "stored", &arrived);
-    let low_bound = product(&mut m, "low_bound", &low, &weight);
-    let high_bound = product(&mut m, "high_bound", &high, &weight);
-    for (name, outcome) in [("fail", stored.lt(&low_bound)), ("pass", stored.gt(&high_bound))] {
+    let arrived = delayed(&mut m, "arrived", depth);
+    let stored = delayed(&mut m, "stored", arrived);
+    let low_bound = product(&mut m, "low_bound", low, weight);
+    let high_bound = product(&mut m, "high_bound", high, weight);
+    for (name, outcome) in [("fail", stored.lt(low_bound)), ("pass", stored.gt(high_bound))] {
         // Of what was there before the reset nothing shows.
         let register = m.reg_reset(name, 1, 0);
-        m.next(&register, &outcome);
-        m.output(name, &register);
+        m.next(register, outcome);
+        m.output(name, register);
     }
     m
 }

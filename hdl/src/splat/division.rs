@@ -6,7 +6,7 @@ use pointcore_contract::Format;
 use pointcore_contract::splat::Division;
 
 /// `1/x`.
-pub(super) fn recip(division: Division, x: &Value) -> Value {
+pub(super) fn recip(division: Division, x: Value) -> Value {
     match division {
         Division::Rounded => x.recip(),
         Division::Newton => x.recip_newton(),
@@ -14,26 +14,26 @@ pub(super) fn recip(division: Division, x: &Value) -> Value {
 }
 
 /// `√x`.
-pub(super) fn sqrt(division: Division, program: &Program, format: Format, x: &Value) -> Value {
+pub(super) fn sqrt(division: Division, program: &Program, format: Format, x: Value) -> Value {
     match division {
         Division::Rounded => x.sqrt(),
         Division::Newton => {
             let sign = format.width() - 1;
-            let is_zero = x.bits(sign - 1, 0).equal(&program.unsigned(sign, 0));
-            let is_infinite = x.bits(sign, 0).equal(&program.unsigned(format.width(), format.infinity()));
-            (is_zero | is_infinite).select(x, &(x * x.rsqrt_newton()))
+            let is_zero = x.bits(sign - 1, 0).equal(program.unsigned(sign, 0));
+            let is_infinite = x.bits(sign, 0).equal(program.unsigned(format.width(), format.infinity()));
+            (is_zero | is_infinite).select(x, x * x.rsqrt_newton())
         }
     }
 }
 
 /// `(a² + b²)/d²`.
-pub(super) fn squared_ratio(division: Division, a: &Value, b: &Value, d: &Value) -> Value {
+pub(super) fn squared_ratio(division: Division, a: Value, b: Value, d: Value) -> Value {
     match division {
         Division::Rounded => (a * a + b * b) / (d * d),
         Division::Newton => {
             let r = d.recip_newton();
-            let [along, across] = [a, b].map(|part| part * &r);
-            &along * &along + &across * &across
+            let [along, across] = [a, b].map(|part| part * r);
+            along * along + across * across
         }
     }
 }

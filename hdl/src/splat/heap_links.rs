@@ -145,40 +145,42 @@ impl Pace {
         }
         // A tick ends in the first cycle after reset.
         let ends = m.reg_reset("ends", 1, 1);
-        m.next(&ends, &!&ends);
+        m.next(ends, !ends);
         Self::TwoCycles(ends.expr())
     }
 
     /// Set in every other tick, not in the first.
     pub fn lower(&self, m: &mut Module) -> Expr {
         let lower = m.reg_reset("lower", 1, 0);
-        self.next(m, &lower, &!&lower);
+        self.next(m, lower, !lower);
         lower.expr()
     }
 
     /// `value` in the last cycle of a tick.
-    pub fn at_end(&self, value: &Expr) -> Expr {
+    pub fn at_end(&self, value: Expr) -> Expr {
         match self {
-            Self::Cycle => value.clone(),
-            Self::TwoCycles(ends) => ends & value,
+            Self::Cycle => value,
+            Self::TwoCycles(ends) => *ends & value,
         }
     }
 
     /// The register takes `value` when the tick ends.
-    pub fn next(&self, m: &mut Module, register: &Reg, value: &Expr) {
+    pub fn next(&self, m: &mut Module, register: Reg, value: impl Into<Expr>) {
+        let value = value.into();
         match self {
             Self::Cycle => m.next(register, value),
-            Self::TwoCycles(ends) => m.next_if(register, ends, value),
+            Self::TwoCycles(ends) => m.next_if(register, *ends, value),
         }
     }
 
     /// What the first cycle of a tick finds, for use when it ends.
-    pub fn found(&self, m: &mut Module, name: &str, value: &Expr) -> Expr {
+    pub fn found(&self, m: &mut Module, name: &str, value: impl Into<Expr>) -> Expr {
+        let value = value.into();
         match self {
-            Self::Cycle => value.clone(),
+            Self::Cycle => value,
             Self::TwoCycles(_) => {
                 let register = m.reg(&format!("{name}_found"), value.width());
-                m.next(&register, value);
+                m.next(register, value);
                 register.expr()
             }
         }
@@ -205,7 +207,7 @@ impl Registers {
 
     pub fn next(&self, m: &mut Module, pace: &Pace, mut value: impl FnMut(&str) -> Expr) {
         for (name, register) in &self.0 {
-            pace.next(m, register, &value(name));
+            pace.next(m, *register, value(name));
         }
     }
 }

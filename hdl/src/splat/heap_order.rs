@@ -32,20 +32,20 @@ impl EntryFormat {
         1 + self.tile + self.sequence
     }
 
-    pub fn key(&self, entry: &Expr) -> Expr {
+    pub fn key(&self, entry: Expr) -> Expr {
         entry.bits(self.width() - 1, self.pointer)
     }
 
-    pub fn tile(&self, entry: &Expr) -> Expr {
+    pub fn tile(&self, entry: Expr) -> Expr {
         entry.bits(self.width() - 2, self.sequence + self.pointer)
     }
 
-    pub fn pointer(&self, entry: &Expr) -> Expr {
+    pub fn pointer(&self, entry: Expr) -> Expr {
         entry.trunc(self.pointer)
     }
 
     /// The top bit of the arrival number.
-    pub fn epoch(&self, entry: &Expr) -> Expr {
+    pub fn epoch(&self, entry: Expr) -> Expr {
         entry.bit(self.sequence + self.pointer - 1)
     }
 }
@@ -61,12 +61,12 @@ pub(super) struct Order {
 
 impl Order {
     /// Whether the entry with key `a` leaves before that with key `b`; both are in the heap.
-    pub fn before(&self, a: &Expr, b: &Expr) -> Expr {
+    pub fn before(&self, a: Expr, b: Expr) -> Expr {
         let EntryFormat { tile, sequence, .. } = self.format;
-        let in_sweep = |key: &Expr| {
-            let is_new = key.bit(sequence - 1).eq(&self.last_epoch);
-            cat(&[&key.bits(tile + sequence - 1, sequence), &is_new, &key.trunc(sequence - 1)])
+        let in_sweep = |key: Expr| {
+            let is_new = key.bit(sequence - 1).eq(self.last_epoch);
+            cat([key.bits(tile + sequence - 1, sequence), is_new, key.trunc(sequence - 1)])
         };
-        (a.msb() ^ b.msb()).mux(&a.msb().eq(&self.sweep), &in_sweep(a).lt(&in_sweep(b)))
+        (a.msb() ^ b.msb()).mux(a.msb().eq(self.sweep), in_sweep(a).lt(in_sweep(b)))
     }
 }

@@ -61,65 +61,65 @@ struct Comparison {
 
 impl Comparison {
     fn new(m: &mut Module, stage: &Stage) -> Self {
-        let Stage { place, order, pace, lower, compared, .. } = stage;
+        let Stage { ref place, ref order, ref pace, lower, ref compared, .. } = *stage;
         let format = place.format;
         let exists = compared.get("exists");
-        let stored = Record::unpack(&place.node(), &stage.stored);
+        let stored = Record::unpack(&place.node(), stage.stored);
         let (chosen_stored, rival_stored) = (compared.get("chosen_stored"), compared.get("rival_stored"));
         let newest = |m: &mut Module, name: &str| {
-            m.wire(&format!("chosen_{name}"), &chosen_stored.mux(&stored.get(name), &compared.get(name)))
+            m.wire(&format!("chosen_{name}"), chosen_stored.mux(stored.get(name), compared.get(name)))
         };
         let chosen_entry = newest(m, "entry");
-        let chosen = pace.found(m, "chosen_entry", &chosen_entry);
-        let chosen_key = format.key(&chosen_entry);
-        let rival = m.wire("rival", &rival_stored.mux(&format.key(&stored.get("entry")), &compared.get("rival")));
-        let rival_mark = rival_stored.mux(&stored.get("mark"), &compared.get("rival_mark"));
+        let chosen = pace.found(m, "chosen_entry", chosen_entry);
+        let chosen_key = format.key(chosen_entry);
+        let rival = m.wire("rival", rival_stored.mux(format.key(stored.get("entry")), compared.get("rival")));
+        let rival_mark = rival_stored.mux(stored.get("mark"), compared.get("rival_mark"));
 
         let mut carried = compared.get("carried");
         if place.upper == 0 {
             // The sweep of a newcomer is known only now.
-            let sweep = lower.mux(&m.input("newcomer_sweep", 1), &carried.msb());
-            carried = cat(&[&sweep, &carried.trunc(format.width() - 1)]);
+            let sweep = lower.mux(m.input("newcomer_sweep", 1), carried.msb());
+            carried = cat([sweep, carried.trunc(format.width() - 1)]);
         }
-        let before = |m: &mut Module, name: &str, a: &Expr, b: &Expr| {
-            let before = m.wire(name, &order.before(a, b));
-            pace.found(m, name, &before)
+        let before = |m: &mut Module, name: &str, a: Expr, b: Expr| {
+            let before = m.wire(name, order.before(a, b));
+            pace.found(m, name, before)
         };
-        let before_chosen = before(m, "before_chosen", &format.key(&carried), &chosen_key);
-        let before_rival = before(m, "before_rival", &format.key(&carried), &rival);
-        let carried_first = m.wire("carried_first", &(compared.get("carry") & (!&exists | before_chosen)));
-        let first = m.wire("first", &carried_first.mux(&carried, &chosen));
-        let last = carried_first.mux(&chosen, &carried);
+        let before_chosen = before(m, "before_chosen", format.key(carried), chosen_key);
+        let before_rival = before(m, "before_rival", format.key(carried), rival);
+        let carried_first = m.wire("carried_first", compared.get("carry") & (!exists | before_chosen));
+        let first = m.wire("first", carried_first.mux(carried, chosen));
+        let last = carried_first.mux(chosen, carried);
 
         let below = place.has_lower().then(|| ["right_below", "left_count"].map(|name| newest(m, name)));
         let (left_exists, right_exists, left_full) = match &below {
             // A node of the lower level counts one bit less.
             Some([right, count]) if count.width() > 1 => {
                 let low = count.trunc(count.width() - 1);
-                (count.any(), right.clone(), low.all() & (count.msb() | !lower))
+                (count.any(), *right, low.all() & (count.msb() | !lower))
             }
-            Some([right, count]) => (count.clone(), right.clone(), count | !lower),
+            Some([right, count]) => (*count, *right, *count | !lower),
             None => (bit(false), bit(false), bit(false)),
         };
-        let left_exists = pace.found(m, "left_exists", &left_exists);
-        let right_exists = pace.found(m, "right_exists", &right_exists);
-        let left_full = pace.found(m, "left_full", &left_full);
-        let childless = !(&left_exists | &right_exists);
+        let left_exists = pace.found(m, "left_exists", left_exists);
+        let right_exists = pace.found(m, "right_exists", right_exists);
+        let left_full = pace.found(m, "left_full", left_full);
+        let childless = !(left_exists | right_exists);
         let step = Record::new(&place.step(), |name| match name {
-            "valid" => compared.get("valid") & &exists,
-            "right" => left_full.clone(),
-            "left_exists" => left_exists.clone(),
-            "right_exists" => right_exists.clone(),
-            "entry" => last.clone(),
-            "rival" => rival.clone(),
+            "valid" => compared.get("valid") & exists,
+            "right" => left_full,
+            "left_exists" => left_exists,
+            "right_exists" => right_exists,
+            "entry" => last,
+            "rival" => rival,
             passed => compared.get(passed),
         });
-        let rival_stays = before(m, "rival_stays", &compared.get("parent_rival"), &chosen_key);
+        let rival_stays = before(m, "rival_stays", compared.get("parent_rival"), chosen_key);
         let rise = Record::new(&place.rise(), |name| match name {
-            "entry" => first.clone(),
-            "exists" => exists.clone(),
-            "ahead" => &exists & !&rival_stays,
-            "childless" => childless.clone(),
+            "entry" => first,
+            "exists" => exists,
+            "ahead" => exists & !rival_stays,
+            "childless" => childless,
             passed => compared.get(passed),
         });
         Self { exists, chosen, rival_mark, carried, carried_first, before_rival, below, step, rise }
@@ -127,25 +127,25 @@ impl Comparison {
 
     /// The step settles in the next tick.
     fn settle_next(&self, m: &mut Module, stage: &Stage) {
-        let Stage { place, pace, lower, compared, .. } = stage;
+        let Stage { ref place, ref pace, lower, ref compared, .. } = *stage;
         let hole = compared.get("hole");
         // Where nothing lies below, a hole is filled with the carried entry.
         let is_leaf = if place.continues() || !place.has_lower() { bit(false) } else { !lower };
-        let kept = (&self.carried_first ^ (&hole & is_leaf)).mux(&self.carried, &self.chosen);
+        let kept = (self.carried_first ^ (hole & is_leaf)).mux(self.carried, self.chosen);
         stage.settled.next(m, pace, |name| match name {
-            "valid" => compared.get("valid") & (&self.exists | !&hole),
-            "existed" => self.exists.clone(),
-            "rival_mark" => self.rival_mark.clone(),
-            "entry" => kept.clone(),
+            "valid" => compared.get("valid") & (self.exists | !hole),
+            "existed" => self.exists,
+            "rival_mark" => self.rival_mark,
+            "entry" => kept,
             "ahead" => {
-                let inserted = &self.carried_first & (&self.before_rival | !compared.get("rival_exists"));
-                let stays = &self.exists & compared.get("was_first");
-                hole.mux(&(compared.get("carry") & &self.before_rival), &(stays | inserted))
+                let inserted = self.carried_first & (self.before_rival | !compared.get("rival_exists"));
+                let stays = self.exists & compared.get("was_first");
+                hole.mux(compared.get("carry") & self.before_rival, stays | inserted)
             }
             "right_below" | "left_count" => {
                 let [right, count] = self.below.as_ref().expect("these fields are there where nodes have children");
                 let value = if name == "right_below" { right } else { count };
-                value & self.exists.repeat(value.width())
+                *value & self.exists.repeat(value.width())
             }
             passed => compared.get(passed),
         });
@@ -166,123 +166,122 @@ struct Settlement {
 
 impl Settlement {
     fn new(m: &mut Module, stage: &Stage, comparison: &Comparison) -> Self {
-        let Stage { place, pace, lower, settled, .. } = stage;
+        let Stage { ref place, ref pace, lower, ref settled, .. } = *stage;
         let (hole, carry, own) = (settled.get("hole"), settled.get("carry"), settled.get("entry"));
         let bits = place.row_bits() + 1;
         let own_number = stage.row_before.zext(bits);
         let (risen, entry, number) = if place.continues() {
             let below = Record::input(m, "below_rise_", &place.rise());
             let risen = below.mux(lower, &comparison.rise);
-            let entry = hole.mux(&risen.get("entry"), &own);
-            (risen, entry, lower.mux(&m.input("below_rise_node", bits), &own_number))
+            let entry = hole.mux(risen.get("entry"), own);
+            (risen, entry, lower.mux(m.input("below_rise_node", bits), own_number))
         } else {
             // Nothing rises to the last level.
             let risen = Record::zeros(&place.rise()).mux(lower, &comparison.rise);
-            let entry = (&hole & !lower).mux(&comparison.rise.get("entry"), &own);
+            let entry = (hole & !lower).mux(comparison.rise.get("entry"), own);
             let [last, last_before] = ["last_row", "last_row_before"].map(|name| m.reg(name, bits));
-            pace.next(m, &last, &stage.next_row);
-            pace.next(m, &last_before, &last);
-            (risen, entry, lower.mux(&last_before, &own_number))
+            pace.next(m, last, stage.next_row);
+            pace.next(m, last_before, last);
+            (risen, entry, lower.mux(last_before, own_number))
         };
-        let side = m.wire("side", &number.bit(0));
-        let entry = m.wire("entry_to_store", &entry);
+        let side = m.wire("side", number.bit(0));
+        let entry = m.wire("entry_to_store", entry);
         let (risen_exists, risen_right) = (risen.get("exists"), risen.get("right"));
         let (ahead, rival_exists) = (settled.get("ahead"), settled.get("rival_exists"));
-        let filled_first = (&carry | &risen_exists) & (!&rival_exists | &ahead | risen.get("ahead"));
-        let is_first = m.wire("is_first", &hole.mux(&filled_first, &ahead));
-        let first_side = m.wire("first_side", &(&side ^ !&is_first));
-        let leaves = &hole & !&carry & &risen_exists;
-        let comes = !&hole & settled.get("existed");
+        let filled_first = (carry | risen_exists) & (!rival_exists | ahead | risen.get("ahead"));
+        let is_first = m.wire("is_first", hole.mux(filled_first, ahead));
+        let first_side = m.wire("first_side", side ^ !is_first);
+        let leaves = hole & !carry & risen_exists;
+        let comes = !hole & settled.get("existed");
         let node = Record::new(&place.node(), |name| match name {
-            "entry" => entry.clone(),
-            "mark" => &first_side ^ (&rival_exists & settled.get("rival_mark")),
+            "entry" => entry,
+            "mark" => first_side ^ (rival_exists & settled.get("rival_mark")),
             "right_below" => {
-                let last_leaves = &leaves & &risen_right & risen.get("childless");
-                (settled.get(name) & !last_leaves) | (&comes & &risen_right)
+                let last_leaves = leaves & risen_right & risen.get("childless");
+                (settled.get(name) & !last_leaves) | (comes & risen_right)
             }
             _ => {
-                let (count, down) = (settled.get(name), &leaves & !&risen_right);
-                let changes = &down | (&comes & !&risen_right);
-                let change =
-                    if count.width() > 1 { cat(&[&down.repeat(count.width() - 1), &changes]) } else { changes };
+                let (count, down) = (settled.get(name), leaves & !risen_right);
+                let changes = down | (comes & !risen_right);
+                let change = if count.width() > 1 { cat([down.repeat(count.width() - 1), changes]) } else { changes };
                 count + change
             }
         });
-        let node = m.wire("node_to_store", &node.pack());
-        pace.next(m, &stage.stored, &node);
+        let node = m.wire("node_to_store", node.pack());
+        pace.next(m, stage.stored, node);
         Self { valid: settled.get("valid"), number, side, first_side, entry, node }
     }
 }
 
 /// Shows the children of the step's parent, chooses one, and hands both to the comparison. Returns the chosen entry with all
 /// that has settled, for the root.
-fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: &Expr, settlement: &Settlement) -> Expr {
-    let Stage { place, pace, lower, compared, row, .. } = stage;
-    let Settlement { valid, number, side, first_side, entry, node } = settlement;
-    let presented = lower.mux(above_row, &stage.next_row.trunc(place.row_bits()));
-    pace.next(m, row, &presented);
-    pace.next(m, &stage.row_before, row);
+fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: Expr, settlement: &Settlement) -> Expr {
+    let Stage { ref place, ref pace, lower, ref compared, row, .. } = *stage;
+    let Settlement { valid, number, side, first_side, entry, node } = *settlement;
+    let presented = lower.mux(above_row, stage.next_row.trunc(place.row_bits()));
+    pace.next(m, row, presented);
+    pace.next(m, stage.row_before, row);
     // The rows of a last stage of one level end before those of its lower level.
     let address_bits = place.row_bits().min(place.levels - 1);
     // The memories show the rows either at the start of a tick, in which case they are registered, or not before its end.
     let is_late = address_bits <= SMALL_MEMORY_BITS && matches!(pace, Pace::TwoCycles(_));
     let mut child = |name: &str, enable: Expr| {
         let address = number.bits(place.row_bits(), 1).trunc(address_bits);
-        let write = pace.at_end(&(valid & enable));
-        let show = |m: &mut Module, name: &str, write: &Expr, address: &Expr, row: &Expr| {
+        let write = pace.at_end(valid & enable);
+        let show = |m: &mut Module, name: &str, write: Expr, address: Expr, row: Expr| {
             let (name_of_nodes, depth) = (format!("{name}_nodes"), 1 << address.width());
             let memory = if is_late {
                 m.memory_distributed(&name_of_nodes, depth, node.width())
             } else {
                 m.memory_unordered(&name_of_nodes, depth, node.width())
             };
-            m.write(&memory, write, address, node);
-            m.read(&memory, &format!("{name}_shown"), row)
+            m.write(memory, write, address, node);
+            m.read(memory, &format!("{name}_shown"), row)
         };
         let shown = match pace {
-            Pace::TwoCycles(_) if is_late => show(m, name, &write, &address, &row.trunc(address_bits)),
+            Pace::TwoCycles(_) if is_late => show(m, name, write, address, row.trunc(address_bits)),
             // Which of two neighboring rows it is comes last of all, and the way to a block RAM is long: both are read, and one is chosen
             // when the tick ends.
             Pace::TwoCycles(_) => {
-                let mut bank = |of: &str, is_written: &Expr| {
+                let mut bank = |of: &str, is_written: Expr| {
                     let [written, read] = [&address, &presented].map(|row| row.bits(address_bits - 1, 1));
-                    let shown = show(m, &format!("{name}_{of}"), &(&write & is_written), &written, &read);
-                    pace.found(m, &format!("{name}_{of}"), &shown)
+                    let shown = show(m, &format!("{name}_{of}"), write & is_written, written, read);
+                    pace.found(m, &format!("{name}_{of}"), shown)
                 };
-                let (even, odd) = (bank("even", &!address.bit(0)), bank("odd", &address.bit(0)));
-                row.bit(0).mux(&odd, &even)
+                let (even, odd) = (bank("even", !address.bit(0)), bank("odd", address.bit(0)));
+                row.bit(0).mux(odd, even)
             }
-            Pace::Cycle => show(m, name, &write, &address, &presented.trunc(address_bits)),
+            Pace::Cycle => show(m, name, write, address, presented.trunc(address_bits)),
         };
-        Record::unpack(&place.node(), &shown)
+        Record::unpack(&place.node(), shown)
     };
-    let (left, right) = (child("left", !side), child("right", side.clone()));
+    let (left, right) = (child("left", !side), child("right", side));
 
     let (left_exists, right_exists) = (step.get("left_exists"), step.get("right_exists"));
-    let newer = m.wire("newer", &(step.get("follows") & valid));
+    let newer = m.wire("newer", step.get("follows") & valid);
     let stored_first = left.get("mark") ^ right.get("mark");
-    let first = (&left_exists & &right_exists).mux(&newer.mux(first_side, &stored_first), &right_exists);
-    let goes_right = m.wire("goes_right", &step.get("hole").mux(&first, &step.get("right")));
-    m.drive(&stage.next_row, &cat(&[row, &goes_right]));
-    let same_side = m.wire("same_side", &(&goes_right ^ !side));
-    let goes_left = !&goes_right;
-    let pick = |name: &str, right_one: &Expr| right_one.mux(&right.get(name), &left.get(name));
+    let first = (left_exists & right_exists).mux(newer.mux(first_side, stored_first), right_exists);
+    let goes_right = m.wire("goes_right", step.get("hole").mux(first, step.get("right")));
+    m.drive(stage.next_row, cat([*row, goes_right]));
+    let same_side = m.wire("same_side", goes_right ^ !side);
+    let goes_left = !goes_right;
+    let pick = |name: &str, right_one: Expr| right_one.mux(right.get(name), left.get(name));
     compared.next(m, pace, |name| match name {
-        "follows" => step.get("follows") & &same_side,
+        "follows" => step.get("follows") & same_side,
         "carried" => step.get("entry"),
-        "exists" => goes_right.mux(&right_exists, &left_exists),
-        "rival_exists" => goes_right.mux(&left_exists, &right_exists),
-        "right" => goes_right.clone(),
-        "was_first" => goes_right.eq(&first),
+        "exists" => goes_right.mux(right_exists, left_exists),
+        "rival_exists" => goes_right.mux(left_exists, right_exists),
+        "right" => goes_right,
+        "was_first" => goes_right.eq(first),
         "parent_rival" => step.get("rival"),
-        "chosen_stored" => &newer & &same_side,
-        "rival_stored" => &newer & !&same_side,
-        "rival" => place.format.key(&pick("entry", &goes_left)),
-        "rival_mark" => pick("mark", &goes_left),
-        "entry" | "right_below" | "left_count" => pick(name, &goes_right),
+        "chosen_stored" => newer & same_side,
+        "rival_stored" => newer & !same_side,
+        "rival" => place.format.key(pick("entry", goes_left)),
+        "rival_mark" => pick("mark", goes_left),
+        "entry" | "right_below" | "left_count" => pick(name, goes_right),
         passed => step.get(passed),
     });
-    newer.mux(entry, &right.get("entry"))
+    newer.mux(entry, right.get("entry"))
 }
 
 /// The stage whose upper level is `upper`.
@@ -313,18 +312,18 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: usize) -> Modu
     let comparison = Comparison::new(&mut m, &stage);
     comparison.settle_next(&mut m, &stage);
     let settlement = Settlement::new(&mut m, &stage, &comparison);
-    let step = comparison.step.mux(&stage.lower, &above);
-    let root = look(&mut m, &stage, &step, &above_row, &settlement);
+    let step = comparison.step.mux(stage.lower, &above);
+    let root = look(&mut m, &stage, &step, above_row, &settlement);
     if upper == 0 {
         // The root stands on the right below nothing.
-        m.output("root", &root);
+        m.output("root", root);
     } else {
         comparison.rise.output(&mut m, "rise_");
-        m.output("rise_node", &stage.row_before.trunc(upper));
+        m.output("rise_node", stage.row_before.trunc(upper));
     }
     if place.continues() {
         comparison.step.output(&mut m, "below_");
-        m.output("below_row", &stage.next_row);
+        m.output("below_row", stage.next_row);
     }
     m
 }

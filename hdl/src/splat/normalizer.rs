@@ -14,14 +14,14 @@ use pointcore_contract::{Fixed, Format};
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("splat_normalizer", "A finished pixel's sums divided by its weight.");
     let sums = Inputs::new(&program, &records::finished_pixel(config));
-    let scale = recip(config.division, &sums.bits("weight").to_float(config.geometry, WEIGHT_BITS));
-    let depth = sums.bits("depth").to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * &scale;
+    let scale = recip(config.division, sums.bits("weight").to_float(config.geometry, WEIGHT_BITS));
+    let depth = sums.bits("depth").to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * scale;
 
     let (tile, pixel) = (sums.bits("tile"), sums.bits("pixel"));
     let local_bits = TILE_SIZE.ilog2();
     let column_bits = config.tile_column_bits();
-    let column = tile.bits(column_bits - 1, 0).concat(&pixel.bits(local_bits - 1, 0));
-    let row = tile.bits(config.tile_bits() - 1, column_bits).concat(&pixel.bits(2 * local_bits - 1, local_bits));
+    let column = tile.bits(column_bits - 1, 0).concat(pixel.bits(local_bits - 1, 0));
+    let row = tile.bits(config.tile_bits() - 1, column_bits).concat(pixel.bits(2 * local_bits - 1, local_bits));
 
     let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
     let mut computed = vec![("depth", depth), ("column", column), ("row", row)];
@@ -29,9 +29,9 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         let normalized = match config.attribute {
             AttributeFormat::Float(format) => {
                 let sum = sums.float(format, name).convert(config.geometry);
-                (sum * &scale).convert(format)
+                (sum * scale).convert(format)
             }
-            AttributeFormat::Fixed(fraction) => divided(&program, config.geometry, fraction, &sums.bits(name), &scale),
+            AttributeFormat::Fixed(fraction) => divided(&program, config.geometry, fraction, sums.bits(name), scale),
         };
         (name.as_str(), normalized)
     }));
@@ -40,7 +40,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
 }
 
 /// A fixed-point sum times `scale`, rounded to the nearest fraction: truncated with a bit more, which then rounds away from zero.
-fn divided(program: &Program, geometry: Format, fraction: Fraction, sum: &Value, scale: &Value) -> Value {
+fn divided(program: &Program, geometry: Format, fraction: Fraction, sum: Value, scale: Value) -> Value {
     let Fixed { width, fraction: places, signed } = fraction.number();
     let sum = sum.reinterpret(Type::Signed(fraction.sum().width));
     let quotient = sum.to_float(geometry, fraction.sum().fraction) * scale;
@@ -48,5 +48,5 @@ fn divided(program: &Program, geometry: Format, fraction: Fraction, sum: &Value,
     let wide = Type::Signed(width + 2);
     let is_positive = (!halves.bits(width, width)).zext(width + 2).reinterpret(wide);
     let nearest = (halves.resize(width + 2) + is_positive).shr(1);
-    nearest.min(&program.constant(wide, (1 << places) - 1)).resize(width)
+    nearest.min(program.constant(wide, (1 << places) - 1)).resize(width)
 }

@@ -58,22 +58,22 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
 
     let (end, last) = (input.bits("end"), input.bits("last"));
     let covered = match &squared {
-        Squared::Float { format, distance, .. } => distance.lt(&program.float(*format, 1.0)),
-        Squared::Fixed(squared) => squared.covered.clone(),
+        Squared::Float { format, distance, .. } => distance.lt(program.float(*format, 1.0)),
+        Squared::Fixed(squared) => squared.covered,
     };
-    let inside = covered & !&end;
-    program.keep_if(&(&inside | &last | &end));
+    let inside = covered & !end;
+    program.keep_if(inside | last | end);
     let kernel = kernel(config)?;
     let argument_bits = kernel.shape().index_bits + kernel.shape().fraction_bits;
     let argument = match &squared {
         Squared::Float { distance, .. } => {
             distance.to_fixed(Fixed { width: argument_bits, fraction: argument_bits, signed: Signedness::Unsigned })
         }
-        Squared::Fixed(squared) => squared.argument.clone(),
+        Squared::Fixed(squared) => squared.argument,
     };
     let weight = argument.kernel(&kernel);
     let local = |name| input.bits(name).bits(LOCAL_BITS - 1, 0);
-    let pixel = local("row").concat(&local("column"));
+    let pixel = local("row").concat(local("column"));
     let mut computed = vec![("inside", inside), ("pixel", pixel), ("weight", weight)];
     if let (FragmentDepth::Plane, Squared::Float { format, offset, .. }) = (config.depth, &squared) {
         computed.extend(depth_band(*format, &program, &input, offset));
@@ -91,18 +91,18 @@ fn floating(config: &Config, format: Format, program: &Program, input: &Inputs) 
     };
     let (x, y) = (offset("column", "center_x"), offset("row", "center_y"));
 
-    let s1 = &x * coefficient("ay") - &y * coefficient("ax");
-    let s2 = &x * coefficient("by") - &y * coefficient("bx");
-    let d = coefficient("delta") + &x * coefficient("mx") + &y * coefficient("my");
-    let mut distance = squared_ratio(config.division, &s1, &s2, &d);
+    let s1 = x * coefficient("ay") - y * coefficient("ax");
+    let s2 = x * coefficient("by") - y * coefficient("bx");
+    let d = coefficient("delta") + x * coefficient("mx") + y * coefficient("my");
+    let mut distance = squared_ratio(config.division, s1, s2, d);
     if config.eye_plane.is_on() {
-        let behind = sign(&d, format) ^ sign(&coefficient("delta"), format);
+        let behind = sign(d, format) ^ sign(coefficient("delta"), format);
         let infinity = program.constant(Type::Float(format), format.infinity());
-        distance = behind.select(&infinity, &distance);
+        distance = behind.select(infinity, distance);
     }
     if config.screen_filter.is_on() {
-        let screen = (&x * &x + &y * &y) * uniform(program, format, "filter_scale");
-        distance = distance.min(&screen);
+        let screen = (x * x + y * y) * uniform(program, format, "filter_scale");
+        distance = distance.min(screen);
     }
     Squared::Float { format, distance, offset: [x, y] }
 }
@@ -111,16 +111,16 @@ fn floating(config: &Config, format: Format, program: &Program, input: &Inputs) 
 fn sample(sampling: Sampling, program: &Program, input: &Inputs, axis: &str) -> (Value, u32) {
     let index = input.bits(axis);
     match sampling {
-        Sampling::Center => (index.concat(&program.unsigned(1, 1)), 1),
+        Sampling::Center => (index.concat(program.unsigned(1, 1)), 1),
         Sampling::Flipquad => {
             let is_top = input.bits("column").bits(0, 0);
             let odd = input.bits("column").bits(1, 1) ^ input.bits("row").bits(0, 0);
             let [none, three, five] = [0, 3, 5].map(|eighths| program.unsigned(3, eighths));
             let (pixel, eighths) = match axis {
-                "column" => (index.shr(1), is_top.select(&odd.select(&five, &three), &none)),
-                _ => (index, is_top.select(&none, &odd.select(&three, &five))),
+                "column" => (index.shr(1), is_top.select(odd.select(five, three), none)),
+                _ => (index, is_top.select(none, odd.select(three, five))),
             };
-            (pixel.concat(&eighths), 3)
+            (pixel.concat(eighths), 3)
         }
     }
 }
@@ -128,16 +128,16 @@ fn sample(sampling: Sampling, program: &Program, input: &Inputs, axis: &str) -> 
 /// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
 fn depth_band(format: Format, program: &Program, input: &Inputs, [x, y]: &[Value; 2]) -> [(&'static str, Value); 3] {
     let number = |name| input.float(format, name);
-    let plane = number("depth_center") + x * number("depth_x") + y * number("depth_y");
-    let depth = plane.max(&number("depth_near")).min(&number("depth_far"));
-    let (low, high) = (&depth - number("epsilon"), &depth + number("epsilon"));
+    let plane = number("depth_center") + *x * number("depth_x") + *y * number("depth_y");
+    let depth = plane.max(number("depth_near")).min(number("depth_far"));
+    let (low, high) = (depth - number("epsilon"), depth + number("epsilon"));
     let zero = program.float(format, 0.0);
     let shape = Fixed { width: DEPTH_BITS, fraction: DEPTH_BITS, signed: Signedness::Unsigned };
-    let fixed = |depth: &Value| depth.max(&zero).to_fixed(shape);
-    [("depth", fixed(&depth)), ("depth_low", fixed(&low)), ("depth_high", fixed(&high))]
+    let fixed = |depth: Value| depth.max(zero).to_fixed(shape);
+    [("depth", fixed(depth)), ("depth_low", fixed(low)), ("depth_high", fixed(high))]
 }
 
-fn sign(value: &Value, format: Format) -> Value {
+fn sign(value: Value, format: Format) -> Value {
     let top = format.width() - 1;
     value.bits(top, top)
 }
@@ -178,10 +178,10 @@ impl Scanner {
     }
 
     /// On `advance`: takes `copy`, if there is one, on `ready`; else steps to the next pixel or falls idle.
-    fn step(&self, m: &mut Module, copy: &Stream, advance: &Expr, ready: &Expr) {
-        let load = &(ready & &copy.valid);
-        let row_done = self.column.eq(&self.right);
-        m.next_if(&self.busy, advance, &(load | &(&*self.busy & &!&*self.last)));
+    fn step(&self, m: &mut Module, copy: &Stream, advance: Expr, ready: Expr) {
+        let load = &(ready & copy.valid);
+        let row_done = self.column.eq(self.right);
+        m.next_if(self.busy, advance, *load | (*self.busy & !*self.last));
         for (register, field) in [
             (&self.end, "end"),
             (&self.slot, "slot"),
@@ -190,32 +190,32 @@ impl Scanner {
             (&self.right, "right"),
             (&self.bottom, "bottom"),
         ] {
-            m.next_if(register, ready, &copy.field(field));
+            m.next_if(*register, ready, copy.field(field));
         }
-        let next_column = row_done.mux(&self.left, &self.column.add_lit(1));
-        let next_row = row_done.mux(&self.row.add_lit(1), &self.row);
-        m.next_if(&self.column, advance, &load.mux(&copy.field("left"), &next_column));
-        m.next_if(&self.row, advance, &load.mux(&copy.field("top"), &next_row));
-        let place = |column: &Expr, row: &Expr| cat(&[column, row]);
-        let corner = place(&copy.field("right"), &copy.field("bottom"));
-        let single = copy.field("end") | place(&copy.field("left"), &copy.field("top")).eq(&corner);
-        let reaches_last = place(&next_column, &next_row).eq(&place(&self.right, &self.bottom));
-        m.next_if(&self.last, advance, &load.mux(&single, &reaches_last));
-        let falls_idle = !&*self.busy | (&*self.last | &reaches_last);
-        m.next_if(&self.idle, advance, &load.mux(&single, &falls_idle));
+        let next_column = row_done.mux(self.left, self.column.add_lit(1));
+        let next_row = row_done.mux(self.row.add_lit(1), self.row);
+        m.next_if(self.column, advance, load.mux(copy.field("left"), next_column));
+        m.next_if(self.row, advance, load.mux(copy.field("top"), next_row));
+        let place = |column: Expr, row: Expr| cat([column, row]);
+        let corner = place(copy.field("right"), copy.field("bottom"));
+        let single = copy.field("end") | place(copy.field("left"), copy.field("top")).eq(corner);
+        let reaches_last = place(next_column, next_row).eq(place(*self.right, *self.bottom));
+        m.next_if(self.last, advance, load.mux(single, reaches_last));
+        let falls_idle = !*self.busy | (*self.last | reaches_last);
+        m.next_if(self.idle, advance, load.mux(single, falls_idle));
     }
 
     /// Connects the evaluation's input to the current pixel.
-    fn emit(&self, m: &mut Module, evaluation: &Instance, config: &Config) {
+    fn emit(&self, m: &mut Module, evaluation: Instance, config: &Config) {
         let column_bits = config.tile_column_bits() as usize;
         let tile_column = self.tile.bits(column_bits - 1, 0);
         let tile_row = self.tile.bits(config.tile_bits() as usize - 1, column_bits);
-        m.connect(evaluation, "in_valid", &self.busy);
-        m.connect(evaluation, "in_end", &self.end);
-        m.connect(evaluation, "in_last", &(&*self.last & &!&*self.end));
-        m.connect(evaluation, "in_slot", &self.slot);
-        m.connect(evaluation, "in_column", &cat(&[&tile_column, &self.column]));
-        m.connect(evaluation, "in_row", &cat(&[&tile_row, &self.row]));
+        m.connect(evaluation, "in_valid", self.busy);
+        m.connect(evaluation, "in_end", self.end);
+        m.connect(evaluation, "in_last", *self.last & !*self.end);
+        m.connect(evaluation, "in_slot", self.slot);
+        m.connect(evaluation, "in_column", cat([tile_column, *self.column]));
+        m.connect(evaluation, "in_row", cat([tile_row, *self.row]));
     }
 }
 
@@ -228,54 +228,53 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let mut m = Module::new("splat_rasterizer", "Samples of a splat copy, one a cycle, with their kernel weights.");
     let copy = stream_in(&mut m, "in", &records::placed_copy(config));
     let evaluation = m.instance("evaluation", evaluation);
-    let advance = m.out(&evaluation, "in_ready");
+    let advance = m.out(evaluation, "in_ready");
 
     let shared = records::shared(config);
     let queue = m.instance("shared", stream::fifo(COPY_QUEUE_DEPTH as usize, &layout(&shared)));
-    let queue_ready = m.out(&queue, "in_ready");
+    let queue_ready = m.out(queue, "in_ready");
 
     let scanner = Scanner::new(&mut m, config);
-    let ready = m.wire("take", &(&(&advance & &*scanner.idle) & &queue_ready));
-    m.ready(&copy, &ready);
-    let load = m.wire("load", &(&ready & &copy.valid));
-    scanner.step(&mut m, &copy, &advance, &ready);
-    scanner.emit(&mut m, &evaluation, config);
+    let ready = m.wire("take", (advance & *scanner.idle) & queue_ready);
+    m.ready(&copy, ready);
+    let load = m.wire("load", ready & copy.valid);
+    scanner.step(&mut m, &copy, advance, ready);
+    scanner.emit(&mut m, evaluation, config);
     for (name, width) in position(config).iter().skip(5) {
         let register = m.reg(name, *width as usize);
-        m.next_if(&register, &ready, &copy.field(name));
-        m.connect(&evaluation, &format!("in_{name}"), &register);
+        m.next_if(register, ready, copy.field(name));
+        m.connect(evaluation, &format!("in_{name}"), register);
     }
-    m.connect(&queue, "in_valid", &(&load & &!&copy.field("end")));
+    m.connect(queue, "in_valid", load & !copy.field("end"));
     for (name, _) in &shared {
-        m.connect(&queue, &format!("in_{name}"), &copy.field(name));
+        m.connect(queue, &format!("in_{name}"), copy.field(name));
     }
 
     let mut fields = Vec::new();
     for (name, _) in records::sample(config) {
-        let source = if shared.iter().any(|(field, _)| *field == name) { &queue } else { &evaluation };
+        let source = if shared.iter().any(|(field, _)| *field == name) { queue } else { evaluation };
         let value = m.out(source, &format!("out_{name}"));
         fields.push((name, value));
     }
-    let valid = m.out(&evaluation, "out_valid");
-    let last = m.out(&evaluation, "out_last");
-    let fields: Vec<(&str, &Expr)> = fields.iter().map(|(name, value)| (name.as_str(), value)).collect();
-    let out_ready = m.stream_out("out", &valid, &fields);
-    m.connect(&evaluation, "out_ready", &out_ready);
-    m.connect(&queue, "out_ready", &(&(&out_ready & &valid) & &last));
+    let valid = m.out(evaluation, "out_valid");
+    let last = m.out(evaluation, "out_last");
+    let out_ready = m.stream_out("out", valid, fields);
+    m.connect(evaluation, "out_ready", out_ready);
+    m.connect(queue, "out_ready", (out_ready & valid) & last);
 
     if config.screen_filter.is_on() {
         let filter_scale = m.input("filter_scale", config.uniform_format("filter_scale").width() as usize);
-        m.connect(&evaluation, "filter_scale", &filter_scale);
+        m.connect(evaluation, "filter_scale", filter_scale);
     }
     let busy = scanner.busy.expr();
     for (name, event) in [
-        ("event_sample", &(&advance & &busy) & &!&*scanner.end),
-        ("event_starved", &advance & &!&busy),
-        ("event_blocked", &busy & &!&advance),
+        ("event_sample", (advance & busy) & !*scanner.end),
+        ("event_starved", advance & !busy),
+        ("event_blocked", busy & !advance),
     ] {
         let register = m.reg_reset(name, 1, 0);
-        m.next(&register, &event);
-        m.output(name, &register);
+        m.next(register, event);
+        m.output(name, register);
     }
     Ok(Datapath { module: m, manifest })
 }

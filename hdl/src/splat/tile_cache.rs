@@ -100,11 +100,11 @@ impl State {
 
     /// Pixels that were read are on their way.
     pub fn holds_pixels(&self) -> Expr {
-        &self.showing | &self.holding
+        self.showing | self.holding
     }
 
     fn no_job(&self) -> Expr {
-        !((&self.looking | &self.looked) | &self.moving)
+        !((self.looking | self.looked) | self.moving)
     }
 }
 
@@ -117,15 +117,15 @@ struct Placement {
 
 /// Sends the head with its slot on a hit, starts a job on a miss.
 fn place(m: &mut Module, state: &State, directory: &Directory, head: &Head, out: QueueOut) -> Placement {
-    let ready = m.wire("head_waits", &(state.is(Mode::Run) & &head.valid));
+    let ready = m.wire("head_waits", state.is(Mode::Run) & head.valid);
     let end = head.record.get("end");
-    let send_end = m.wire("send_end", &(&ready & (&end & &out.room)));
-    let copy = &ready & !&end;
-    let send = m.wire("send", &(&copy & (&directory.copy.found & (&out.room & &directory.has_room))));
-    let start = m.wire("start", &(&copy & (!&directory.copy.found & (state.no_job() & &directory.next_idle))));
-    let sent = &send | &send_end;
-    head.leaves_at_half_rate(m, &sent);
-    out.push(m, &sent, |name| if name == "slot" { directory.copy.slot.clone() } else { head.record.get(name) });
+    let send_end = m.wire("send_end", ready & (end & out.room));
+    let copy = ready & !end;
+    let send = m.wire("send", copy & (directory.copy.found & (out.room & directory.has_room)));
+    let start = m.wire("start", copy & (!directory.copy.found & (state.no_job() & directory.next_idle)));
+    let sent = send | send_end;
+    head.leaves_at_half_rate(m, sent);
+    out.push(m, sent, |name| if name == "slot" { directory.copy.slot } else { head.record.get(name) });
     Placement { send, send_end, start }
 }
 
@@ -134,34 +134,34 @@ fn sequence(
     m: &mut Module,
     state: &State,
     placement: &Placement,
-    touched: &Expr,
+    touched: Expr,
     sent: &Hit,
-    room: &Expr,
+    room: Expr,
 ) -> (Expr, Expr) {
     let mode = |mode: Mode| lit(state.mode.width(), mode as u128);
-    let finish = m.wire("finish", &(state.is(Mode::Wait) & (&state.frame_ended & state.no_job())));
-    let close = m.wire("close", &(state.is(Mode::Close) & room));
+    let finish = m.wire("finish", state.is(Mode::Wait) & (state.frame_ended & state.no_job()));
+    let close = m.wire("close", state.is(Mode::Close) & room);
     let slot_sent = state.is(Mode::FromSlot) & (state.all_drained() & !state.holds_pixels());
     let memory_sent = state.is(Mode::FromMemory) & state.all_drained();
     let skipped = state.is(Mode::Check) & !touched;
-    let next_tile = m.wire("next_tile", &(slot_sent | memory_sent | skipped));
+    let next_tile = m.wire("next_tile", slot_sent | memory_sent | skipped);
     let clear = state.is(Mode::Clear);
-    let last = m.wire("last_code", &state.code.all());
-    m.next_if(&state.code, &(&clear | &next_tile), &state.code.add_lit(1));
-    m.next(&state.code_read, &(state.is(Mode::Look) & !&state.code_read));
+    let last = m.wire("last_code", state.code.all());
+    m.next_if(state.code, clear | next_tile, state.code.add_lit(1));
+    m.next(state.code_read, state.is(Mode::Look) & !state.code_read);
 
-    let source = sent.found.mux(&mode(Mode::FromSlot), &mode(Mode::FromMemory));
-    let following = last.mux(&mode(Mode::Close), &mode(Mode::Look));
+    let source = sent.found.mux(mode(Mode::FromSlot), mode(Mode::FromMemory));
+    let following = last.mux(mode(Mode::Close), mode(Mode::Look));
     let changes = [
-        ((&clear & &last) | &close, mode(Mode::Run)),
-        (placement.send_end.clone(), mode(Mode::Wait)),
-        (finish.clone(), mode(Mode::Look)),
-        (state.is(Mode::Look) & &state.code_read, mode(Mode::Check)),
+        ((clear & last) | close, mode(Mode::Run)),
+        (placement.send_end, mode(Mode::Wait)),
+        (finish, mode(Mode::Look)),
+        (state.is(Mode::Look) & state.code_read, mode(Mode::Check)),
         (next_tile, following),
         (state.is(Mode::Check), source),
     ];
-    let next = changes.iter().rev().fold(state.mode.expr(), |next, (when, mode)| when.mux(mode, &next));
-    m.next(&state.mode, &next);
+    let next = changes.iter().rev().fold(state.mode.expr(), |next, (when, mode)| when.mux(*mode, next));
+    m.next(state.mode, next);
     (finish, close)
 }
 
@@ -169,20 +169,20 @@ fn sequence(
 fn follow_job(
     m: &mut Module,
     state: &State,
-    [start, done]: [&Expr; 2],
-    touched: &Expr,
+    [start, done]: [Expr; 2],
+    touched: Expr,
     directory: &Directory,
-    tile: &Expr,
+    tile: Expr,
 ) {
-    m.next(&state.looking, start);
-    m.next(&state.looked, &state.looking);
-    m.next_if(&state.moving, &(&state.looked | done), &state.looked);
-    m.next_if(&state.load, &state.looked, touched);
-    m.next_if(&state.evict, start, &directory.next_resident);
-    m.next_if(&state.evict_tile, start, &directory.next_tile);
+    m.next(state.looking, start);
+    m.next(state.looked, state.looking);
+    m.next_if(state.moving, state.looked | done, state.looked);
+    m.next_if(state.load, state.looked, touched);
+    m.next_if(state.evict, start, directory.next_resident);
+    m.next_if(state.evict_tile, start, directory.next_tile);
     let check = state.is(Mode::Check);
-    m.next_if(&state.slot, &(start | &check), &check.mux(&directory.sent.slot, &directory.next_slot()));
-    m.next_if(&state.tile, &(start | &check), &check.mux(&state.code, tile));
+    m.next_if(state.slot, start | check, check.mux(directory.sent.slot, directory.next_slot()));
+    m.next_if(state.tile, start | check, check.mux(state.code, tile));
 }
 
 fn with_place(config: &Config, pixel: Vec<Field>) -> Vec<Field> {
@@ -203,54 +203,54 @@ pub fn module(config: &Config) -> Module {
     let tile = head.record.get("tile");
     let out = half_out(&mut m, "out", &records::placed_copy(config));
     let state = State::new(&mut m, config);
-    let read_ready = m.stream_out("read", &state.read_valid, &[("tile", &*state.tile)]);
+    let read_ready = m.stream_out("read", state.read_valid, [("tile", state.tile)]);
     let data = stream_in(&mut m, "data", &pixel_fields);
     let write = queue_out(&mut m, "write", &with_place(config, pixel_fields.clone()));
     let pixel = queue_out(&mut m, "pixel", &records::finished_pixel(config));
 
     let directory = Directory::new(&mut m, config);
-    m.output("slot_ready", &directory.ready());
+    m.output("slot_ready", directory.ready());
     let retire = m.input("retire_valid", 1);
     let retire_slot = m.input("retire_slot", slot_bits);
     let frame_end = m.input("frame_end", 1);
 
     let touched_tiles = m.memory_unordered("touched_tiles", 1 << tile_bits, 1);
-    let look_at = state.is(Mode::Look).mux(&state.code, &tile);
-    let stored = m.read(&touched_tiles, "stored_touched", &look_at);
+    let look_at = state.is(Mode::Look).mux(state.code, tile);
+    let stored = m.read(touched_tiles, "stored_touched", look_at);
     let touched = m.reg("touched", 1);
-    m.next(&touched, &stored);
+    m.next(touched, stored);
     let check = state.is(Mode::Check);
-    let touch = &state.looked | (state.is(Mode::Clear) | (&check & &touched));
-    m.write(&touched_tiles, &touch, &state.looked.mux(&state.tile, &state.code), &state.looked);
+    let touch = state.looked | (state.is(Mode::Clear) | (check & touched));
+    m.write(touched_tiles, touch, state.looked.mux(state.tile, state.code), state.looked);
 
     let placement = place(&mut m, &state, &directory, &head, out);
     let fill_valid = m.reg_reset("fill_valid", 1, 0);
-    let moves = exchange(&mut m, &state, &data, &write, &pixel, &fill_valid);
-    let (finish, close) = sequence(&mut m, &state, &placement, &touched, &directory.sent, &pixel.room);
-    m.next_if(&state.frame_ended, &(&frame_end | &finish), &frame_end);
-    follow_job(&mut m, &state, [&placement.start, &moves.done], &touched, &directory, &tile);
-    let raise_read = &touched & (&state.looked | (&check & !&directory.sent.found));
-    m.next_if(&state.read_valid, &(&raise_read | &read_ready), &raise_read);
+    let moves = exchange(&mut m, &state, &data, &write, &pixel, fill_valid);
+    let (finish, close) = sequence(&mut m, &state, &placement, *touched, &directory.sent, pixel.room);
+    m.next_if(state.frame_ended, frame_end | finish, frame_end);
+    follow_job(&mut m, &state, [placement.start, moves.done], *touched, &directory, tile);
+    let raise_read = touched & (state.looked | (check & !directory.sent.found));
+    m.next_if(state.read_valid, raise_read | read_ready, raise_read);
 
     let arriving = Record::from(&data);
-    fill_ports(&mut m, &state, &moves.fill, &fill_valid, &arriving, &pixel_fields);
-    m.output("drain_enable", &moves.step);
-    m.output("drain_slot", &state.slot);
-    m.output("drain_pixel", &state.drained.trunc(PIXEL_BITS as usize));
+    fill_ports(&mut m, &state, moves.fill, fill_valid, &arriving, &pixel_fields);
+    m.output("drain_enable", moves.step);
+    m.output("drain_slot", state.slot);
+    m.output("drain_pixel", state.drained.trunc(PIXEL_BITS as usize));
     let held = Record::input(&mut m, "drain_", &pixel_fields);
-    push_pixels(&mut m, &state, &moves, &close, &held, &arriving, [write, pixel]);
+    push_pixels(&mut m, &state, &moves, close, &held, &arriving, [write, pixel]);
 
     let changes = Changes {
-        allocate: &placement.start,
-        enter: &placement.send,
-        retire: &retire,
-        retire_slot: &retire_slot,
-        filled: &moves.done,
-        filled_slot: &state.slot,
-        close: &finish,
-        clear: &close,
+        allocate: placement.start,
+        enter: placement.send,
+        retire,
+        retire_slot,
+        filled: moves.done,
+        filled_slot: *state.slot,
+        close: finish,
+        clear: close,
     };
-    let lookup = Lookup { copy: &tile, takes: &head.takes, arriving: &head.arriving.get("tile"), code: &state.code };
+    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.get("tile"), code: *state.code };
     directory.update(&mut m, &lookup, &changes);
     m
 }

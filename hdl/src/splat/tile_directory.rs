@@ -27,14 +27,14 @@ pub(super) struct Hit {
 }
 
 /// The tiles that are looked up, a cycle before it matters where they are.
-pub(super) struct Lookup<'a> {
+pub(super) struct Lookup {
     /// The tile of the copy to be placed.
-    pub copy: &'a Expr,
+    pub copy: Expr,
     /// A copy with tile `arriving` takes its place.
-    pub takes: &'a Expr,
-    pub arriving: &'a Expr,
+    pub takes: Expr,
+    pub arriving: Expr,
     /// The tile to be sent.
-    pub code: &'a Expr,
+    pub code: Expr,
 }
 
 /// The directory's registers and what they say about the tiles looked up.
@@ -55,34 +55,34 @@ pub(super) struct Directory {
 }
 
 /// What changes the directory in a cycle.
-pub(super) struct Changes<'a> {
+pub(super) struct Changes {
     /// The next slot is given to the tile of the copy.
-    pub allocate: &'a Expr,
+    pub allocate: Expr,
     /// The copy enters its slot.
-    pub enter: &'a Expr,
+    pub enter: Expr,
     /// A copy of `retire_slot` is done.
-    pub retire: &'a Expr,
-    pub retire_slot: &'a Expr,
+    pub retire: Expr,
+    pub retire_slot: Expr,
     /// The tile of `filled_slot` has arrived.
-    pub filled: &'a Expr,
-    pub filled_slot: &'a Expr,
+    pub filled: Expr,
+    pub filled_slot: Expr,
     /// The frame is over: no slot is ready any more.
-    pub close: &'a Expr,
+    pub close: Expr,
     /// The frame has left: no slot holds a tile any more.
-    pub clear: &'a Expr,
+    pub clear: Expr,
 }
 
 /// Of the values, the one whose condition is set, or 0 where none is.
-fn pick<'a>(width: usize, choices: impl Iterator<Item = (Expr, &'a Expr)>) -> Expr {
+fn pick(width: usize, choices: impl Iterator<Item = (Expr, Expr)>) -> Expr {
     choices.fold(lit(width, 0), |all, (condition, value)| all | (condition.repeat(width) & value))
 }
 
 impl Hit {
     fn new(m: &mut Module, name: &str, width: usize, hits: &[Expr]) -> Self {
-        let found = m.wire(&format!("{name}_hit"), &cat(&hits.iter().collect::<Vec<_>>()).any());
+        let found = m.wire(&format!("{name}_hit"), cat(hits.iter().copied()).any());
         let numbers: Vec<_> = (0..hits.len()).map(|slot| lit(width, slot as u128)).collect();
-        let slot = pick(width, hits.iter().cloned().zip(&numbers));
-        Self { found, slot: m.wire(&format!("{name}_slot"), &slot) }
+        let slot = pick(width, hits.iter().copied().zip(numbers));
+        Self { found, slot: m.wire(&format!("{name}_slot"), slot) }
     }
 }
 
@@ -102,19 +102,18 @@ impl Directory {
                 is_of_code: m.reg(&format!("is_of_code_{slot}"), 1),
             })
             .collect();
-        let holds_copy: Vec<_> = slots.iter().map(|slot| &slot.resident & &slot.is_of_copy).collect();
-        let holds_code: Vec<_> = slots.iter().map(|slot| &slot.resident & &slot.is_of_code).collect();
+        let holds_copy: Vec<_> = slots.iter().map(|slot| slot.resident & slot.is_of_copy).collect();
+        let holds_code: Vec<_> = slots.iter().map(|slot| slot.resident & slot.is_of_code).collect();
         let copy = Hit::new(m, "copy", slot_bits, &holds_copy);
         let sent = Hit::new(m, "sent", slot_bits, &holds_code);
         let full: Vec<_> = slots.iter().map(|slot| slot.in_flight.all()).collect();
-        let has_room = !pick(1, holds_copy.into_iter().zip(&full));
+        let has_room = !pick(1, holds_copy.into_iter().zip(full));
         let idle: Vec<_> = slots.iter().map(|slot| slot.in_flight.is_zero()).collect();
-        let next_idle = pick(1, slots.iter().map(|slot| slot.is_next.clone()).zip(&idle));
-        let of_next = |width, value: fn(&Slot) -> &Expr| {
-            pick(width, slots.iter().map(|slot| (slot.is_next.clone(), value(slot))))
-        };
-        let next_tile = of_next(tile_bits, |slot| &slot.tile);
-        let next_resident = of_next(1, |slot| &slot.resident);
+        let next_idle = pick(1, slots.iter().map(|slot| slot.is_next).zip(idle));
+        let of_next =
+            |width, value: fn(&Slot) -> Expr| pick(width, slots.iter().map(|slot| (slot.is_next, value(slot))));
+        let next_tile = of_next(tile_bits, |slot| *slot.tile);
+        let next_resident = of_next(1, |slot| *slot.resident);
         Self { slots, next, copy, has_room, sent, next_tile, next_resident, next_idle }
     }
 
@@ -125,31 +124,30 @@ impl Directory {
 
     /// A bit per slot: its tile has arrived.
     pub fn ready(&self) -> Expr {
-        let ready: Vec<&Expr> = self.slots.iter().rev().map(|slot| &*slot.ready).collect();
-        cat(&ready)
+        cat(self.slots.iter().rev().map(|slot| slot.ready))
     }
 
     /// States how the registers change.
-    pub fn update(self, m: &mut Module, lookup: &Lookup<'_>, changes: &Changes<'_>) {
+    pub fn update(self, m: &mut Module, lookup: &Lookup, changes: &Changes) {
         let last = self.next.eq_lit(self.slots.len() as u128 - 1) | changes.clear;
-        let next = last.mux(&lit(self.next.width(), 0), &self.next.add_lit(1));
-        m.next_if(&self.next, &(changes.allocate | changes.clear), &next);
+        let next = last.mux(lit(self.next.width(), 0), self.next.add_lit(1));
+        m.next_if(self.next, changes.allocate | changes.clear, next);
         for (number, slot) in self.slots.iter().enumerate() {
-            let is = |other: &Expr| other.eq_lit(number as u128);
-            let allocated = changes.allocate & &slot.is_next;
-            m.next_if(&slot.tile, &allocated, lookup.copy);
+            let is = |other: Expr| other.eq_lit(number as u128);
+            let allocated = changes.allocate & slot.is_next;
+            m.next_if(slot.tile, allocated, lookup.copy);
             // A slot is given to a copy that stays.
-            let is_of_copy = lookup.takes.mux(&slot.tile.eq(lookup.arriving), &(&slot.is_of_copy | &allocated));
-            m.next(&slot.is_of_copy, &is_of_copy);
-            m.next(&slot.is_of_code, &slot.tile.eq(lookup.code));
-            m.next_if(&slot.resident, &(&allocated | changes.clear), &allocated);
+            let is_of_copy = lookup.takes.mux(slot.tile.eq(lookup.arriving), slot.is_of_copy | allocated);
+            m.next(slot.is_of_copy, is_of_copy);
+            m.next(slot.is_of_code, slot.tile.eq(lookup.code));
+            m.next_if(slot.resident, allocated | changes.clear, allocated);
             let filled = changes.filled & is(changes.filled_slot);
-            m.next_if(&slot.ready, &(&filled | &allocated | changes.close), &filled);
-            let enters = changes.enter & is(&self.copy.slot);
+            m.next_if(slot.ready, filled | allocated | changes.close, filled);
+            let enters = changes.enter & is(self.copy.slot);
             let leaves = changes.retire & is(changes.retire_slot);
-            let count = enters.mux(&slot.in_flight.add_lit(1), &slot.in_flight.sub_lit(1));
-            m.next_if(&slot.in_flight, &(&enters ^ &leaves), &count);
-            m.assert(&format!("slot_{number}_retires_what_entered"), &(!&leaves | slot.in_flight.any()));
+            let count = enters.mux(slot.in_flight.add_lit(1), slot.in_flight.sub_lit(1));
+            m.next_if(slot.in_flight, enters ^ leaves, count);
+            m.assert(&format!("slot_{number}_retires_what_entered"), !leaves | slot.in_flight.any());
         }
     }
 }

@@ -56,7 +56,7 @@ fn place(
 }
 
 /// The uniform registers, written by address; connects every unit's input of a register's name.
-fn uniforms(m: &mut Module, config: &Config, units: &[(&Instance, Vec<Port>)]) {
+fn uniforms(m: &mut Module, config: &Config, units: &[(Instance, Vec<Port>)]) {
     let valid = m.input("uniform_valid", 1);
     let address = m.input("uniform_address", UNIFORM_ADDRESS_BITS as usize);
     let data = m.input("uniform_data", config.geometry.width() as usize);
@@ -67,19 +67,19 @@ fn uniforms(m: &mut Module, config: &Config, units: &[(&Instance, Vec<Port>)]) {
         }
         let width = config.uniform_format(name).width() as usize;
         let register = m.reg(&format!("uniform_{name}"), width);
-        let selected = address.eq(&lit(UNIFORM_ADDRESS_BITS as usize, index as u128));
-        m.next_if(&register, &(&valid & &selected), &data.trunc(width));
+        let selected = address.eq(lit(UNIFORM_ADDRESS_BITS as usize, index as u128));
+        m.next_if(register, valid & selected, data.trunc(width));
         for (unit, _) in readers {
-            m.connect(unit, name, &register);
+            m.connect(*unit, name, register);
         }
     }
 }
 
 /// Connects outputs of one unit to inputs of the same name of another.
-fn wire(m: &mut Module, from: &Instance, to: &Instance, names: impl IntoIterator<Item = String>) {
+fn wire(m: &mut Module, from: Instance, to: Instance, names: impl IntoIterator<Item = String>) {
     for name in names {
         let value: Expr = m.out(from, &name);
-        m.connect(to, &name, &value);
+        m.connect(to, &name, value);
     }
 }
 
@@ -90,9 +90,9 @@ fn slots(m: &mut Module, config: &Config, units: &Units) {
     let fill = ["slot_ready", "fill_valid", "fill_slot", "fill_pixel"].map(String::from);
     let address = ["drain_enable", "drain_slot", "drain_pixel"].map(String::from);
     let control = fill.into_iter().chain(fields("fill")).chain(address);
-    wire(m, &units.tile_cache, &units.accumulator, control);
+    wire(m, units.tile_cache, units.accumulator, control);
     let status = ["retire_valid", "retire_slot", "frame_end"].map(String::from);
-    wire(m, &units.accumulator, &units.tile_cache, status.into_iter().chain(fields("drain")));
+    wire(m, units.accumulator, units.tile_cache, status.into_iter().chain(fields("drain")));
 }
 
 /// Builds the core.
@@ -103,36 +103,36 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
     let mut m = Module::new("splat_top", "Surface-splat renderer: splats in, normalized fragments out.");
     let (units, manifests) = place(&mut m, config, options)?;
     let readers = [
-        (&units.transform, ports::transform(config)),
-        (&units.setup, ports::setup(config)),
-        (&units.rasterizer, ports::rasterizer(config)),
+        (units.transform, ports::transform(config)),
+        (units.setup, ports::setup(config)),
+        (units.rasterizer, ports::rasterizer(config)),
     ];
     uniforms(&mut m, config, &readers);
 
     let splat = stream_in(&mut m, "splat", &records::splat(config));
-    m.stream_into(&units.transform, "in", &splat);
-    let Units { transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator, .. } = &units;
+    m.stream_into(units.transform, "in", &splat);
+    let Units { transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator, .. } = units;
     let chain = [transform, setup, splitter, reorder, tile_cache, rasterizer, weighting, accumulator];
     for pair in chain.windows(2) {
         m.pipe((pair[0], "out"), (pair[1], "in"));
     }
     slots(&mut m, config, &units);
 
-    let read = m.stream_from(&units.tile_cache, "read");
+    let read = m.stream_from(units.tile_cache, "read");
     m.stream_export("read", &read);
     let data = stream_in(&mut m, "data", &records::pixel(config));
-    m.stream_into(&units.tile_cache, "data", &data);
-    let write = m.stream_from(&units.tile_cache, "write");
+    m.stream_into(units.tile_cache, "data", &data);
+    let write = m.stream_from(units.tile_cache, "write");
     m.stream_export("write", &write);
-    m.pipe((&units.tile_cache, "pixel"), (&units.normalizer, "in"));
-    let fragment = m.stream_from(&units.normalizer, "out");
+    m.pipe((units.tile_cache, "pixel"), (units.normalizer, "in"));
+    let fragment = m.stream_from(units.normalizer, "out");
     m.stream_export("fragment", &fragment);
 
     let (rasterizer_events, accumulator_events) = EVENTS.split_at(3);
-    for (unit, events) in [(&units.rasterizer, rasterizer_events), (&units.accumulator, accumulator_events)] {
+    for (unit, events) in [(units.rasterizer, rasterizer_events), (units.accumulator, accumulator_events)] {
         for name in events {
             let event = m.out(unit, name);
-            m.output(name, &event);
+            m.output(name, event);
         }
     }
     Ok(Core { module: m, manifests })

@@ -19,14 +19,14 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         AttributeFormat::Fixed(_) => weight.zext(WEIGHT_BITS + 1).reinterpret(Type::Signed(WEIGHT_BITS + 1)),
     };
     let contribution = |name| match config.attribute {
-        AttributeFormat::Float(format) => &factor * sample.float(format, name),
+        AttributeFormat::Float(format) => factor * sample.float(format, name),
         AttributeFormat::Fixed(fraction) => {
-            let product = &factor * sample.bits(name).reinterpret(Type::Signed(fraction.width()));
+            let product = factor * sample.bits(name).reinterpret(Type::Signed(fraction.width()));
             product.resize(fraction.contribution().width)
         }
     };
     let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
-    let mut computed = vec![("weighted_depth", &weight * sample.bits("depth"))];
+    let mut computed = vec![("weighted_depth", weight * sample.bits("depth"))];
     computed.extend(names.iter().map(|name| (name.as_str(), contribution(name))));
     sample.output(&program, &records::weighted_sample(config), &computed);
     compile(&program, options)

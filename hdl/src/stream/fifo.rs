@@ -43,49 +43,47 @@ fn queue(depth: usize, layout: &[(impl AsRef<str>, usize)], storage: &Storage) -
     let out_valid = m.reg_reset("out_valid", 1, 0);
 
     let is_full = if depth.is_power_of_two() { held.msb() } else { held.eq_lit(depth as u128) };
-    let has_room = m.wire("has_room", &!is_full);
-    m.ready(&input, &has_room);
-    let push = m.wire("push", &input.transfer());
+    let has_room = m.wire("has_room", !is_full);
+    m.ready(&input, has_room);
+    let push = m.wire("push", input.transfer());
     let entries = match storage {
         Storage::Inferred => m.memory_unordered("entries", depth, width),
         Storage::Distributed => m.memory_distributed("entries", depth, width),
     };
-    m.write(&entries, &push, &write_address, &packed(&input));
+    m.write(entries, push, write_address, packed(&input));
 
     let out_ready = m.forward("out_taken", 1);
-    let pop = m.wire("pop", &(&out_valid & &out_ready));
-    let fetch = m.wire("fetch", &(waiting.any() & (!&out_valid | &out_ready)));
-    let item = m.read_if(&entries, "item", &fetch, &read_address);
-    m.next(&out_valid, &(&fetch | (&out_valid & !&out_ready)));
+    let pop = m.wire("pop", out_valid & out_ready);
+    let fetch = m.wire("fetch", waiting.any() & (!out_valid | out_ready));
+    let item = m.read_if(entries, "item", fetch, read_address);
+    m.next(out_valid, fetch | (out_valid & !out_ready));
 
-    m.next(&held, &moved(&held, &push, &pop));
-    m.next(&waiting, &moved(&waiting, &push, &fetch));
-    advance(&mut m, &write_address, &push, depth);
-    advance(&mut m, &read_address, &fetch, depth);
-    m.assert("held_in_range", &lit(count_bits, depth as u128).ge(&held));
-    m.assert("held_is_waiting_and_shown", &held.eq(&(&waiting + out_valid.zext(count_bits))));
+    m.next(held, moved(held, push, pop));
+    m.next(waiting, moved(waiting, push, fetch));
+    advance(&mut m, write_address, push, depth);
+    advance(&mut m, read_address, fetch, depth);
+    m.assert("held_in_range", lit(count_bits, depth as u128).ge(held));
+    m.assert("held_is_waiting_and_shown", held.eq(waiting + out_valid.zext(count_bits)));
 
-    let fields = unpacked(&item, layout);
-    let fields: Vec<(&str, &Expr)> = fields.iter().map(|(name, value)| (name.as_str(), value)).collect();
-    let ready = m.stream_out("out", &out_valid, &fields);
-    m.drive(&out_ready, &ready);
+    let ready = m.stream_out("out", out_valid, unpacked(item, layout));
+    m.drive(out_ready, ready);
     m
 }
 
 /// A count after one more, one less, or both.
-fn moved(count: &Reg, up: &Expr, down: &Expr) -> Expr {
+fn moved(count: Reg, up: Expr, down: Expr) -> Expr {
     let width = count.width();
     count + up.zext(width) - down.zext(width)
 }
 
 /// An address that goes round.
-fn advance(m: &mut Module, address: &Reg, step: &Expr, depth: usize) {
+fn advance(m: &mut Module, address: Reg, step: Expr, depth: usize) {
     let next = address.add_lit(1);
     let next = if depth.is_power_of_two() {
         next
     } else {
         let last = address.eq_lit(depth as u128 - 1);
-        last.mux(&lit(address.width(), 0), &next)
+        last.mux(lit(address.width(), 0), next)
     };
-    m.next_if(address, step, &next);
+    m.next_if(address, step, next);
 }

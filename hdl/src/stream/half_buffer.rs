@@ -6,7 +6,7 @@
 //! enable, which reaches every bit of a wide item, waits for nothing.
 
 use super::{item_width, packed, unpacked};
-use rtl::{Expr, Module};
+use rtl::Module;
 
 /// A buffer of one item.
 #[must_use]
@@ -17,12 +17,10 @@ pub fn half_buffer(layout: &[(impl AsRef<str>, usize)]) -> Module {
     let input = m.stream_in("in", layout);
     let full = m.reg_reset("full", 1, 0);
     let item = m.reg("item", width);
-    m.ready(&input, &!&full);
-    m.next_if(&item, &!&full, &packed(&input));
+    m.ready(&input, !full);
+    m.next_if(item, !full, packed(&input));
 
-    let fields = unpacked(&item, layout);
-    let fields: Vec<(&str, &Expr)> = fields.iter().map(|(name, value)| (name.as_str(), value)).collect();
-    let out_ready = m.stream_out("out", &full, &fields);
-    m.next(&full, &full.mux(&!out_ready, &input.valid));
+    let out_ready = m.stream_out("out", full, unpacked(*item, layout));
+    m.next(full, full.mux(!out_ready, input.valid));
     m
 }

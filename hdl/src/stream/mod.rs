@@ -12,12 +12,11 @@ use rtl::{Expr, Stream, cat};
 
 /// An item's fields side by side, the first in the most significant bits.
 fn packed(stream: &Stream) -> Expr {
-    let fields: Vec<&Expr> = stream.fields.iter().map(|(_, value)| value).collect();
-    cat(&fields)
+    cat(stream.fields.iter().map(|(_, value)| *value))
 }
 
 /// The fields of a packed item by name.
-fn unpacked(word: &Expr, layout: &[(impl AsRef<str>, usize)]) -> Vec<(String, Expr)> {
+fn unpacked(word: Expr, layout: &[(impl AsRef<str>, usize)]) -> Vec<(String, Expr)> {
     let mut high = word.width();
     let fields = layout.iter().map(|(name, width)| {
         high -= width;

@@ -5,7 +5,7 @@
 //! cycle `t` into an empty queue is seen at `t + 1`.
 
 use super::{item_width, packed, unpacked};
-use rtl::{Expr, Module};
+use rtl::Module;
 
 /// A queue of two items in registers.
 #[must_use]
@@ -14,25 +14,23 @@ pub fn skid(layout: &[(impl AsRef<str>, usize)]) -> Module {
     let width = item_width(layout);
     m.parameter("width", width);
     let input = m.stream_in("in", layout);
-    let item = m.wire("in_item", &packed(&input));
+    let item = m.wire("in_item", packed(&input));
 
     let out_valid = m.reg_reset("out_valid", 1, 0);
     let second_valid = m.reg_reset("second_valid", 1, 0);
     let head = m.reg("head", width);
     let second = m.reg("second", width);
 
-    let fields = unpacked(&head, layout);
-    let fields: Vec<(&str, &Expr)> = fields.iter().map(|(name, value)| (name.as_str(), value)).collect();
-    let out_ready = m.stream_out("out", &out_valid, &fields);
-    m.ready(&input, &!&second_valid);
+    let out_ready = m.stream_out("out", out_valid, unpacked(*head, layout));
+    m.ready(&input, !second_valid);
 
     // The head is free or leaves: the second item, or else the one that comes in, takes its place.
-    let advance = m.wire("advance", &(!&out_valid | out_ready));
-    let some_item = m.wire("some_item", &(&second_valid | &input.valid));
-    m.next_if(&out_valid, &advance, &some_item);
-    m.next_if(&head, &advance, &second_valid.mux(&second, &item));
-    m.next(&second_valid, &(!advance & some_item));
-    m.next_if(&second, &!&second_valid, &item);
-    m.assert("second_waits_behind_head", &(&out_valid | !&second_valid));
+    let advance = m.wire("advance", !out_valid | out_ready);
+    let some_item = m.wire("some_item", second_valid | input.valid);
+    m.next_if(out_valid, advance, some_item);
+    m.next_if(head, advance, second_valid.mux(second, item));
+    m.next(second_valid, !advance & some_item);
+    m.next_if(second, !second_valid, item);
+    m.assert("second_waits_behind_head", out_valid | !second_valid);
     m
 }

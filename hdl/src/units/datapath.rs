@@ -19,7 +19,7 @@ impl Inputs {
     /// A field's bits.
     pub fn bits(&self, name: &str) -> Value {
         let field = self.fields.iter().find(|(field, _)| field == name);
-        field.map(|(_, value)| value.clone()).expect("the unit names fields of its own record")
+        field.map(|(_, value)| *value).expect("the unit names fields of its own record")
     }
 
     /// A field that holds a floating-point number.
@@ -31,8 +31,8 @@ impl Inputs {
     pub fn output(&self, program: &Program, record: &[Field], computed: &[(&str, Value)]) {
         for (name, _) in record {
             match computed.iter().find(|(field, _)| field == name) {
-                Some((_, value)) => program.output(name, value),
-                None => program.output(name, &self.bits(name)),
+                Some((_, value)) => program.output(name, *value),
+                None => program.output(name, self.bits(name)),
             }
         }
     }
@@ -45,6 +45,6 @@ pub(crate) fn uniform(program: &Program, format: Format, name: &str) -> Value {
 
 /// `⟨a, b⟩`, summed from left to right.
 pub(crate) fn dot<const N: usize>(a: &[Value; N], b: &[Value; N]) -> Value {
-    let products = a.iter().zip(b).map(|(a, b)| a * b);
+    let products = a.iter().zip(b).map(|(a, b)| *a * *b);
     products.reduce(|sum, product| sum + product).expect("vectors have components")
 }

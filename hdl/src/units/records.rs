@@ -31,7 +31,8 @@ impl Record {
     }
 
     /// The fields of a word that [`Record::pack`] made, the first field on top.
-    pub fn unpack(fields: &[Field], word: &Expr) -> Self {
+    pub fn unpack(fields: &[Field], word: impl Into<Expr>) -> Self {
+        let word = word.into();
         let mut top = word.width();
         let values = fields.iter().map(|(name, width)| {
             top -= *width as usize;
@@ -42,13 +43,13 @@ impl Record {
 
     /// All fields side by side, the first on top.
     pub fn pack(&self) -> Expr {
-        cat(&self.0.iter().map(|(_, value)| value).collect::<Vec<_>>())
+        cat(self.0.iter().map(|(_, value)| *value))
     }
 
     /// A field by its name, which must be one of the record's.
     pub fn get(&self, name: &str) -> Expr {
         let field = self.0.iter().find(|(field, _)| field == name);
-        field.map(|(_, value)| value.clone()).expect("units ask for fields of their own records")
+        field.map(|(_, value)| *value).expect("units ask for fields of their own records")
     }
 
     /// Those of the values that `fields` names.
@@ -57,31 +58,33 @@ impl Record {
     }
 
     /// These fields, each where `selector` is set, else the other's.
-    pub fn mux(&self, selector: &Expr, other: &Self) -> Self {
-        Self(self.0.iter().map(|(name, value)| (name.clone(), selector.mux(value, &other.get(name)))).collect())
+    pub fn mux(&self, selector: impl Into<Expr>, other: &Self) -> Self {
+        let selector = selector.into();
+        Self(self.0.iter().map(|(name, value)| (name.clone(), selector.mux(*value, other.get(name)))).collect())
     }
 
     /// Registers `<prefix><field>` that take the values at clock edges where `enable` is set.
-    pub fn register(&self, m: &mut Module, prefix: &str, enable: &Expr) -> Self {
+    pub fn register(&self, m: &mut Module, prefix: &str, enable: impl Into<Expr>) -> Self {
+        let enable = enable.into();
         let fields = self.0.iter().map(|(name, value)| {
             let register = m.reg(&format!("{prefix}{name}"), value.width());
-            m.next_if(&register, enable, value);
+            m.next_if(register, enable, *value);
             (name.clone(), register.expr())
         });
         Self(fields.collect())
     }
 
     /// Drives an instance's inputs `<prefix><field>`.
-    pub fn connect(&self, m: &mut Module, instance: &Instance, prefix: &str) {
+    pub fn connect(&self, m: &mut Module, instance: Instance, prefix: &str) {
         for (name, value) in &self.0 {
-            m.connect(instance, &format!("{prefix}{name}"), value);
+            m.connect(instance, &format!("{prefix}{name}"), *value);
         }
     }
 
     /// Output ports `<prefix><field>`.
     pub fn output(&self, m: &mut Module, prefix: &str) {
         for (name, value) in &self.0 {
-            m.output(&format!("{prefix}{name}"), value);
+            m.output(&format!("{prefix}{name}"), *value);
         }
     }
 }
@@ -120,8 +123,8 @@ pub(crate) fn half_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
 fn buffered_in(m: &mut Module, name: &str, fields: &[Field], buffer: Module) -> Stream {
     let ports = stream_in(m, name, fields);
     let queue = m.instance(&format!("{name}_queue"), buffer);
-    m.stream_into(&queue, "in", &ports);
-    m.stream_from(&queue, "out")
+    m.stream_into(queue, "in", &ports);
+    m.stream_from(queue, "out")
 }
 
 /// A register behind a queue: what is decided about its record starts from flip-flops, and can be prepared while it comes in.
@@ -143,23 +146,25 @@ impl Head {
     pub fn new(m: &mut Module, queue: &Stream) -> Self {
         let takes = m.forward("head_takes", 1);
         let valid = m.reg_reset("head_valid", 1, 0);
-        m.ready(queue, &takes);
+        m.ready(queue, takes);
         let arriving = Record::from(queue);
-        let record = arriving.register(m, "head_", &takes);
-        Self { valid, record, takes, arriving, arrives: queue.valid.clone() }
+        let record = arriving.register(m, "head_", takes);
+        Self { valid, record, takes, arriving, arrives: queue.valid }
     }
 
     /// States when the record leaves; to be called once.
-    pub fn leaves(&self, m: &mut Module, leaves: &Expr) {
-        m.drive(&self.takes, &(!&*self.valid | leaves));
-        m.next_if(&self.valid, &self.takes, &self.arrives);
+    pub fn leaves(&self, m: &mut Module, leaves: impl Into<Expr>) {
+        let leaves = leaves.into();
+        m.drive(self.takes, !*self.valid | leaves);
+        m.next_if(self.valid, self.takes, self.arrives);
     }
 
     /// As [`Head::leaves`], but the next record is taken a cycle later, as behind a half buffer it can only come: what takes it then
     /// waits for nothing.
-    pub fn leaves_at_half_rate(&self, m: &mut Module, leaves: &Expr) {
-        m.drive(&self.takes, &!&*self.valid);
-        m.next(&self.valid, &self.valid.mux(&!leaves, &self.arrives));
+    pub fn leaves_at_half_rate(&self, m: &mut Module, leaves: impl Into<Expr>) {
+        let leaves = leaves.into();
+        m.drive(self.takes, !*self.valid);
+        m.next(self.valid, self.valid.mux(!leaves, self.arrives));
     }
 }
 
@@ -185,18 +190,18 @@ pub(crate) fn half_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut
 
 fn buffered_out(m: &mut Module, name: &str, fields: &[Field], buffer: Module) -> QueueOut {
     let instance = m.instance(&format!("{name}_queue"), buffer);
-    let head = m.stream_from(&instance, "out");
+    let head = m.stream_from(instance, "out");
     m.stream_export(name, &head);
-    let room = m.out(&instance, "in_ready");
+    let room = m.out(instance, "in_ready");
     QueueOut { instance, fields: fields.to_vec(), room, holds: head.valid }
 }
 
 impl QueueOut {
     /// Pushes a record in cycles where `valid` is set, which implies room; to be called once.
-    pub fn push(self, m: &mut Module, valid: &Expr, mut value: impl FnMut(&str) -> Expr) {
-        m.connect(&self.instance, "in_valid", valid);
+    pub fn push(self, m: &mut Module, valid: impl Into<Expr>, mut value: impl FnMut(&str) -> Expr) {
+        m.connect(self.instance, "in_valid", valid);
         for (name, _) in &self.fields {
-            m.connect(&self.instance, &format!("in_{name}"), &value(name));
+            m.connect(self.instance, &format!("in_{name}"), value(name));
         }
     }
 }
@@ -216,23 +221,23 @@ pub(crate) fn pulse_in(m: &mut Module, name: &str, fields: &[Field]) -> Pulse {
 }
 
 /// Drives the ports of a pulse that goes out.
-pub(crate) fn pulse_out(m: &mut Module, name: &str, valid: &Expr, record: &Record) {
+pub(crate) fn pulse_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record) {
     m.output(&format!("{name}_valid"), valid);
     record.output(m, &format!("{name}_"));
 }
 
 /// A pulse that goes out in the cycle after `valid`. Its fields follow every cycle: who decides on `valid` need not reach them.
-pub(crate) fn registered_pulse_out(m: &mut Module, name: &str, valid: &Expr, record: &Record) -> Pulse {
+pub(crate) fn registered_pulse_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record) -> Pulse {
     let shown = m.reg_reset(&format!("{name}_valid"), 1, 0);
-    m.next(&shown, valid);
-    let record = record.register(m, &format!("{name}_"), &bit(true));
-    pulse_out(m, name, &shown, &record);
+    m.next(shown, valid);
+    let record = record.register(m, &format!("{name}_"), bit(true));
+    pulse_out(m, name, shown, &record);
     Pulse { valid: shown.expr(), record }
 }
 
 /// An output that is set in the cycle after `happens`.
-pub(crate) fn event_out(m: &mut Module, name: &str, happens: &Expr) {
+pub(crate) fn event_out(m: &mut Module, name: &str, happens: impl Into<Expr>) {
     let happened = m.reg_reset(name, 1, 0);
-    m.next(&happened, happens);
-    m.output(name, &happened);
+    m.next(happened, happens);
+    m.output(name, happened);
 }

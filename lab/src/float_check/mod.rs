@@ -100,12 +100,12 @@ fn top(format: Format, operations: &[Operation]) -> Module {
     let operands = ["a", "b", "c"].map(|name| module.input(name, width));
     for operation in operations {
         let instance = module.instance(&operation.name, operation.operator.module.clone());
-        module.connect(&instance, "enable", &enable);
+        module.connect(instance, "enable", enable);
         for (port, value) in operation.connections(&operands) {
-            module.connect(&instance, port, &value);
+            module.connect(instance, port, value);
         }
-        let result = module.out(&instance, "y");
-        module.output(&format!("y_{}", operation.name), &result);
+        let result = module.out(instance, "y");
+        module.output(&format!("y_{}", operation.name), result);
     }
     module
 }

@@ -56,23 +56,23 @@ pub fn wrap_named(name: &str, unit: impl Into<Rc<Module>>) -> Result<Shelled, Ge
         match port.direction {
             Direction::Input => {
                 let register = m.reg(&format!("drive_{}", port.name), port.width);
-                let shifted = cat(&[&register, &last]).trunc(port.width);
-                m.next(&register, &shifted);
-                m.connect(&instance, &port.name, &register);
+                let shifted = cat([*register, last]).trunc(port.width);
+                m.next(register, shifted);
+                m.connect(instance, &port.name, register);
                 last = register.bit(port.width - 1);
             }
             Direction::Output => {
-                let value = m.out(&instance, &port.name);
+                let value = m.out(instance, &port.name);
                 let register = m.reg(&format!("catch_{}", port.name), port.width);
-                m.next(&register, &value);
+                m.next(register, value);
                 caught.push(register.expr());
             }
         }
     }
     // The last bit of the chain is caught too: nothing of it may be optimized away.
     caught.push(last);
-    let folded = fold(&mut m, &cat(&caught.iter().collect::<Vec<_>>()));
-    m.output("serial_out", &folded);
+    let folded = fold(&mut m, cat(caught));
+    m.output("serial_out", folded);
     let design = elaborate(&m)?;
     let [.., unit, shell] = design.modules() else {
         unreachable!("the shell contains the unit, and parents come last")
@@ -81,8 +81,8 @@ pub fn wrap_named(name: &str, unit: impl Into<Rc<Module>>) -> Result<Shelled, Ge
 }
 
 /// The parity of all bits, through a tree of registers one lookup table apart.
-fn fold(m: &mut Module, bits: &Expr) -> Expr {
-    let mut bits = bits.clone();
+fn fold(m: &mut Module, bits: Expr) -> Expr {
+    let mut bits = bits;
     for level in 0.. {
         if bits.width() == 1 {
             break;
@@ -94,9 +94,9 @@ fn fold(m: &mut Module, bits: &Expr) -> Expr {
                 group.map(|index| bits.bit(index)).reduce(|a, b| a ^ b).expect("groups are not empty")
             })
             .collect();
-        let parities = cat(&parities.iter().collect::<Vec<_>>());
+        let parities = cat(parities);
         let register = m.reg(&format!("fold_{level}"), parities.width());
-        m.next(&register, &parities);
+        m.next(register, parities);
         bits = register.expr();
     }
     bits

@@ -64,7 +64,7 @@ impl Tree {
 
     fn choose(&self, when_true: &Self, when_false: &Self) -> Self {
         let values = (0..self.values.len()).map(|i| if self.values[i] == 1 { when_true } else { when_false }.values[i]);
-        Self { expr: self.expr.mux(&when_true.expr, &when_false.expr), values: values.collect() }
+        Self { expr: self.expr.mux(when_true.expr, when_false.expr), values: values.collect() }
     }
 }
 
@@ -93,7 +93,7 @@ fn one_operand(random: &mut Random, a: &Tree) -> Tree {
     let high = random.below(width);
     let low = random.below(high + 1);
     match random.below(12) {
-        0 => a.map(!&a.expr, |a| !a),
+        0 => a.map(!a.expr, |a| !a),
         1 => a.map(a.expr.shl(amount), |a| a << amount),
         2 => a.map(a.expr.shr(amount), |a| a >> amount),
         3 => a.map(a.expr.sar(amount), |a| (signed(a, width) >> amount) as u128),
@@ -112,29 +112,29 @@ fn two_operands(random: &mut Random, inputs: &[Tree], a: &Tree, b: &Tree) -> Tre
     let (width, b_width) = (a.width(), b.width());
     let same = b.resized(width);
     match random.below(19) {
-        0 => a.zip(&same, &a.expr + &same.expr, u128::wrapping_add),
-        1 => a.zip(&same, &a.expr - &same.expr, u128::wrapping_sub),
-        2 => a.zip(&same, &a.expr & &same.expr, |a, b| a & b),
-        3 => a.zip(&same, &a.expr | &same.expr, |a, b| a | b),
-        4 => a.zip(&same, &a.expr ^ &same.expr, |a, b| a ^ b),
-        5 => a.zip(b, &a.expr * &b.expr, |a, b| a * b),
-        6 => a.zip(b, a.expr.mul_signed(&b.expr), |a, b| (signed(a, width) * signed(b, b_width)) as u128),
-        7 => a.zip(&same, a.expr.add_carry(&same.expr), |a, b| a + b),
-        8 => a.zip(&same, a.expr.eq(&same.expr), |a, b| u128::from(a == b)),
-        9 => a.zip(&same, a.expr.ne(&same.expr), |a, b| u128::from(a != b)),
-        10 => a.zip(&same, a.expr.lt(&same.expr), |a, b| u128::from(a < b)),
-        11 => a.zip(&same, a.expr.le(&same.expr), |a, b| u128::from(a <= b)),
-        12 => a.zip(&same, a.expr.gt(&same.expr), |a, b| u128::from(a > b)),
-        13 => a.zip(&same, a.expr.ge(&same.expr), |a, b| u128::from(a >= b)),
-        14 => a.zip(&same, a.expr.lt_signed(&same.expr), |a, b| u128::from(signed(a, width) < signed(b, width))),
-        15 => a.zip(b, a.expr.shl_by(&b.expr), |a, b| if b < 64 { a << b } else { 0 }),
-        16 => a.zip(b, a.expr.shr_by(&b.expr), |a, b| if b < 64 { a >> b } else { 0 }),
-        17 => a.zip(b, cat(&[&a.expr, &b.expr]), |a, b| a << b_width | b),
+        0 => a.zip(&same, a.expr + same.expr, u128::wrapping_add),
+        1 => a.zip(&same, a.expr - same.expr, u128::wrapping_sub),
+        2 => a.zip(&same, a.expr & same.expr, |a, b| a & b),
+        3 => a.zip(&same, a.expr | same.expr, |a, b| a | b),
+        4 => a.zip(&same, a.expr ^ same.expr, |a, b| a ^ b),
+        5 => a.zip(b, a.expr * b.expr, |a, b| a * b),
+        6 => a.zip(b, a.expr.mul_signed(b.expr), |a, b| (signed(a, width) * signed(b, b_width)) as u128),
+        7 => a.zip(&same, a.expr.add_carry(same.expr), |a, b| a + b),
+        8 => a.zip(&same, a.expr.eq(same.expr), |a, b| u128::from(a == b)),
+        9 => a.zip(&same, a.expr.ne(same.expr), |a, b| u128::from(a != b)),
+        10 => a.zip(&same, a.expr.lt(same.expr), |a, b| u128::from(a < b)),
+        11 => a.zip(&same, a.expr.le(same.expr), |a, b| u128::from(a <= b)),
+        12 => a.zip(&same, a.expr.gt(same.expr), |a, b| u128::from(a > b)),
+        13 => a.zip(&same, a.expr.ge(same.expr), |a, b| u128::from(a >= b)),
+        14 => a.zip(&same, a.expr.lt_signed(same.expr), |a, b| u128::from(signed(a, width) < signed(b, width))),
+        15 => a.zip(b, a.expr.shl_by(b.expr), |a, b| if b < 64 { a << b } else { 0 }),
+        16 => a.zip(b, a.expr.shr_by(b.expr), |a, b| if b < 64 { a >> b } else { 0 }),
+        17 => a.zip(b, cat([a.expr, b.expr]), |a, b| a << b_width | b),
         _ => {
             let index = inputs[1].clone();
-            let third = a.map(!&a.expr, |a| !a);
+            let third = a.map(!a.expr, |a| !a);
             let entries = [a, &same, &third];
-            let expr = select(&index.expr, &entries.map(|entry| &entry.expr));
+            let expr = select(index.expr, entries.map(|entry| entry.expr));
             let values = (0..VECTORS).map(|i| entries[(index.values[i] as usize).min(2)].values[i]);
             let picked = Tree { expr, values: values.collect() };
             inputs[0].choose(&picked, &same)
@@ -182,7 +182,7 @@ fn random_expressions_simulate_as_integers_say() {
         .collect();
     let trees: Vec<Tree> = (0..TREES).map(|index| tree(random, &inputs, 1 + index % 5)).collect();
     for (index, tree) in trees.iter().enumerate() {
-        m.output(&format!("o{index}"), &tree.expr);
+        m.output(&format!("o{index}"), tree.expr);
     }
     let design = elaborate(&m).unwrap_or_else(|error| panic!("{error}"));
     // By chance some comparisons always come out alike.

@@ -8,7 +8,7 @@ use rtl::{FaultKind, Module, bit, elaborate, lit};
 fn sound() -> Module {
     let mut m = Module::new("unit", "A unit.");
     let a = m.input("a", 8);
-    m.output("y", &a);
+    m.output("y", a);
     m
 }
 
@@ -18,7 +18,7 @@ fn faults_of(m: Module) -> Vec<String> {
     let unit = m.into();
     let unit: Rc<Module> = unit;
     let inner = middle.instance("inner", unit);
-    middle.connect(&inner, "a", &lit(8, 0));
+    middle.connect(inner, "a", lit(8, 0));
     let mut top = Module::new("top", "Holds the middle.");
     top.instance("outer", middle);
     let error = elaborate(&top).expect_err("the module is faulty");
@@ -35,7 +35,7 @@ fn width_mismatch_in_an_expression() {
     let mut m = sound();
     let b = m.input("b", 9);
     let a = m.input("c", 8);
-    m.output("sum", &(&a + &b));
+    m.output("sum", a + b);
     let mismatch = "top/outer/inner: output `sum`: width mismatch in `c + b`: 8 and 9 bits";
     assert!(faults_of(m).contains(&mismatch.into()));
 }
@@ -44,7 +44,7 @@ fn width_mismatch_in_an_expression() {
 fn width_mismatch_of_a_driver() {
     let mut m = sound();
     let wire = m.forward("late", 4);
-    m.drive(&wire, &lit(5, 0));
+    m.drive(wire, lit(5, 0));
     let mismatch = "top/outer/inner: width mismatch: `late` has 4 bits, its driver `5'd0` has 5";
     assert_eq!(faults_of(m), [mismatch]);
 }
@@ -52,9 +52,9 @@ fn width_mismatch_of_a_driver() {
 #[test]
 fn impossible_bits_and_literals() {
     let mut m = sound();
-    let c = m.wire("c", &lit(8, 1));
-    m.output("bits", &c.bits(8, 1));
-    m.output("literal", &lit(3, 8));
+    let c = m.wire("c", lit(8, 1));
+    m.output("bits", c.bits(8, 1));
+    m.output("literal", lit(3, 8));
     let expected = [
         "top/outer/inner: output `bits`: `c` has 8 bits and no [8:1]",
         "top/outer/inner: output `literal`: literal 8 does not fit 3 bits",
@@ -83,10 +83,10 @@ fn doubly_driven_wires_registers_memories_and_inputs() {
     let memory = m.memory("memory_1", 16, 4);
     let child = m.instance("child", sound());
     for _ in 0..2 {
-        m.drive(&wire, &lit(4, 0));
-        m.next(&register, &lit(4, 0));
-        m.write(&memory, &bit(true), &lit(4, 0), &lit(4, 0));
-        m.connect(&child, "a", &lit(8, 0));
+        m.drive(wire, lit(4, 0));
+        m.next(register, lit(4, 0));
+        m.write(memory, bit(true), lit(4, 0), lit(4, 0));
+        m.connect(child, "a", lit(8, 0));
     }
     let faults = elaborate(&m).expect_err("the module is faulty").faults;
     let expected = ["wire_1", "register_1", "memory_1", "child.a"].map(|name| FaultKind::DoublyDriven(name.into()));
@@ -97,8 +97,8 @@ fn doubly_driven_wires_registers_memories_and_inputs() {
 fn unconnected_and_unknown_ports() {
     let mut m = Module::new("top", "Forgets an input.");
     let child = m.instance("child", sound());
-    m.connect(&child, "b", &lit(8, 0));
-    m.out(&child, "a");
+    m.connect(child, "b", lit(8, 0));
+    m.out(child, "a");
     let unknown = |direction, port: &str| FaultKind::UnknownPort {
         instance: "child".into(),
         unit: "unit".into(),
@@ -114,10 +114,10 @@ fn unconnected_and_unknown_ports() {
 #[test]
 fn clashing_and_unusable_names() {
     let mut m = sound();
-    m.wire("twice", &lit(1, 0));
+    m.wire("twice", lit(1, 0));
     m.reg("twice", 1);
-    m.wire("always", &lit(1, 0));
-    m.wire("9lives", &lit(1, 0));
+    m.wire("always", lit(1, 0));
+    m.wire("9lives", lit(1, 0));
     let faults = faults_of(m);
     assert!(faults.contains(&"top/outer/inner: the name `twice` is used twice".into()));
     for name in ["always", "9lives"] {
@@ -132,8 +132,8 @@ fn signals_and_handles_of_another_module() {
     let lent = other.input("lent", 8);
     let register = other.reg("register_1", 8);
     let mut m = Module::new("top", "Borrows it.");
-    m.output("y", &lent);
-    m.next(&register, &lit(8, 0));
+    m.output("y", lent);
+    m.next(register, lit(8, 0));
     let faults = elaborate(&m).expect_err("the module is faulty").faults;
     let borrowed = FaultKind::ForeignSignal { user: "output `y`".into(), signal: "lent".into() };
     let expected = [FaultKind::ForeignHandle("register_1".into()), borrowed];
@@ -144,8 +144,8 @@ fn signals_and_handles_of_another_module() {
 fn loop_within_a_module() {
     let mut m = sound();
     let first = m.forward("first", 1);
-    let second = m.wire("second", &!&first);
-    m.drive(&first, &(&second & bit(true)));
+    let second = m.wire("second", !first);
+    m.drive(first, second & bit(true));
     assert_eq!(faults_of(m), ["top/outer/inner: combinational loop: first -> second -> first"]);
 }
 
@@ -153,9 +153,9 @@ fn loop_within_a_module() {
 fn loop_through_an_instance() {
     let mut m = Module::new("top", "Feeds a child its own output.");
     let child = m.instance("child", sound());
-    let y = m.out(&child, "y");
-    let back = m.wire("back", &!&y);
-    m.connect(&child, "a", &back);
+    let y = m.out(child, "y");
+    let back = m.wire("back", !y);
+    m.connect(child, "a", back);
     let faults = elaborate(&m).expect_err("the module is faulty").faults;
     assert_eq!(faults.len(), 1);
     assert_eq!(faults[0].kind, FaultKind::Loop("child_y -> back -> child_y".into()));
@@ -166,10 +166,10 @@ fn registers_cut_loops_and_paths() {
     let mut m = Module::new("top", "Has one path and one cut path.");
     let (a, b) = (m.input("a", 1), m.input("b", 1));
     let register = m.reg_reset("register_1", 1, 0);
-    m.next(&register, &(!&register ^ &a));
-    m.output("cut", &register);
-    m.output("path", &(&register & &b));
-    m.output("gated", &!m.rst());
+    m.next(register, !register ^ a);
+    m.output("cut", register);
+    m.output("path", register & b);
+    m.output("gated", !m.rst());
     let design = elaborate(&m).expect("the module has no fault");
     let paths = [("b", "path"), ("rst", "gated")].map(|(input, output)| (input.to_string(), output.to_string()));
     assert_eq!(design.combinational_paths(), paths);
@@ -181,7 +181,7 @@ fn all_faults_of_a_design_are_reported_together() {
     m.forward("open", 1);
     let mut top = Module::new("top", "Has a fault of its own.");
     let child = top.instance("child", m);
-    top.connect(&child, "a", &lit(7, 0));
+    top.connect(child, "a", lit(7, 0));
     top.reg("idle", 1);
     let text = elaborate(&top).expect_err("the design is faulty").to_string();
     let lines: Vec<&str> = text.lines().collect();

@@ -7,11 +7,11 @@ fn accumulator() -> Module {
     m.parameter("limit", 200);
     let (enable, value) = (m.input("enable", 1), m.input("value", 8));
     let total = m.reg_reset("total", 8, 0);
-    let sum = m.wire("sum", &total.add_carry(&value));
-    let over = m.wire("over", &sum.ge_lit(200));
-    m.next_if(&total, &enable, &over.mux(&total, &sum.trunc(8)));
-    m.output("total", &total);
-    m.output("over", &over);
+    let sum = m.wire("sum", total.add_carry(value));
+    let over = m.wire("over", sum.ge_lit(200));
+    m.next_if(total, enable, over.mux(total, sum.trunc(8)));
+    m.output("total", total);
+    m.output("over", over);
     m
 }
 
@@ -49,12 +49,12 @@ fn a_small_module_reads_well() {
 fn what_is_used_twice_becomes_a_wire_and_what_is_not_used_goes() {
     let mut m = Module::new("shared", "Uses a sum three times.");
     let (a, b) = (m.input("a", 4), m.input("b", 4));
-    m.wire("dead", &(&a ^ &b));
+    m.wire("dead", a ^ b);
     let dead_register = m.reg("dead_register", 4);
-    m.next(&dead_register, &dead_register.add_lit(1));
+    m.next(dead_register, dead_register.add_lit(1));
     // Built twice, and still one adder.
-    m.output("x", &((&a + &b) & &a));
-    m.output("y", &((&a + &b) | &b));
+    m.output("x", (a + b) & a);
+    m.output("y", (a + b) | b);
     let design = elaborate(&m).expect("the module has no fault");
     assert_eq!(design.modules()[0].area.adder_bits, 4);
     assert_eq!(design.verilog().matches("a + b").count(), 1);

@@ -12,52 +12,52 @@ fn everything() -> Module {
     let (select_bit, wide) = (m.input("choose", 1), m.input("wide", 150));
     m.input("ignored", 3);
 
-    let sum = m.wire("total", &a.add_carry(&b));
-    let product = a.mul_signed(&b);
-    let shifted = a.shl_by(&b.bits(2, 0)) ^ a.shr_by(&b.bits(5, 3)) ^ a.sar(2);
-    let reduced = cat(&[&a.any(), &b.all(), &a.is_zero(), &a.lt_signed(&b), &a.lt_lit(7), &(&a + &b).bit(3)]);
-    let picked = select(&a.bits(1, 0), &[&a, &b, &(&a - &b)]);
-    m.output("sum", &sum);
-    m.output("mixed", &cat(&[&product, &(&a * &b), &shifted, &reduced, &picked, &wide.bits(149, 140)]));
-    m.output("constant", &lit(200, 5));
+    let sum = m.wire("total", a.add_carry(b));
+    let product = a.mul_signed(b);
+    let shifted = a.shl_by(b.bits(2, 0)) ^ a.shr_by(b.bits(5, 3)) ^ a.sar(2);
+    let reduced = cat([a.any(), b.all(), a.is_zero(), a.lt_signed(b), a.lt_lit(7), (a + b).bit(3)]);
+    let picked = select(a.bits(1, 0), [a, b, (a - b)]);
+    m.output("sum", sum);
+    m.output("mixed", cat([product, (a * b), shifted, reduced, picked, wide.bits(149, 140)]));
+    m.output("constant", lit(200, 5));
 
     let count = m.reg_reset("count", 4, 3);
-    m.next_if(&count, &select_bit, &count.add_lit(1));
-    m.output("count", &count);
+    m.next_if(count, select_bit, count.add_lit(1));
+    m.output("count", count);
     let data = m.reg("data", 8);
-    m.next(&data, &select_bit.mux(&a, &(!&b | &shifted)));
+    m.next(data, select_bit.mux(a, !b | shifted));
 
     let memory = m.memory("entries", 12, 8);
-    m.write(&memory, &select_bit, &a.bits(3, 0), &data);
-    let q = m.read_if(&memory, "q", &a.bit(7), &b.bits(3, 0));
+    m.write(memory, select_bit, a.bits(3, 0), data);
+    let q = m.read_if(memory, "q", a.bit(7), b.bits(3, 0));
     let unordered = m.memory_unordered("unordered_entries", 16, 8);
-    m.write(&unordered, &bit(true), &count, &b);
-    let any = m.read(&unordered, "any", &(&count ^ &a.bits(3, 0)));
-    let any_if = m.read_if(&unordered, "any_if", &(&select_bit | &a.bit(0)), &b.bits(3, 0));
+    m.write(unordered, bit(true), count, b);
+    let any = m.read(unordered, "any", count ^ a.bits(3, 0));
+    let any_if = m.read_if(unordered, "any_if", select_bit | a.bit(0), b.bits(3, 0));
     let local = m.memory_distributed("local_entries", 16, 8);
-    m.write(&local, &bit(true), &count, &a);
-    let now = m.read_now(&local, "now", &b.bits(7, 4));
-    let later = m.read(&local, "later", &b.bits(7, 4));
-    m.output("read", &cat(&[&q, &now, &later.bits(6, 2), &any, &any_if]));
-    let sine = m.rom("sine", &[0, 3, 7, 9, 10], 4, &a.bits(2, 0));
-    let held = m.rom_if("cosine", &[10, 9, 7, 3], 4, &select_bit, &a.bits(1, 0));
-    let code = m.lookup("code", &[1, 2, 4, 8], 4, &a.bits(7, 6));
-    m.output("tables", &cat(&[&sine, &held, &code]));
+    m.write(local, bit(true), count, a);
+    let now = m.read_now(local, "now", b.bits(7, 4));
+    let later = m.read(local, "later", b.bits(7, 4));
+    m.output("read", cat([q, now, later.bits(6, 2), any, any_if]));
+    let sine = m.rom("sine", &[0, 3, 7, 9, 10], 4, a.bits(2, 0));
+    let held = m.rom_if("cosine", &[10, 9, 7, 3], 4, select_bit, a.bits(1, 0));
+    let code = m.lookup("code", &[1, 2, 4, 8], 4, a.bits(7, 6));
+    m.output("tables", cat([sine, held, code]));
 
     for (index, width) in [8, 8, 5].into_iter().enumerate() {
         let child = m.instance(&format!("stage_{index}"), stage(width));
-        m.connect(&child, "d", &a.trunc(width));
+        m.connect(child, "d", a.trunc(width));
         if index != 1 {
-            let q = m.out(&child, "q");
-            m.output(&format!("staged_{index}"), &q.bits(3, 0));
+            let q = m.out(child, "q");
+            m.output(&format!("staged_{index}"), q.bits(3, 0));
         }
     }
 
     let seen = m.reg_reset("seen", 4, 0);
-    m.next(&seen, &count);
-    m.assert("count_moves_by_one", &(seen.eq(&count) | seen.add_lit(1).eq(&count)));
-    let only_checked = &count ^ &seen.expr();
-    m.assert("low_bits_differ_little", &(!only_checked.bits(1, 0).all() | select_bit));
+    m.next(seen, count);
+    m.assert("count_moves_by_one", seen.eq(count) | seen.add_lit(1).eq(count));
+    let only_checked = count ^ seen.expr();
+    m.assert("low_bits_differ_little", !only_checked.bits(1, 0).all() | select_bit);
     m
 }
 
@@ -67,8 +67,8 @@ fn stage(width: usize) -> Module {
     m.parameter("width", width);
     let d = m.input("d", width);
     let q = m.reg_reset("q", width, 0);
-    m.next(&q, &d);
-    m.output("q", &q);
+    m.next(q, d);
+    m.output("q", q);
     m
 }
 
@@ -87,9 +87,9 @@ fn read_where_written(defines: &[&str]) -> String {
     for (name, ordered) in [("ordered", true), ("unordered", false)] {
         let entries = format!("{name}_entries");
         let memory = if ordered { m.memory(&entries, 2, 4) } else { m.memory_unordered(&entries, 2, 4) };
-        m.write(&memory, &bit(true), &address, &data);
-        let shown = m.read(&memory, name, &address);
-        m.output(&format!("{name}_out"), &shown);
+        m.write(memory, bit(true), address, data);
+        let shown = m.read(memory, name, address);
+        m.output(&format!("{name}_out"), shown);
     }
     let design = elaborate(&m).expect("the module has no fault");
     let bench = "module bench;
@@ -138,9 +138,9 @@ fn identical_modules_are_one_and_others_are_told_apart() {
 fn assertions_fire_where_they_are_switched_on() {
     let mut m = Module::new("counter", "Counts, and must not reach 3.");
     let count = m.reg_reset("count", 4, 0);
-    m.next(&count, &count.add_lit(1));
-    m.assert("below_three", &count.lt_lit(3));
-    m.output("count", &count);
+    m.next(count, count.add_lit(1));
+    m.assert("below_three", count.lt_lit(3));
+    m.output("count", count);
     let design = elaborate(&m).expect("the module has no fault");
     let bench = "module testbench;\nreg clk = 0, rst = 1;\ncounter uut (.clk(clk), .rst(rst), .count());\n\
         always #1 clk = ~clk;\ninitial begin #4 rst = 0; #20 $finish; end\nendmodule\n";

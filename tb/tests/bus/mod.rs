@@ -28,11 +28,11 @@ fn narrow(unit: Module) -> Module {
         match direction {
             Direction::Input => {
                 let words: Vec<_> = words.map(|(word, _, bits)| m.input(&word, bits)).collect();
-                m.connect(&inside, name, &cat(&words.iter().rev().collect::<Vec<_>>()));
+                m.connect(inside, name, cat(words.iter().rev().copied()));
             }
             Direction::Output => {
-                let value = m.out(&inside, name);
-                words.for_each(|(word, low, bits)| m.output(&word, &value.bits(low + bits - 1, low)));
+                let value = m.out(inside, name);
+                words.for_each(|(word, low, bits)| m.output(&word, value.bits(low + bits - 1, low)));
             }
         }
     }

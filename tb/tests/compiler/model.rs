@@ -46,12 +46,12 @@ pub fn compile_all(programs: Vec<(Graph, u32)>, rng: &mut Rng) -> (Design, Vec<C
         let fields = names(&graph, &Operation::Input).into_iter().zip(types(&graph, &Operation::Input));
         let layout: Vec<(String, usize)> = fields.map(|(name, ty)| (name, ty.width() as usize)).collect();
         let input = top.stream_in(&format!("in_{index}"), &layout);
-        top.stream_into(&instance, "in", &input);
+        top.stream_into(instance, "in", &input);
         for (name, ty) in names(&graph, &Operation::Uniform).iter().zip(types(&graph, &Operation::Uniform)) {
             let port = top.input(&format!("uniform_{index}_{name}"), ty.width() as usize);
-            top.connect(&instance, name, &port);
+            top.connect(instance, name, port);
         }
-        let output = top.stream_from(&instance, "out");
+        let output = top.stream_from(instance, "out");
         top.stream_export(&format!("out_{index}"), &output);
         let uniforms = types(&graph, &Operation::Uniform).into_iter().map(|ty| sample(rng, ty)).collect();
         compiled.push(Compiled { graph, manifest: datapath.manifest, uniforms });

@@ -33,8 +33,8 @@ fn dot8() -> Program {
     let p = Program::new("dot8", "Eight products and their sum.");
     let inputs = |prefix: &str| -> Vec<Value> { (0..8).map(|i| p.input(&format!("{prefix}{i}"), F32)).collect() };
     let (a, b) = (inputs("a"), inputs("b"));
-    let sum = a.iter().zip(&b).map(|(a, b)| a * b).reduce(|sum, product| sum + product);
-    p.output("y", &sum.expect("there are eight products"));
+    let sum = a.iter().zip(&b).map(|(&a, &b)| a * b).reduce(|sum, product| sum + product);
+    p.output("y", sum.expect("there are eight products"));
     p
 }
 
@@ -42,8 +42,8 @@ fn dot8() -> Program {
 fn operators_write_the_program_they_look_like() {
     let p = Program::new("host", "");
     let (a, b, m) = (p.input("a", F32), p.input("b", F32), p.uniform("m", F32));
-    p.output("y", &((&a * &m + &b).sqrt() - (-&b).abs() / &a));
-    p.output("z", &a.lt(&b).select(&a.fma(&b, &p.float(Format::F32, 0.1)), &a.max(&b)));
+    p.output("y", (a * m + b).sqrt() - (-b).abs() / a);
+    p.output("z", a.lt(b).select(a.fma(b, p.float(Format::F32, 0.1)), a.max(b)));
     let graph = p.graph().unwrap();
     for (a, b, m) in [(1.5_f32, 2.5, 3.0), (7.0, -0.25, 0.1), (1e-3, 1e3, 1e-30)] {
         let bits = |x: f32| u64::from(x.to_bits());
@@ -77,9 +77,9 @@ fn operations_share_operators_as_the_interval_allows() {
 fn tokens_that_fail_the_condition_are_dropped() {
     let p = Program::new("cull", "Keeps odd numbers below 12.");
     let n = p.input("n", Type::Unsigned(4));
-    p.keep_if(&n.bits(0, 0));
-    p.keep_if(&n.lt(&p.unsigned(4, 12)));
-    p.output("n", &n);
+    p.keep_if(n.bits(0, 0));
+    p.keep_if(n.lt(p.unsigned(4, 12)));
+    p.output("n", n);
     let kept = transfers(&p, &[1, 3], 400);
     assert!(kept.iter().all(|&kept| (100..200).contains(&kept)), "three in eight of 400 on average, not {kept:?}");
 }
@@ -90,7 +90,7 @@ fn uniforms_are_not_delayed() {
         let p = Program::new("transform", "");
         let x = p.input("x", F32);
         let (m, n) = (declare(&p, "m"), declare(&p, "n"));
-        p.output("y", &(&x * m - n));
+        p.output("y", x * m - n);
         at(&p, 1).manifest
     };
     let uniform = transform(|p, name| p.uniform(name, F32));
@@ -104,7 +104,7 @@ fn uniforms_are_not_delayed() {
 fn long_delays_become_memory_and_agree() {
     let p = Program::new("waiting", "A value that waits for a quotient.");
     let (a, b) = (p.input("a", F32), p.input("b", F32));
-    p.output("y", &(((&a / &b).sqrt() + &a).sqrt() * &b));
+    p.output("y", ((a / b).sqrt() + a).sqrt() * b);
     let delayed = at(&p, 1).manifest;
     assert!(delayed.delay_memory_bits > u64::from(delayed.latency) * 16, "{delayed:?}");
     assert!(delayed.register_bits < u64::from(delayed.latency) * 8, "{delayed:?}");
@@ -118,9 +118,9 @@ fn a_program_without_operations_is_a_queue() {
     let p = Program::new("pass", "Nothing.");
     let x = p.input("x", Type::Signed(7));
     let _unused = p.input("unused", F32);
-    p.output("x", &x);
-    p.output("m", &p.uniform("m", Type::BOOL));
-    p.output("c", &p.unsigned(3, 5));
+    p.output("x", x);
+    p.output("m", p.uniform("m", Type::BOOL));
+    p.output("c", p.unsigned(3, 5));
     assert_eq!((at(&p, 1).manifest.latency, at(&p, 4).manifest.latency), (1, 1));
     assert_eq!(transfers(&p, &[1, 4], 100), [100; 2]);
 }
@@ -130,14 +130,14 @@ fn integers_of_every_kind_agree() {
     let p = Program::new("integers", "Sums, products and comparisons of integers, chained.");
     let (a, b) = (p.input("a", Type::Signed(31)), p.input("b", Type::Signed(31)));
     let (c, d) = (p.input("c", Type::Unsigned(32)), p.input("d", Type::Unsigned(16)));
-    p.output("product", &(&a * &b));
-    p.output("wide", &(&c * &d));
-    p.output("chain", &(-(&a + &b).min(&(&a - &b)).max(&b) + &a.shr(3)));
-    p.output("flags", &a.lt(&b).concat(&c.le(&d.zext(32))).concat(&a.equal(&b)));
-    p.output("sum64", &(c.zext(64) + d.zext(64).shl(40)));
+    p.output("product", a * b);
+    p.output("wide", c * d);
+    p.output("chain", -(a + b).min(a - b).max(b) + a.shr(3));
+    p.output("flags", a.lt(b).concat(c.le(d.zext(32))).concat(a.equal(b)));
+    p.output("sum64", c.zext(64) + d.zext(64).shl(40));
     p.output(
         "float",
-        &(&a * &b).to_float(Format::F32, 20).to_fixed(Fixed { width: 20, fraction: 3, signed: Signedness::Signed }),
+        (a * b).to_float(Format::F32, 20).to_fixed(Fixed { width: 20, fraction: 3, signed: Signedness::Signed }),
     );
     assert_eq!(transfers(&p, &[1, 2], 300), [300; 2]);
 }
@@ -152,7 +152,7 @@ fn the_same_program_gives_the_same_bytes() {
 fn stages_can_be_chosen() {
     let p = Program::new("square", "");
     let x = p.input("x", F32);
-    p.output("y", &(&x * &x));
+    p.output("y", x * x);
     let latency = |stages| {
         let mut options = Options::default();
         options.stages = options.stages.with("mul.f32", stages);
@@ -168,21 +168,21 @@ fn mistakes_are_reported_with_names() {
         build(&p);
         compile(&p, &Options::default()).err().expect("the program is wrong").to_string()
     };
-    let text = mistake(|p| p.output("y", &(p.input("a", F32) + p.input("b", Type::Float(Format::F16)))));
+    let text = mistake(|p| p.output("y", p.input("a", F32) + p.input("b", Type::Float(Format::F16))));
     assert_eq!(text, "unit: `add` of a: f32, b: f16: operands must have one type");
-    let text = mistake(|p| p.output("y", &p.input("n", Type::Unsigned(40)).concat(&p.input("m", F32)).sqrt()));
+    let text = mistake(|p| p.output("y", p.input("n", Type::Unsigned(40)).concat(p.input("m", F32)).sqrt()));
     assert_eq!(text, "unit: `concat` would be 72 bits wide; values have 1 to 64 bits");
-    let text = mistake(|p| p.keep_if(&p.input("n", Type::Unsigned(2)).named("flag")));
+    let text = mistake(|p| p.keep_if(p.input("n", Type::Unsigned(2)).named("flag")));
     assert_eq!(text, "unit: `keep_if` of n: u2: the condition must be u1");
-    let text = mistake(|p| p.output("y", &p.input("a", F32).bits(32, 0)));
+    let text = mistake(|p| p.output("y", p.input("a", F32).bits(32, 0)));
     assert_eq!(text, "unit: `bits` of a: f32: bits must lie within the operand");
-    let text = mistake(|p| p.output("y", &p.unsigned(3, 8)));
+    let text = mistake(|p| p.output("y", p.unsigned(3, 8)));
     assert_eq!(text, "unit: constant 0x8 does not fit type u3");
-    let text = mistake(|p| p.output("y", &(p.input("a", F32) & p.input("a", F32))));
+    let text = mistake(|p| p.output("y", p.input("a", F32) & p.input("a", F32)));
     assert_eq!(text, "unit: `a` cannot name a port: it is taken");
-    let text = mistake(|p| p.output("Y", &p.input("a", F32)));
+    let text = mistake(|p| p.output("Y", p.input("a", F32)));
     assert!(text.contains("`Y` cannot name a port: it must be lower-case"), "{text}");
-    let text = mistake(|p| p.output("y", &(p.input("a", F32) + Program::new("other", "").float(Format::F32, 1.0))));
+    let text = mistake(|p| p.output("y", p.input("a", F32) + Program::new("other", "").float(Format::F32, 1.0)));
     assert_eq!(text, "unit: `add` takes a value of another program, `other`");
     let text = mistake(|p| drop(p.input("a", F32)));
     assert_eq!(text, "unit: the program has no output; call `output`");

@@ -111,8 +111,8 @@ fn elaborated_designs_run() {
     let mut accumulator = Module::new("accumulator", "Sums its input.");
     let step = accumulator.input("step", 8);
     let sum = accumulator.reg_reset("sum", 40, 5);
-    accumulator.next(&sum, &(sum.expr() + step.zext(40)));
-    accumulator.output("total", &sum.expr());
+    accumulator.next(sum, sum.expr() + step.zext(40));
+    accumulator.output("total", sum.expr());
     let source = VerilogSource::from(&elaborate(&accumulator).unwrap());
     let mut model = Builder::new().unwrap().build(&source, BuildOptions::default()).unwrap().instantiate(1);
     model.reset(2).unwrap();

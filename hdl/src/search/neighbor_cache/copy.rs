@@ -31,54 +31,54 @@ pub(super) fn copy(
     m: &mut Module,
     config: &Config,
     (entries, tickets, neighborhoods): (&Entries, &Tickets, &Neighborhoods),
-    (is_ball, hits, room): (&Expr, &Expr, &Expr),
+    (is_ball, hits, room): (Expr, Expr, Expr),
 ) -> Copy {
     let rank_bits = config.rank_bits() as usize;
     let found = queue_in(m, "found", &records::result(config));
     let (distance2, is_found, last) = (found.field("distance2"), found.field("found"), found.field("last"));
     let copying = m.reg_reset("copying", 1, 0);
-    let starts = m.wire("copy_starts", &((&found.valid & !&copying) & (&entries.victim.valid & !hits)));
+    let starts = m.wire("copy_starts", (found.valid & !copying) & (entries.victim.valid & !hits));
     let target = m.reg("copy_entry", config.entry_bits() as usize);
-    m.next_if(&target, &starts, &entries.victim.entry);
-    let query = tickets.query(m, config, &starts, &found.field("number"));
+    m.next_if(target, starts, entries.victim.entry);
+    let query = tickets.query(m, config, starts, found.field("number"));
 
-    let ready = m.wire("copy_ready", &(&copying & (!&last | (room & !hits))));
-    m.ready(&found, &ready);
-    let takes = m.wire("copy_takes", &(&found.valid & ready));
-    let ends = m.wire("copy_ends", &(&takes & &last));
-    m.next(&copying, &(&starts | (&copying & !&ends)));
+    let ready = m.wire("copy_ready", copying & (!last | (room & !hits)));
+    m.ready(&found, ready);
+    let takes = m.wire("copy_takes", found.valid & ready);
+    let ends = m.wire("copy_ends", takes & last);
+    m.next(copying, starts | (copying & !ends));
 
     // Neighbors found so far, and the squared distance of the last of them.
     let rank = m.reg("copy_rank", rank_bits);
     let previous = m.reg("copy_previous", config.geometry.width() as usize);
-    let stores = m.wire("copy_stores", &(&takes & &is_found));
-    let total = m.wire("copy_total", &(&rank + is_found.zext(rank_bits)));
-    let latest = is_found.mux(&distance2, &previous);
+    let stores = m.wire("copy_stores", takes & is_found);
+    let total = m.wire("copy_total", rank + is_found.zext(rank_bits));
+    let latest = is_found.mux(distance2, previous);
     let zero = lit(distance2.width(), 0);
-    m.next_if(&rank, &(&starts | &stores), &starts.mux(&lit(rank_bits, 0), &total));
-    m.next_if(&previous, &(&starts | &stores), &starts.mux(&zero, &distance2));
+    m.next_if(rank, starts | stores, starts.mux(lit(rank_bits, 0), total));
+    m.next_if(previous, starts | stores, starts.mux(zero, distance2));
     let place = Chosen { valid: stores, entry: target.expr() };
-    neighborhoods.store(m, &place, &rank, &Record::from(&found));
+    neighborhoods.store(m, &place, *rank, &Record::from(&found));
 
     // Whether this neighbor is one only chooses among comparisons that need not wait for it.
     let wanted = query.get("k");
-    let left = |more: u128| if more < 1 << rank_bits { rank.add_lit(more).eq(&wanted) } else { bit(false) };
+    let left = |more: u128| if more < 1 << rank_bits { rank.add_lit(more).eq(wanted) } else { bit(false) };
     let [none_left, one_left, two_left] = [0, 1, 2].map(left);
-    let full = m.wire("copy_full", &is_found.mux(&one_left, &none_left));
-    let one_less = is_found.mux(&two_left, &one_left);
-    let surplus = &full & !is_ball;
+    let full = m.wire("copy_full", is_found.mux(one_left, none_left));
+    let one_less = is_found.mux(two_left, one_left);
+    let surplus = full & !is_ball;
     let end = Chosen { valid: ends, entry: target.expr() };
-    neighborhoods.close(m, &end, &(&total - surplus.zext(rank_bits)));
+    neighborhoods.close(m, &end, total - surplus.zext(rank_bits));
 
     let radius2 = query.get("radius2");
-    let near2 = full.mux(&previous, &one_less.mux(&latest, &radius2));
+    let near2 = full.mux(previous, one_less.mux(latest, radius2));
     let reach = Record::new(&reach_fields(config), |name| match name {
         "entry" => target.expr(),
-        "far2" => full.mux(&distance2, &radius2),
-        "near2" => is_ball.mux(&zero, &near2),
+        "far2" => full.mux(distance2, radius2),
+        "near2" => is_ball.mux(zero, near2),
         field => query.get(field),
     });
-    let start = Chosen { valid: starts, entry: entries.victim.entry.clone() };
+    let start = Chosen { valid: starts, entry: entries.victim.entry };
     let target = Chosen { valid: copying.expr(), entry: target.expr() };
     Copy { start, target, end: Answer { by: end, number: query.get("number") }, reach, ticket: found.field("number") }
 }

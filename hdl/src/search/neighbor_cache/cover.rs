@@ -33,7 +33,7 @@ fn comparison_value(config: &Config, options: &Options) -> Result<Datapath, Comp
     let root = |name: &str| reach.float(config.geometry, name).sqrt();
     let far = root("far2") * uniform(&program, config.geometry, "far_scale");
     let computed = [("c", far - root("near2"))];
-    program.output("entry", &reach.bits("entry"));
+    program.output("entry", reach.bits("entry"));
     reach.output(&program, &cover_fields(config), &computed);
     compile(&program, options)
 }
@@ -53,9 +53,9 @@ impl Covers {
     }
 
     /// An entry's, in the cycle after `enable`.
-    pub fn read(&self, m: &mut Module, enable: &Expr, entry: &Expr) -> Record {
-        let cover = m.read_if(&self.memory, "entry_cover", enable, entry);
-        Record::unpack(&self.fields, &cover)
+    pub fn read(&self, m: &mut Module, enable: Expr, entry: Expr) -> Record {
+        let cover = m.read_if(self.memory, "entry_cover", enable, entry);
+        Record::unpack(&self.fields, cover)
     }
 
     /// Judges a neighborhood where `valid`; returns the entry whose comparison value is written, some time later.
@@ -65,20 +65,20 @@ impl Covers {
         config: &Config,
         options: &Options,
         settings: &Record,
-        (valid, reach): (&Expr, &Record),
+        (valid, reach): (Expr, &Record),
     ) -> Result<(Chosen, Manifest), CompileError> {
         let Datapath { module, manifest } = comparison_value(config, options)?;
         let datapath = m.instance("judge", module);
         let reach_valid = m.reg_reset("reach_valid", 1, 0);
-        m.next(&reach_valid, valid);
-        let reach = reach.register(m, "reach_", &bit(true));
-        m.connect(&datapath, "in_valid", &reach_valid);
-        reach.connect(m, &datapath, "in_");
-        m.connect(&datapath, "far_scale", &settings.get("far_scale"));
-        let out = m.stream_from(&datapath, "out");
-        m.ready(&out, &bit(true));
+        m.next(reach_valid, valid);
+        let reach = reach.register(m, "reach_", bit(true));
+        m.connect(datapath, "in_valid", reach_valid);
+        reach.connect(m, datapath, "in_");
+        m.connect(datapath, "far_scale", settings.get("far_scale"));
+        let out = m.stream_from(datapath, "out");
+        m.ready(&out, bit(true));
         let entry = out.field("entry");
-        m.write(&self.memory, &out.valid, &entry, &Record::from(&out).only(&self.fields).pack());
+        m.write(self.memory, out.valid, entry, Record::from(&out).only(&self.fields).pack());
         Ok((Chosen { valid: out.valid, entry }, manifest))
     }
 }

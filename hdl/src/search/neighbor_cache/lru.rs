@@ -24,7 +24,7 @@ pub(super) struct Chosen {
 /// What happens to the entries in a cycle.
 pub(super) struct Uses<'a> {
     /// The settings change.
-    pub setup: &'a Expr,
+    pub setup: Expr,
     /// A query is answered from an entry.
     pub hit: &'a Chosen,
     /// An entry is given to another neighborhood.
@@ -52,7 +52,7 @@ pub(super) struct Entries {
 }
 
 /// The member of `eligible` that was used before all others of it, alone.
-fn oldest(m: &mut Module, eligible: &Expr, older: &[Reg]) -> Expr {
+fn oldest(m: &mut Module, eligible: Expr, older: &[Reg]) -> Expr {
     let entries = eligible.width();
     let used_before = |entry: usize, other: usize| match other.cmp(&entry) {
         Ordering::Less => older[entry - 1].bit(other),
@@ -61,7 +61,7 @@ fn oldest(m: &mut Module, eligible: &Expr, older: &[Reg]) -> Expr {
     };
     let mut is_oldest = |entry: usize| {
         let before = set(&(0..entries).map(|other| used_before(entry, other)).collect::<Vec<_>>());
-        let before = m.wire(&format!("before_{entry}"), &(eligible & before));
+        let before = m.wire(&format!("before_{entry}"), eligible & before);
         eligible.bit(entry) & before.is_zero()
     };
     set(&(0..entries).map(&mut is_oldest).collect::<Vec<_>>())
@@ -83,22 +83,22 @@ impl Entries {
             (1..count).map(|entry| m.reg_reset(&format!("older_than_{entry}"), entry, all(entry))).collect();
 
         let read = set(&readers.iter().map(|readers| readers.any()).collect::<Vec<_>>());
-        let eligible = m.wire("eligible", &!(read | &writing));
-        let chosen = oldest(m, &eligible, &older);
-        let chosen = m.wire("oldest", &chosen);
-        let victim = m.wire("victim", &index_of(&chosen, config.entry_bits() as usize));
+        let eligible = m.wire("eligible", !(read | writing));
+        let chosen = oldest(m, eligible, &older);
+        let chosen = m.wire("oldest", chosen);
+        let victim = m.wire("victim", index_of(chosen, config.entry_bits() as usize));
         let victim = Chosen { valid: eligible.any(), entry: victim };
         Self { present, writing, stale, versions, readers, older, victim }
     }
 
     /// Whether the entry holds a neighborhood that may be reused.
-    pub fn is_present(&self, entry: &Expr) -> Expr {
-        contains(&self.present, entry)
+    pub fn is_present(&self, entry: Expr) -> Expr {
+        contains(self.present, entry)
     }
 
     /// The number of neighborhoods that the entry was given to so far, modulo a power of two.
-    pub fn version(&self, entry: &Expr) -> Expr {
-        select(entry, &self.versions.iter().map(AsRef::as_ref).collect::<Vec<_>>())
+    pub fn version(&self, entry: Expr) -> Expr {
+        select(entry, self.versions.iter().copied())
     }
 
     /// The entries as they are after a cycle. A hit and a start never come together.
@@ -113,28 +113,28 @@ impl Entries {
             ("release", uses.release),
         ];
         let [hit, start, end, judged, release] =
-            events.map(|(name, chosen)| m.wire(&format!("{name}_set"), &decode(&chosen.valid, &chosen.entry, count)));
+            events.map(|(name, chosen)| m.wire(&format!("{name}_set"), decode(chosen.valid, chosen.entry, count)));
         let setup = uses.setup.repeat(count);
-        m.next(&present, &(((&present & !&start) | (&judged & !&stale)) & !&setup));
-        m.next(&writing, &((&writing | &start) & !&judged));
-        m.next(&stale, &((&stale | (&writing & setup)) & !&judged));
-        for (entry, version) in versions.iter().enumerate() {
-            m.next_if(version, &start.bit(entry), &version.add_lit(1));
+        m.next(present, ((present & !start) | (judged & !stale)) & !setup);
+        m.next(writing, (writing | start) & !judged);
+        m.next(stale, (stale | (writing & setup)) & !judged);
+        for (entry, version) in versions.into_iter().enumerate() {
+            m.next_if(version, start.bit(entry), version.add_lit(1));
         }
 
-        let more = m.wire("more_readers", &(&hit | end));
-        for (entry, readers) in readers.iter().enumerate() {
-            let [up, down] = [&more, &release].map(|set| set.bit(entry).zext(readers.width()));
-            m.next(readers, &(readers + up - down));
+        let more = m.wire("more_readers", hit | end);
+        for (entry, &readers) in readers.iter().enumerate() {
+            let [up, down] = [more, release].map(|set| set.bit(entry).zext(readers.width()));
+            m.next(readers, readers + up - down);
         }
         let none_read = readers.iter().enumerate().map(|(entry, readers)| readers.is_zero() & release.bit(entry));
-        m.assert("released_entries_have_readers", &!none_read.fold(bit(false), |any, faulty| any | faulty));
+        m.assert("released_entries_have_readers", !none_read.fold(bit(false), |any, faulty| any | faulty));
 
-        let used = m.wire("used", &(hit | start));
-        for (before, older) in older.iter().enumerate() {
+        let used = m.wire("used", hit | start);
+        for (before, older) in older.into_iter().enumerate() {
             let (width, entry) = (older.width(), before + 1);
-            let now = used.bit(entry).mux(&!lit(width, 0), &(older & !used.trunc(width)));
-            m.next(older, &now);
+            let now = used.bit(entry).mux(!lit(width, 0), older & !used.trunc(width));
+            m.next(older, now);
         }
     }
 }

@@ -43,36 +43,30 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     m.parameter("neighbors", config.neighbors);
     m.parameter("tickets", config.tickets());
     let setup = pulse_in(&mut m, "setup", &records::cache_setup(config));
-    let settings = setup.record.register(&mut m, "", &setup.valid);
+    let settings = setup.record.register(&mut m, "", setup.valid);
     let entries = Entries::new(&mut m, config);
     let covers = Covers::new(&mut m, config);
     let neighborhoods = Neighborhoods::new(&mut m, config);
     let tickets = Tickets::new(&mut m, config);
     let deliveries = Deliveries::new(&mut m, config);
-    let room = deliveries.room.clone();
+    let room = deliveries.room;
 
     let copying = m.forward("copied", 1);
     let target = m.forward("copied_entry", config.entry_bits() as usize);
     let copied = Chosen { valid: copying.expr(), entry: target.expr() };
-    let resources = Resources {
-        entries: &entries,
-        covers: &covers,
-        tickets: &tickets,
-        settings: &settings,
-        copied: &copied,
-        room: &room,
-    };
+    let resources =
+        Resources { entries: &entries, covers: &covers, tickets: &tickets, settings: &settings, copied: &copied, room };
     let check = Check::new(&mut m, config, options, &resources)?;
     let (hit, is_ball) = (&check.hit, settings.get("ball"));
-    let copy = copy(&mut m, config, (&entries, &tickets, &neighborhoods), (&is_ball, &hit.by.valid, &room));
-    m.drive(&copying, &copy.target.valid);
-    m.drive(&target, &copy.target.entry);
-    let (judged, cover) = covers.judge(&mut m, config, options, &settings, (&copy.end.by.valid, &copy.reach))?;
+    let copy = copy(&mut m, config, (&entries, &tickets, &neighborhoods), (is_ball, hit.by.valid, room));
+    m.drive(copying, copy.target.valid);
+    m.drive(target, copy.target.entry);
+    let (judged, cover) = covers.judge(&mut m, config, options, &settings, (copy.end.by.valid, &copy.reach))?;
     let release = deliveries.send(&mut m, config, [hit, &copy.end], &neighborhoods);
 
-    tickets.update(&mut m, &check, &copy.end.by.valid, &copy.ticket);
+    tickets.update(&mut m, &check, copy.end.by.valid, copy.ticket);
     let uses = Uses {
-        setup: &setup.valid,
+        setup: setup.valid,
         hit: &hit.by,
         start: &copy.start,
         end: &copy.end.by,

@@ -36,28 +36,28 @@ impl Neighborhoods {
         Self { fields, neighbors, counts, rank_bits }
     }
 
-    fn address(&self, entry: &Expr, rank: &Expr) -> Expr {
-        cat(&[entry, &rank.trunc(self.rank_bits)])
+    fn address(&self, entry: Expr, rank: Expr) -> Expr {
+        cat([entry, rank.trunc(self.rank_bits)])
     }
 
     /// The neighbor of a rank, in the cycle after `enable`.
-    pub fn neighbor(&self, m: &mut Module, enable: &Expr, entry: &Expr, rank: &Expr) -> Record {
-        let neighbor = m.read_if(&self.neighbors, "neighbor", enable, &self.address(entry, rank));
-        Record::unpack(&self.fields, &neighbor)
+    pub fn neighbor(&self, m: &mut Module, enable: Expr, entry: Expr, rank: Expr) -> Record {
+        let neighbor = m.read_if(self.neighbors, "neighbor", enable, self.address(entry, rank));
+        Record::unpack(&self.fields, neighbor)
     }
 
     /// The number of an entry's neighbors, in the cycle after `enable` and until the next.
-    pub fn count(&self, m: &mut Module, enable: &Expr, entry: &Expr) -> Expr {
-        m.read_if(&self.counts, "count", enable, entry)
+    pub fn count(&self, m: &mut Module, enable: Expr, entry: Expr) -> Expr {
+        m.read_if(self.counts, "count", enable, entry)
     }
 
     /// Writes a neighbor.
-    pub fn store(&self, m: &mut Module, to: &Chosen, rank: &Expr, neighbor: &Record) {
-        m.write(&self.neighbors, &to.valid, &self.address(&to.entry, rank), &neighbor.only(&self.fields).pack());
+    pub fn store(&self, m: &mut Module, to: &Chosen, rank: Expr, neighbor: &Record) {
+        m.write(self.neighbors, to.valid, self.address(to.entry, rank), neighbor.only(&self.fields).pack());
     }
 
     /// Writes how many neighbors there are.
-    pub fn close(&self, m: &mut Module, to: &Chosen, count: &Expr) {
-        m.write(&self.counts, &to.valid, &to.entry, count);
+    pub fn close(&self, m: &mut Module, to: &Chosen, count: Expr) {
+        m.write(self.counts, to.valid, to.entry, count);
     }
 }

@@ -39,24 +39,24 @@ impl Tickets {
     }
 
     /// The query of the ticket that a result bears; read where `enable` is set.
-    pub fn query(&self, m: &mut Module, config: &Config, enable: &Expr, number: &Expr) -> Record {
-        let query = m.read_if(&self.queries, "ticket_query", enable, &number.trunc(self.next.width()));
-        Record::unpack(&records::query(config), &query)
+    pub fn query(&self, m: &mut Module, config: &Config, enable: Expr, number: Expr) -> Record {
+        let query = m.read_if(self.queries, "ticket_query", enable, number.trunc(self.next.width()));
+        Record::unpack(&records::query(config), query)
     }
 
     /// The next ticket is given to a query that misses; the one that a result bears comes back where `returns` is set.
-    pub fn update(self, m: &mut Module, check: &Check, returns: &Expr, number: &Expr) {
-        m.write(&self.queries, &check.misses, &self.next, &check.query.pack());
+    pub fn update(self, m: &mut Module, check: &Check, returns: Expr, number: Expr) {
+        m.write(self.queries, check.misses, self.next, check.query.pack());
         let (count, bits) = (self.taken.width(), self.next.width());
-        let lowest = m.wire("lowest_ticket", &lowest(&!&self.taken));
-        let takes = m.wire("takes_ticket", &(!&self.any | &check.misses));
-        m.next_if(&self.any, &takes, &!self.taken.all());
-        m.next_if(&self.next, &takes, &index_of(&lowest, bits));
-        m.assert("a_miss_has_a_ticket", &(!&check.misses | &self.any));
-        let returned = decode(returns, &number.trunc(bits), count);
+        let lowest = m.wire("lowest_ticket", lowest(!self.taken));
+        let takes = m.wire("takes_ticket", !self.any | check.misses);
+        m.next_if(self.any, takes, !self.taken.all());
+        m.next_if(self.next, takes, index_of(lowest, bits));
+        m.assert("a_miss_has_a_ticket", !check.misses | self.any);
+        let returned = decode(returns, number.trunc(bits), count);
         let [enters, answered, returns] =
-            [&check.enters, &check.answered, returns].map(|change| change.zext(self.under_way.width()));
-        m.next(&self.under_way, &(&self.under_way + enters - answered - returns));
-        m.next(&self.taken, &((&self.taken | (lowest & takes.repeat(count))) & !returned));
+            [check.enters, check.answered, returns].map(|change| change.zext(self.under_way.width()));
+        m.next(self.under_way, self.under_way + enters - answered - returns);
+        m.next(self.taken, (self.taken | (lowest & takes.repeat(count))) & !returned);
     }
 }
