@@ -33,7 +33,7 @@ fn render(scene: &Scene, plan: &Plan, core: &SplatCore) -> SplatOutcome {
     runner.golden(core).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn instances(core: &SplatCore) -> usize {
+fn instances(core: &SplatCore) -> u64 {
     core.design.modules().iter().map(|module| module.instances).sum()
 }
 

@@ -1,24 +1,24 @@
 //! A proxy for area, counted before synthesis.
 
 use super::canonical::{Graph, Need};
-use super::expression::Operation;
+use super::expression::Primitive;
 use super::module::Source;
 
 /// What one module holds, without its children.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Area {
     /// Bits of registers, read ports of memories included.
-    pub register_bits: usize,
+    pub register_bits: u64,
     /// Bits of memories and tables.
-    pub memory_bits: usize,
+    pub memory_bits: u64,
     /// Multipliers.
-    pub multipliers: usize,
+    pub multipliers: u64,
     /// Bits of their products.
-    pub multiplier_bits: usize,
+    pub multiplier_bits: u64,
     /// Bits of sums, differences and ordered comparisons.
-    pub adder_bits: usize,
+    pub adder_bits: u64,
     /// Bits of two-way choices.
-    pub mux_bits: usize,
+    pub mux_bits: u64,
 }
 
 /// A memory or table of a module.
@@ -27,9 +27,9 @@ pub struct Storage {
     /// Its name in the module.
     pub name: String,
     /// Words.
-    pub depth: usize,
+    pub depth: u32,
     /// Bits of a word.
-    pub width: usize,
+    pub width: u32,
 }
 
 impl Storage {
@@ -41,8 +41,8 @@ impl Storage {
 
     /// Bits in all.
     #[must_use]
-    pub const fn bits(&self) -> usize {
-        self.depth * self.width
+    pub const fn bits(&self) -> u64 {
+        self.depth as u64 * self.width as u64
     }
 }
 
@@ -53,21 +53,21 @@ impl Area {
         for (signal, _) in graph.module.signals.iter().zip(&graph.signals).filter(|(_, need)| **need == Need::Hardware)
         {
             if matches!(signal.source, Source::Register { .. } | Source::Read { .. }) {
-                area.register_bits += signal.reference.width();
+                area.register_bits += u64::from(signal.reference.width());
             }
         }
         area.memory_bits = Storage::of(graph).iter().map(Storage::bits).sum();
         for node in &graph.nodes[..graph.hardware_nodes] {
             match node.operation {
-                Operation::Multiply | Operation::MultiplySigned => {
+                Primitive::Multiply | Primitive::MultiplySigned => {
                     area.multipliers += 1;
-                    area.multiplier_bits += node.width;
+                    area.multiplier_bits += u64::from(node.width);
                 }
-                Operation::Add | Operation::Subtract => area.adder_bits += node.width,
-                Operation::Less | Operation::LessOrEqual | Operation::LessSigned => {
-                    area.adder_bits += graph.nodes[node.operands[0]].width;
+                Primitive::Add | Primitive::Subtract => area.adder_bits += u64::from(node.width),
+                Primitive::Less | Primitive::LessOrEqual | Primitive::LessSigned => {
+                    area.adder_bits += u64::from(graph.nodes[node.operands[0]].width);
                 }
-                Operation::Mux => area.mux_bits += node.width,
+                Primitive::Mux => area.mux_bits += u64::from(node.width),
                 _ => {}
             }
         }

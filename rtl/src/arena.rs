@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::rc::Rc;
 
-use super::expression::{Node, Operation};
+use super::expression::{Node, Primitive};
 
 /// The entries of one kind, by numbers that are never given twice.
 struct Shelf<T> {
@@ -56,7 +56,7 @@ pub(super) fn keep(node: Node) -> u64 {
 pub(super) fn node(number: u64) -> Rc<Node> {
     ARENA.with_borrow(|arena| arena.nodes.get(number)).unwrap_or_else(|| {
         let message = "the expression was made for modules that are gone";
-        Rc::new(Node { operation: Operation::Poison(message.into()), width: 1, operands: [].into(), tainted: true })
+        Rc::new(Node { operation: Primitive::Poison(message.into()), width: 1, operands: [].into(), tainted: true })
     })
 }
 

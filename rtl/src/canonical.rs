@@ -2,20 +2,20 @@
 
 use std::collections::HashMap;
 
-use super::expression::{Expr, Operation};
+use super::expression::{Expr, Primitive};
 use super::memory::Content;
 use super::module::{Module, PortDeclaration, Source};
 
 /// A node of the graph; operands are indices.
 pub(super) struct GraphNode {
-    pub operation: Operation,
-    pub width: usize,
+    pub operation: Primitive,
+    pub width: u32,
     pub operands: Vec<usize>,
     /// How many nodes and signals read it.
     pub readers: usize,
 }
 
-type Key = (Operation, usize, Vec<usize>);
+type Key = (Primitive, u32, Vec<usize>);
 
 /// Who needs a signal or a memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,7 +105,7 @@ impl<'a> Graph<'a> {
     fn insert(&mut self, key: Key) -> usize {
         let (operation, width, operands) = key.clone();
         operands.iter().for_each(|&operand| self.nodes[operand].readers += 1);
-        if let Operation::Signal(signal) = &operation
+        if let Primitive::Signal(signal) = &operation
             && self.signals[signal.index] == Need::Nobody
         {
             self.signals[signal.index] = self.need;

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::dependencies::{self, Reach};
 use super::error::{Fault, FaultKind};
-use super::expression::{Expr, Operation};
+use super::expression::{Expr, Primitive};
 use super::memory::Content;
 use super::module::{Module, PortDeclaration, Source};
 
@@ -100,10 +100,10 @@ fn wrong_expressions(module: &Module) -> Vec<FaultKind> {
     let mut faults = vec![];
     for (user, root) in expressions(module) {
         dependencies::for_each_node(root, &mut |expr| match &expr.node().operation {
-            Operation::Poison(message) if seen.insert(message.to_string()) => {
+            Primitive::Poison(message) if seen.insert(message.to_string()) => {
                 faults.push(FaultKind::Expression { user: user.clone(), message: message.to_string() });
             }
-            Operation::Signal(signal) if signal.module != module.identity => {
+            Primitive::Signal(signal) if signal.module != module.identity => {
                 faults.push(FaultKind::ForeignSignal { user: user.clone(), signal: signal.name.to_string() });
             }
             _ => {}

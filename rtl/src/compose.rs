@@ -1,6 +1,6 @@
 //! Expressions as Verilog text: exact widths, few parentheses, long parts in wires of their own.
 
-use super::expression::Operation;
+use super::expression::Primitive;
 use super::text::{braced, literal};
 use super::writer::Writer;
 
@@ -42,53 +42,53 @@ impl Writer<'_> {
         let description = &graph.nodes[node];
         let operands = &description.operands;
         match &description.operation {
-            Operation::Signal(signal) => {
+            Primitive::Signal(signal) => {
                 self.define(signal.index);
                 (self.read_all(&signal.name), Shape::Atom)
             }
-            Operation::Literal(value) => (literal(description.width, *value), Shape::Atom),
-            Operation::Not => (format!("~{}", self.atom(operands[0])), Shape::Unary),
-            Operation::Any => (format!("|{}", self.atom(operands[0])), Shape::Unary),
-            Operation::All => (format!("&{}", self.atom(operands[0])), Shape::Unary),
-            Operation::And => self.binary("&", operands),
-            Operation::Or => self.binary("|", operands),
-            Operation::Xor => self.binary("^", operands),
-            Operation::Add => self.binary("+", operands),
-            Operation::Subtract => self.binary("-", operands),
-            Operation::Equal => self.binary("==", operands),
-            Operation::NotEqual => self.binary("!=", operands),
-            Operation::Less => self.binary("<", operands),
-            Operation::LessOrEqual => self.binary("<=", operands),
-            Operation::ShiftLeft => self.shift("<<", operands),
-            Operation::ShiftRight => self.shift(">>", operands),
-            Operation::Multiply => {
+            Primitive::Literal(value) => (literal(description.width, *value), Shape::Atom),
+            Primitive::Not => (format!("~{}", self.atom(operands[0])), Shape::Unary),
+            Primitive::Any => (format!("|{}", self.atom(operands[0])), Shape::Unary),
+            Primitive::All => (format!("&{}", self.atom(operands[0])), Shape::Unary),
+            Primitive::And => self.binary("&", operands),
+            Primitive::Or => self.binary("|", operands),
+            Primitive::Xor => self.binary("^", operands),
+            Primitive::Add => self.binary("+", operands),
+            Primitive::Subtract => self.binary("-", operands),
+            Primitive::Equal => self.binary("==", operands),
+            Primitive::NotEqual => self.binary("!=", operands),
+            Primitive::Less => self.binary("<", operands),
+            Primitive::LessOrEqual => self.binary("<=", operands),
+            Primitive::ShiftLeft => self.shift("<<", operands),
+            Primitive::ShiftRight => self.shift(">>", operands),
+            Primitive::Multiply => {
                 let factors = [0, 1].map(|index| self.zero_extended(operands[index], description.width));
                 (factors.join(" * "), Shape::Binary("*"))
             }
-            Operation::MultiplySigned => {
+            Primitive::MultiplySigned => {
                 let factors = [0, 1].map(|index| self.sign_extended(operands[index], description.width));
                 (factors.join(" * "), Shape::Binary("*"))
             }
-            Operation::LessSigned => {
+            Primitive::LessSigned => {
                 let sides = [0, 1].map(|index| format!("$signed({})", self.operand(operands[index], |_| true)));
                 (sides.join(" < "), Shape::Binary("<"))
             }
-            Operation::Slice(low) => (self.slice(operands[0], *low, description.width), Shape::Atom),
-            Operation::Concat => {
+            Primitive::Slice(low) => (self.slice(operands[0], *low, description.width), Shape::Atom),
+            Primitive::Cat => {
                 let parts: Vec<String> = operands.iter().map(|&part| self.operand(part, |_| true)).collect();
                 (braced(&parts), Shape::Atom)
             }
-            Operation::Repeat(count) => {
+            Primitive::Repeat(count) => {
                 (format!("{{{count}{{{}}}}}", self.operand(operands[0], |_| true)), Shape::Atom)
             }
-            Operation::Mux => {
+            Primitive::Mux => {
                 let simple = |shape| matches!(shape, Shape::Atom | Shape::Unary);
                 let condition = self.operand(operands[0], simple);
                 let when_true = self.operand(operands[1], simple);
                 let when_false = self.operand(operands[2], |shape| simple(shape) || shape == Shape::Conditional);
                 (format!("{condition} ? {when_true} : {when_false}"), Shape::Conditional)
             }
-            Operation::Poison(message) => unreachable!("a module with poison is not written: {message}"),
+            Primitive::Poison(message) => unreachable!("a module with poison is not written: {message}"),
         }
     }
 
@@ -105,18 +105,18 @@ impl Writer<'_> {
         let simple = |shape| matches!(shape, Shape::Atom | Shape::Unary);
         let value = self.operand(operands[0], simple);
         let amount = match self.graph.nodes[operands[1]].operation {
-            Operation::Literal(amount) => amount.to_string(),
+            Primitive::Literal(amount) => amount.to_string(),
             _ => self.operand(operands[1], simple),
         };
         (format!("{value} {symbol} {amount}"), Shape::Binary(symbol))
     }
 
-    fn zero_extended(&mut self, node: usize, width: usize) -> String {
+    fn zero_extended(&mut self, node: usize, width: u32) -> String {
         let missing = width - self.graph.nodes[node].width;
         format!("{{{}, {}}}", literal(missing, 0), self.operand(node, |_| true))
     }
 
-    fn sign_extended(&mut self, node: usize, width: usize) -> String {
+    fn sign_extended(&mut self, node: usize, width: u32) -> String {
         let own = self.graph.nodes[node].width;
         let sign = self.slice(node, own - 1, 1);
         let value = self.whole(node);
@@ -124,11 +124,11 @@ impl Writer<'_> {
     }
 
     /// Bits of something that has a name, or gets one.
-    fn slice(&mut self, node: usize, low: usize, width: usize) -> String {
+    fn slice(&mut self, node: usize, low: u32, width: u32) -> String {
         let name = self.name_of(node);
         let whole = self.graph.nodes[node].width;
         if let Some(bits) = self.bits_read.get_mut(&name) {
-            bits[low..low + width].fill(true);
+            bits[low as usize..(low + width) as usize].fill(true);
         }
         match (whole, width) {
             (1, _) => name,

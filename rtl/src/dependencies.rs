@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::rc::Rc;
 
-use super::expression::{Expr, Operation};
+use super::expression::{Expr, Primitive};
 use super::module::{Module, PortDeclaration, RESET, Source};
 
 /// By output port: the input signals (the reset among them) that reach it in the same cycle.
@@ -31,7 +31,7 @@ pub(super) fn for_each_node(root: Expr, visit: &mut impl FnMut(Expr)) {
 fn leaves(module: &Module, root: Expr) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     for_each_node(root, &mut |expr| {
-        if let Operation::Signal(signal) = &expr.node().operation
+        if let Primitive::Signal(signal) = &expr.node().operation
             && signal.module == module.identity
         {
             found.insert(signal.index);

@@ -23,7 +23,7 @@ pub struct Port {
     /// Its name.
     pub name: String,
     /// Its bits.
-    pub width: usize,
+    pub width: u32,
     /// Which way it goes.
     pub direction: Direction,
 }
@@ -42,7 +42,7 @@ pub struct ModuleSummary {
     /// Its memories and tables.
     pub memories: Vec<Storage>,
     /// How many times the design contains it.
-    pub instances: usize,
+    pub instances: u64,
 }
 
 /// A checked design and its Verilog.

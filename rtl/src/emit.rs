@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write as _;
 
 use super::canonical::{Graph, Need};
-use super::expression::{Expr, Operation};
+use super::expression::{Expr, Primitive};
 use super::memory::{Content, Store, Style};
 use super::module::{Module, PortDeclaration, Source};
 use super::text::{braced, literal, range};
@@ -14,7 +14,7 @@ use super::writer::Writer;
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Body {
     /// Ports as `(name, width, kind)`, `clk` and `rst` first where there is state.
-    pub ports: Vec<(String, usize, PortKind)>,
+    pub ports: Vec<(String, u32, PortKind)>,
     /// What stands before the instances.
     pub before: String,
     /// By child: the instance's name and its connections.
@@ -64,7 +64,7 @@ fn port_signals(module: &Module) -> HashSet<usize> {
 
 fn shown_signal(name: &str, value: Expr) -> Option<usize> {
     match &value.node().operation {
-        Operation::Signal(signal) if &*signal.name == name => Some(signal.index),
+        Primitive::Signal(signal) if &*signal.name == name => Some(signal.index),
         _ => None,
     }
 }
@@ -92,7 +92,7 @@ impl Emitter<'_> {
         Body { ports, before: join_sections(&sections), instances, after: join_sections(&[clocked, unused, checks]) }
     }
 
-    fn ports(&mut self, stateful: bool) -> Vec<(String, usize, PortKind)> {
+    fn ports(&mut self, stateful: bool) -> Vec<(String, u32, PortKind)> {
         let mut ports = vec![];
         if stateful {
             ports.extend([("clk".into(), 1, PortKind::Input), ("rst".into(), 1, PortKind::Input)]);

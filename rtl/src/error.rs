@@ -45,11 +45,11 @@ pub enum FaultKind {
         /// The signal.
         signal: String,
         /// Its width.
-        width: usize,
+        width: u32,
         /// The driver.
         driver: String,
         /// The driver's width.
-        driver_width: usize,
+        driver_width: u32,
     },
     /// Nothing drives a wire, a register or a memory.
     #[error("`{0}` is never driven")]

@@ -8,7 +8,7 @@ use std::marker::PhantomData;
 use std::rc::Rc;
 
 use super::arena;
-use super::fold;
+use super::simplify::simplify;
 
 /// An expression of a known width.
 ///
@@ -18,7 +18,7 @@ use super::fold;
 #[derive(Clone, Copy)]
 pub struct Expr {
     number: u64,
-    width: usize,
+    width: u32,
     /// The number means something in its own thread only.
     thread: PhantomData<Rc<Node>>,
 }
@@ -36,7 +36,7 @@ pub(super) struct SignalRef {
 
 /// What a node computes from its operands. The node's width completes the description.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Operation {
+pub(super) enum Primitive {
     Signal(SignalRef),
     Literal(u128),
     Not,
@@ -57,11 +57,11 @@ pub(super) enum Operation {
     ShiftLeft,
     ShiftRight,
     /// Bits of the operand from this one upwards.
-    Slice(usize),
+    Slice(u32),
     /// Operands side by side, most significant first.
-    Concat,
+    Cat,
     /// The operand this many times.
-    Repeat(usize),
+    Repeat(u32),
     Any,
     All,
     /// `operands[0] ? operands[1] : operands[2]`.
@@ -72,17 +72,17 @@ pub(super) enum Operation {
 
 /// What an expression stands for.
 pub(super) struct Node {
-    pub operation: Operation,
-    pub width: usize,
+    pub operation: Primitive,
+    pub width: u32,
     pub operands: Box<[Expr]>,
     /// A poison node lies below: widths are guesses and are not checked again.
     pub tainted: bool,
 }
 
 impl Node {
-    pub fn new(operation: Operation, width: usize, operands: impl Into<Box<[Expr]>>) -> Self {
+    pub fn new(operation: Primitive, width: u32, operands: impl Into<Box<[Expr]>>) -> Self {
         let operands = operands.into();
-        let tainted = matches!(operation, Operation::Poison(_)) || operands.iter().any(|operand| operand.is_tainted());
+        let tainted = matches!(operation, Primitive::Poison(_)) || operands.iter().any(|operand| operand.is_tainted());
         Self { operation, width, operands, tainted }
     }
 
@@ -94,15 +94,15 @@ impl Node {
 
 impl Expr {
     /// A node in its simplest form.
-    pub(super) fn build(operation: Operation, width: usize, operands: impl Into<Box<[Self]>>) -> Self {
+    pub(super) fn build(operation: Primitive, width: u32, operands: impl Into<Box<[Self]>>) -> Self {
         let node = Node::new(operation, width, operands);
-        let simpler = if node.tainted { None } else { fold::simplify(&node) };
+        let simpler = if node.tainted { None } else { simplify(&node) };
         simpler.unwrap_or_else(|| node.keep())
     }
 
     /// The mark of an error, with the width that was probably meant.
-    pub(super) fn poison(width: usize, message: String) -> Self {
-        Node::new(Operation::Poison(message.into()), width.max(1), []).keep()
+    pub(super) fn poison(width: u32, message: String) -> Self {
+        Node::new(Primitive::Poison(message.into()), width.max(1), []).keep()
     }
 
     /// What it stands for.
@@ -124,14 +124,14 @@ impl Expr {
     #[must_use]
     pub fn literal_value(self) -> Option<u128> {
         match self.node().operation {
-            Operation::Literal(value) => Some(value),
+            Primitive::Literal(value) => Some(value),
             _ => None,
         }
     }
 
     /// Number of bits.
     #[must_use]
-    pub const fn width(self) -> usize {
+    pub const fn width(self) -> u32 {
         self.width
     }
 }
@@ -152,11 +152,11 @@ impl fmt::Debug for Expr {
 fn write_short(expr: Expr, depth: usize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let node = expr.node();
     match &node.operation {
-        Operation::Signal(signal) => return f.write_str(&signal.name),
-        Operation::Literal(value) => return write!(f, "{}'d{value}", node.width),
-        Operation::Poison(_) => return f.write_str("<error>"),
+        Primitive::Signal(signal) => return f.write_str(&signal.name),
+        Primitive::Literal(value) => return write!(f, "{}'d{value}", node.width),
+        Primitive::Poison(_) => return f.write_str("<error>"),
         _ if depth == 0 => return f.write_str("…"),
-        Operation::Slice(low) => {
+        Primitive::Slice(low) => {
             write_short(node.operands[0], depth - 1, f)?;
             return write!(f, "[{}:{low}]", low + node.width - 1);
         }
@@ -173,14 +173,14 @@ fn write_short(expr: Expr, depth: usize, f: &mut fmt::Formatter<'_>) -> fmt::Res
 
 /// A constant of `width` bits.
 #[must_use]
-pub fn lit(width: usize, value: u128) -> Expr {
+pub fn lit(width: u32, value: u128) -> Expr {
     if width == 0 {
         return Expr::poison(1, format!("literal {value} has no bits"));
     }
     if width < 128 && value >> width != 0 {
         return Expr::poison(width, format!("literal {value} does not fit {width} bits"));
     }
-    Node::new(Operation::Literal(value), width, []).keep()
+    Node::new(Primitive::Literal(value), width, []).keep()
 }
 
 /// A constant bit.
@@ -197,40 +197,44 @@ pub fn cat(parts: impl IntoIterator<Item = impl Into<Expr>>) -> Expr {
         return Expr::poison(1, "concatenation of nothing".into());
     }
     let width = parts.iter().map(|part| part.width()).sum();
-    Expr::build(Operation::Concat, width, parts)
+    Expr::build(Primitive::Cat, width, parts)
 }
 
-/// The entry that `index` picks; an index past the end picks the last.
-#[must_use]
-pub fn select(index: impl Into<Expr>, entries: impl IntoIterator<Item = impl Into<Expr>>) -> Expr {
-    let index = index.into();
-    let entries: Vec<Expr> = entries.into_iter().map(Into::into).collect();
-    let Some(last) = entries.last() else {
-        return Expr::poison(1, format!("selection by `{index}` from nothing"));
-    };
-    if let Some(odd) = entries.iter().find(|entry| entry.width() != last.width()) {
-        let message = format!("entries of a selection by `{index}`: `{odd}` has {} bits", odd.width());
-        return Expr::poison(last.width(), format!("{message}, `{last}` has {}", last.width()));
+impl Expr {
+    /// The entry that this index picks; an index past the end picks the last.
+    #[must_use]
+    pub fn pick(self, entries: impl IntoIterator<Item = impl Into<Self>>) -> Self {
+        let entries: Vec<Self> = entries.into_iter().map(Into::into).collect();
+        let Some(last) = entries.last() else {
+            return Self::poison(1, format!("`{self}` picks from nothing"));
+        };
+        if let Some(odd) = entries.iter().find(|entry| entry.width() != last.width()) {
+            let message = format!("entries that `{self}` picks from: `{odd}` has {} bits", odd.width());
+            return Self::poison(last.width(), format!("{message}, `{last}` has {}", last.width()));
+        }
+        if entries.len() > places(self.width()) {
+            let message = format!("`{self}` has {} bits and cannot pick from {} entries", self.width(), entries.len());
+            return Self::poison(last.width(), message);
+        }
+        self.pick_by(self.width(), &entries)
     }
-    let reachable = if index.width() < usize::BITS as usize - 1 { 1 << index.width() } else { usize::MAX };
-    if entries.len() > reachable {
-        let message = format!("`{index}` has {} bits and cannot pick from {}", index.width(), entries.len());
-        return Expr::poison(last.width(), format!("{message} entries"));
+
+    /// A tree of two-way choices over the lowest `bits` bits of the index.
+    fn pick_by(self, bits: u32, entries: &[Self]) -> Self {
+        if entries.len() == 1 || bits == 0 {
+            return entries[0];
+        }
+        let top = bits - 1;
+        if entries.len() <= places(top) {
+            let below = self.pick_by(top, entries);
+            return self.bit(top).mux(entries[entries.len() - 1], below);
+        }
+        let (low, high) = entries.split_at(places(top));
+        self.bit(top).mux(self.pick_by(top, high), self.pick_by(top, low))
     }
-    select_bits(index, index.width(), &entries)
 }
 
-/// A tree of two-way choices over the lowest `bits` bits of the index.
-fn select_bits(index: Expr, bits: usize, entries: &[Expr]) -> Expr {
-    if entries.len() == 1 || bits == 0 {
-        return entries[0];
-    }
-    let top = bits - 1;
-    let half = if top < usize::BITS as usize - 1 { 1 << top } else { usize::MAX };
-    if entries.len() <= half {
-        let below = select_bits(index, top, entries);
-        return index.bit(top).mux(entries[entries.len() - 1], below);
-    }
-    let (low, high) = entries.split_at(half);
-    index.bit(top).mux(select_bits(index, top, high), select_bits(index, top, low))
+/// How many entries an index of so many bits tells apart.
+fn places(bits: u32) -> usize {
+    1_usize.checked_shl(bits).unwrap_or(usize::MAX)
 }

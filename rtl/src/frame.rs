@@ -13,13 +13,13 @@ use super::emit::PortKind;
 /// A port as rust-hdl sees it.
 pub(super) struct FramePort {
     pub name: String,
-    pub width: usize,
+    pub width: u32,
     pub kind: PortKind,
 }
 
 impl Atom for FramePort {
     fn bits(&self) -> usize {
-        self.width
+        self.width as usize
     }
 
     fn connected(&self) -> bool {
@@ -39,7 +39,7 @@ impl Atom for FramePort {
     }
 
     fn descriptor(&self) -> TypeDescriptor {
-        TypeDescriptor { name: format!("Bits::<{}>", self.width), kind: TypeKind::Bits(self.width) }
+        TypeDescriptor { name: format!("Bits::<{}>", self.width), kind: TypeKind::Bits(self.width as usize) }
     }
 
     fn vcd(&self) -> VCDValue {

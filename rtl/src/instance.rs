@@ -45,7 +45,7 @@ impl Child {
 
 impl PortDeclaration {
     /// Name and width of a port of `module`.
-    pub(super) fn shape<'a>(&'a self, module: &'a Module) -> (&'a str, usize) {
+    pub(super) fn shape<'a>(&'a self, module: &'a Module) -> (&'a str, u32) {
         match self {
             Self::Input(signal) => (&module.signals[*signal].name, module.signals[*signal].reference.width()),
             Self::Output { name, value } => (name, value.width()),

@@ -127,12 +127,12 @@ impl Library {
     }
 
     /// Ports of a module in order.
-    pub fn ports(&self, index: usize) -> &[(String, usize, PortKind)] {
+    pub fn ports(&self, index: usize) -> &[(String, u32, PortKind)] {
         &self.modules[index].body.ports
     }
 
     /// How often each module occurs below (and as) the top, which is the last.
-    pub fn instance_counts(&self) -> Vec<usize> {
+    pub fn instance_counts(&self) -> Vec<u64> {
         let mut counts = vec![0; self.modules.len()];
         if let Some(top) = counts.last_mut() {
             *top = 1;

@@ -27,8 +27,8 @@ pub(super) enum Style {
 /// What a module holds for a memory.
 pub(super) struct Store {
     pub name: String,
-    pub depth: usize,
-    pub width: usize,
+    pub depth: u32,
+    pub width: u32,
     pub style: Style,
     pub content: Content,
 }
@@ -49,29 +49,29 @@ pub(super) struct WritePort {
 
 /// Bits that address `depth` words: at least one.
 #[must_use]
-pub fn address_width(depth: usize) -> usize {
-    (usize::BITS - depth.saturating_sub(1).leading_zeros()).max(1) as usize
+pub fn address_width(depth: u32) -> u32 {
+    (u32::BITS - depth.saturating_sub(1).leading_zeros()).max(1)
 }
 
 impl Module {
     /// A memory of `depth` words with registered reads, block RAM where the synthesis tool finds it large enough.
     /// Addresses have [`address_width`] bits; words past `depth` do not exist and read as anything.
-    pub fn memory(&mut self, name: &str, depth: usize, width: usize) -> Memory {
+    pub fn memory(&mut self, name: &str, depth: u32, width: u32) -> Memory {
         self.store(name, depth, width, Style::Inferred, Content::Written(None))
     }
 
     /// A memory as [`Module::memory`] where a word that is read in the cycle in which it is written reads as anything, in simulation
     /// with assertions as the old word inverted. A block RAM that is to show the old one needs registers and a choice behind its outputs.
-    pub fn memory_unordered(&mut self, name: &str, depth: usize, width: usize) -> Memory {
+    pub fn memory_unordered(&mut self, name: &str, depth: u32, width: u32) -> Memory {
         self.store(name, depth, width, Style::Unordered, Content::Written(None))
     }
 
     /// A memory as [`Module::memory`], built from look-up tables; also read without a register.
-    pub fn memory_distributed(&mut self, name: &str, depth: usize, width: usize) -> Memory {
+    pub fn memory_distributed(&mut self, name: &str, depth: u32, width: u32) -> Memory {
         self.store(name, depth, width, Style::Distributed, Content::Written(None))
     }
 
-    fn store(&mut self, name: &str, depth: usize, width: usize, style: Style, content: Content) -> Memory {
+    fn store(&mut self, name: &str, depth: u32, width: u32, style: Style, content: Content) -> Memory {
         self.claim(name);
         if depth < 2 || width == 0 {
             let message = format!("a memory of {depth} words of {width} bits: it needs 2 words and 1 bit at least");
@@ -121,7 +121,7 @@ impl Module {
     }
 
     /// Checks a memory and an address; returns the width of the words.
-    fn addressed(&mut self, memory: Memory, address: Expr) -> usize {
+    fn addressed(&mut self, memory: Memory, address: Expr) -> u32 {
         match self.stores.get(memory.index) {
             Some(store) if memory.module == self.identity => {
                 let (width, bits) = (store.width, address_width(store.depth));
@@ -136,7 +136,7 @@ impl Module {
     }
 
     /// A registered read of a constant table; addresses past its end read the last value.
-    pub fn rom(&mut self, name: &str, values: &[u128], width: usize, address: impl Into<Expr>) -> Expr {
+    pub fn rom(&mut self, name: &str, values: &[u128], width: u32, address: impl Into<Expr>) -> Expr {
         self.constant_memory(name, values, width, None, address.into())
     }
 
@@ -145,7 +145,7 @@ impl Module {
         &mut self,
         name: &str,
         values: &[u128],
-        width: usize,
+        width: u32,
         enable: impl Into<Expr>,
         address: impl Into<Expr>,
     ) -> Expr {
@@ -156,27 +156,28 @@ impl Module {
         &mut self,
         name: &str,
         values: &[u128],
-        width: usize,
+        width: u32,
         enable: Option<Expr>,
         address: Expr,
     ) -> Expr {
         let table = format!("{name}_table");
         let mut padded = self.table(name, values, width, address);
-        padded.resize(1 << address_width(padded.len()), *padded.last().expect("a table is never empty"));
-        let memory = self.store(&table, padded.len(), width, Style::Inferred, Content::Constant(padded));
+        let depth = 1 << address_width(padded.len() as u32);
+        padded.resize(depth as usize, *padded.last().expect("a table is never empty"));
+        let memory = self.store(&table, depth, width, Style::Inferred, Content::Constant(padded));
         self.read_port(memory, name, enable, address)
     }
 
     /// A constant table without a register; addresses past its end give the last value.
-    pub fn lookup(&mut self, name: &str, values: &[u128], width: usize, address: impl Into<Expr>) -> Expr {
+    pub fn lookup(&mut self, name: &str, values: &[u128], width: u32, address: impl Into<Expr>) -> Expr {
         let address = address.into();
         let values = self.table(name, values, width, address);
         self.declare(name, width, Source::Lookup { values, address })
     }
 
     /// The values of a table, checked; a stand-in where they are of no use.
-    fn table(&mut self, name: &str, values: &[u128], width: usize, address: Expr) -> Vec<u128> {
-        let bits = address_width(values.len());
+    fn table(&mut self, name: &str, values: &[u128], width: u32, address: Expr) -> Vec<u128> {
+        let bits = address_width(values.len() as u32);
         self.check_width(&format!("{name} address"), bits, address);
         let misfit = values.iter().find(|&&value| lit(width, value).node().tainted);
         let message = match misfit {

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::arena::Lease;
 use super::error::FaultKind;
-use super::expression::{Expr, Node, Operation, SignalRef, lit};
+use super::expression::{Expr, Node, Primitive, SignalRef, lit};
 use super::instance::Child;
 use super::memory::Store;
 use super::names;
@@ -164,7 +164,7 @@ impl Module {
     }
 
     /// Declares an input port.
-    pub fn input(&mut self, name: &str, width: usize) -> Expr {
+    pub fn input(&mut self, name: &str, width: u32) -> Expr {
         let value = self.declare(name, width, Source::Input);
         self.ports.push(PortDeclaration::Input(self.signals.len() - 1));
         value
@@ -176,7 +176,7 @@ impl Module {
         let clash =
             self.ports.iter().any(|port| matches!(port, PortDeclaration::Output { name: other, .. } if other == name));
         let shows_itself = !clash
-            && matches!(&value.node().operation, Operation::Signal(signal)
+            && matches!(&value.node().operation, Primitive::Signal(signal)
                 if signal.module == self.identity && &*signal.name == name
                     && !matches!(self.signals[signal.index].source, Source::Input | Source::Reset));
         if !shows_itself {
@@ -192,7 +192,7 @@ impl Module {
     }
 
     /// Declares a wire that [`Module::drive`] drives later, once.
-    pub fn forward(&mut self, name: &str, width: usize) -> Wire {
+    pub fn forward(&mut self, name: &str, width: u32) -> Wire {
         Wire(self.declare(name, width, Source::Wire(None)))
     }
 
@@ -208,12 +208,12 @@ impl Module {
     }
 
     /// Declares a register without reset.
-    pub fn reg(&mut self, name: &str, width: usize) -> Reg {
+    pub fn reg(&mut self, name: &str, width: u32) -> Reg {
         Reg(self.declare(name, width, Source::Register { reset: None, next: None }))
     }
 
     /// Declares a register that `rst` sets to `reset`.
-    pub fn reg_reset(&mut self, name: &str, width: usize, reset: u128) -> Reg {
+    pub fn reg_reset(&mut self, name: &str, width: u32, reset: u128) -> Reg {
         self.check_expression(name, lit(width, reset));
         Reg(self.declare(name, width, Source::Register { reset: Some(reset), next: None }))
     }
@@ -252,7 +252,7 @@ impl Module {
         }
     }
 
-    pub(super) fn declare(&mut self, name: &str, width: usize, source: Source) -> Expr {
+    pub(super) fn declare(&mut self, name: &str, width: u32, source: Source) -> Expr {
         self.claim(name);
         if width == 0 {
             let message = "a signal needs at least one bit".into();
@@ -261,17 +261,17 @@ impl Module {
         self.add_signal(name, width.max(1), source)
     }
 
-    fn add_signal(&mut self, name: &str, width: usize, source: Source) -> Expr {
+    fn add_signal(&mut self, name: &str, width: u32, source: Source) -> Expr {
         let name: Rc<str> = name.into();
         let reference = SignalRef { module: self.identity, index: self.signals.len(), name: name.clone() };
-        let reference = Node::new(Operation::Signal(reference), width, []).keep();
+        let reference = Node::new(Primitive::Signal(reference), width, []).keep();
         self.signals.push(Signal { name, reference, source });
         reference
     }
 
     /// The table index and name behind a handle, unless it is another module's.
     fn own(&mut self, handle: Expr) -> Option<(usize, String)> {
-        let Operation::Signal(signal) = &handle.node().operation else { return None };
+        let Primitive::Signal(signal) = &handle.node().operation else { return None };
         if signal.module != self.identity {
             self.faults.push(FaultKind::ForeignHandle(signal.name.to_string()));
             return None;
@@ -279,7 +279,7 @@ impl Module {
         Some((signal.index, signal.name.to_string()))
     }
 
-    pub(super) fn check_width(&mut self, signal: &str, width: usize, driver: Expr) {
+    pub(super) fn check_width(&mut self, signal: &str, width: u32, driver: Expr) {
         let driver_width = driver.width();
         if width != driver_width && !driver.node().tainted {
             let (signal, driver) = (signal.into(), driver.to_string());
@@ -289,7 +289,7 @@ impl Module {
 
     /// Records the fault of an expression that no signal keeps.
     fn check_expression(&mut self, user: &str, expression: Expr) {
-        if let Operation::Poison(message) = &expression.node().operation {
+        if let Primitive::Poison(message) = &expression.node().operation {
             self.faults.push(FaultKind::Expression { user: format!("`{user}`"), message: message.to_string() });
         }
     }

@@ -2,12 +2,12 @@
 
 use std::ops;
 
-use super::expression::{Expr, Operation, cat, lit};
+use super::expression::{Expr, Primitive, cat, lit};
 use super::module::{Reg, Wire};
 
 impl Expr {
     /// Two operands of one width.
-    fn same_width(self, symbol: &str, operation: Operation, width: usize, other: Expr) -> Expr {
+    fn same_width(self, symbol: &str, operation: Primitive, width: u32, other: Expr) -> Expr {
         if self.width() != other.width() && !self.is_tainted() && !other.is_tainted() {
             let message =
                 format!("width mismatch in `{self} {symbol} {other}`: {} and {}", self.width(), other.width());
@@ -29,7 +29,7 @@ impl Expr {
     pub fn mul_signed(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         let width = self.width() + other.width();
-        Expr::build(Operation::MultiplySigned, width, [self, other])
+        Expr::build(Primitive::MultiplySigned, width, [self, other])
     }
 
     /// Sum with its carry: one bit wider than the operands.
@@ -37,35 +37,35 @@ impl Expr {
     pub fn add_carry(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         let width = self.width() + 1;
-        self.zext(width).same_width("+", Operation::Add, width, other.zext(other.width() + 1))
+        self.zext(width).same_width("+", Primitive::Add, width, other.zext(other.width() + 1))
     }
 
     /// Equal.
     #[must_use]
     pub fn eq(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
-        self.same_width("==", Operation::Equal, 1, other)
+        self.same_width("==", Primitive::Equal, 1, other)
     }
 
     /// Not equal.
     #[must_use]
     pub fn ne(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
-        self.same_width("!=", Operation::NotEqual, 1, other)
+        self.same_width("!=", Primitive::NotEqual, 1, other)
     }
 
     /// Unsigned less.
     #[must_use]
     pub fn lt(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
-        self.same_width("<", Operation::Less, 1, other)
+        self.same_width("<", Primitive::Less, 1, other)
     }
 
     /// Unsigned less or equal.
     #[must_use]
     pub fn le(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
-        self.same_width("<=", Operation::LessOrEqual, 1, other)
+        self.same_width("<=", Primitive::LessOrEqual, 1, other)
     }
 
     /// Unsigned greater.
@@ -86,7 +86,7 @@ impl Expr {
     #[must_use]
     pub fn lt_signed(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
-        self.same_width("<", Operation::LessSigned, 1, other)
+        self.same_width("<", Primitive::LessSigned, 1, other)
     }
 
     /// Equal to a constant.
@@ -119,29 +119,17 @@ impl Expr {
         self.ge(lit(self.width(), value))
     }
 
-    /// Shifted left by a constant, zeros from the right, same width.
-    #[must_use]
-    pub fn shl(self, amount: usize) -> Expr {
-        self.shift(Operation::ShiftLeft, amount)
-    }
-
-    /// Shifted right by a constant, zeros from the left, same width.
-    #[must_use]
-    pub fn shr(self, amount: usize) -> Expr {
-        self.shift(Operation::ShiftRight, amount)
-    }
-
-    fn shift(self, operation: Operation, amount: usize) -> Expr {
+    fn shift(self, operation: Primitive, amount: u32) -> Expr {
         if amount >= self.width() {
             return lit(self.width(), 0);
         }
-        let bits = (usize::BITS - amount.leading_zeros()).max(1) as usize;
-        Expr::build(operation, self.width(), [self, lit(bits, amount as u128)])
+        let bits = (u32::BITS - amount.leading_zeros()).max(1);
+        Expr::build(operation, self.width(), [self, lit(bits, amount.into())])
     }
 
     /// Shifted right by a constant, copies of the sign from the left, same width.
     #[must_use]
-    pub fn sar(self, amount: usize) -> Expr {
+    pub fn sar(self, amount: u32) -> Expr {
         let kept = amount.min(self.width() - 1);
         self.bits(self.width() - 1, kept).sext(self.width())
     }
@@ -150,29 +138,29 @@ impl Expr {
     #[must_use]
     pub fn shl_by(self, amount: impl Into<Expr>) -> Expr {
         let amount = amount.into();
-        Expr::build(Operation::ShiftLeft, self.width(), [self, amount])
+        Expr::build(Primitive::ShiftLeft, self.width(), [self, amount])
     }
 
     /// Shifted right by a variable amount, zeros from the left, same width.
     #[must_use]
     pub fn shr_by(self, amount: impl Into<Expr>) -> Expr {
         let amount = amount.into();
-        Expr::build(Operation::ShiftRight, self.width(), [self, amount])
+        Expr::build(Primitive::ShiftRight, self.width(), [self, amount])
     }
 
     /// Bits `high` down to `low`, both included.
     #[must_use]
-    pub fn bits(self, high: usize, low: usize) -> Expr {
+    pub fn bits(self, high: u32, low: u32) -> Expr {
         if high < low || high >= self.width() {
             let width = high.saturating_sub(low) + 1;
             return Expr::poison(width, format!("`{self}` has {} bits and no [{high}:{low}]", self.width()));
         }
-        Expr::build(Operation::Slice(low), high - low + 1, [self])
+        Expr::build(Primitive::Slice(low), high - low + 1, [self])
     }
 
     /// One bit.
     #[must_use]
-    pub fn bit(self, index: usize) -> Expr {
+    pub fn bit(self, index: u32) -> Expr {
         self.bits(index, index)
     }
 
@@ -184,7 +172,7 @@ impl Expr {
 
     /// Extended with zeros to `width` bits.
     #[must_use]
-    pub fn zext(self, width: usize) -> Expr {
+    pub fn zext(self, width: u32) -> Expr {
         if width <= self.width() {
             return self.unextended("zero-extension", width);
         }
@@ -193,14 +181,14 @@ impl Expr {
 
     /// Extended with copies of the sign to `width` bits.
     #[must_use]
-    pub fn sext(self, width: usize) -> Expr {
+    pub fn sext(self, width: u32) -> Expr {
         if width <= self.width() {
             return self.unextended("sign-extension", width);
         }
         cat([self.msb().repeat(width - self.width()), self])
     }
 
-    fn unextended(self, what: &str, width: usize) -> Expr {
+    fn unextended(self, what: &str, width: u32) -> Expr {
         if width == self.width() {
             return self;
         }
@@ -209,7 +197,7 @@ impl Expr {
 
     /// The lowest `width` bits.
     #[must_use]
-    pub fn trunc(self, width: usize) -> Expr {
+    pub fn trunc(self, width: u32) -> Expr {
         if width == 0 || width > self.width() {
             return Expr::poison(width, format!("truncation of `{self}` from {} to {width} bits", self.width()));
         }
@@ -218,20 +206,20 @@ impl Expr {
 
     /// Zero-extended or truncated to `width` bits.
     #[must_use]
-    pub fn resize(self, width: usize) -> Expr {
+    pub fn resize(self, width: u32) -> Expr {
         if width < self.width() { self.trunc(width) } else { self.zext(width) }
     }
 
     /// Some bit is set.
     #[must_use]
     pub fn any(self) -> Expr {
-        Expr::build(Operation::Any, 1, [self])
+        Expr::build(Primitive::Any, 1, [self])
     }
 
     /// Every bit is set.
     #[must_use]
     pub fn all(self) -> Expr {
-        Expr::build(Operation::All, 1, [self])
+        Expr::build(Primitive::All, 1, [self])
     }
 
     /// No bit is set.
@@ -242,11 +230,11 @@ impl Expr {
 
     /// `count` copies side by side.
     #[must_use]
-    pub fn repeat(self, count: usize) -> Expr {
+    pub fn repeat(self, count: u32) -> Expr {
         if count == 0 {
             return Expr::poison(1, format!("`{self}` repeated no times"));
         }
-        Expr::build(Operation::Repeat(count), self.width() * count, [self])
+        Expr::build(Primitive::Repeat(count), self.width() * count, [self])
     }
 
     /// `when_true` where this bit is set, else `when_false`.
@@ -259,7 +247,7 @@ impl Expr {
             return Expr::poison(width, message);
         }
         let condition = self.as_condition("selector");
-        Expr::build(Operation::Mux, width, [condition, when_true, when_false])
+        Expr::build(Primitive::Mux, width, [condition, when_true, when_false])
     }
 }
 
@@ -279,12 +267,27 @@ macro_rules! binary_operator {
     )+};
 }
 
-binary_operator!(Add, add, |a, b| a.same_width("+", Operation::Add, a.width(), b));
-binary_operator!(Sub, sub, |a, b| a.same_width("-", Operation::Subtract, a.width(), b));
-binary_operator!(BitAnd, bitand, |a, b| a.same_width("&", Operation::And, a.width(), b));
-binary_operator!(BitOr, bitor, |a, b| a.same_width("|", Operation::Or, a.width(), b));
-binary_operator!(BitXor, bitxor, |a, b| a.same_width("^", Operation::Xor, a.width(), b));
-binary_operator!(Mul, mul, |a, b| Expr::build(Operation::Multiply, a.width() + b.width(), [a, b]));
+binary_operator!(Add, add, |a, b| a.same_width("+", Primitive::Add, a.width(), b));
+binary_operator!(Sub, sub, |a, b| a.same_width("-", Primitive::Subtract, a.width(), b));
+binary_operator!(BitAnd, bitand, |a, b| a.same_width("&", Primitive::And, a.width(), b));
+binary_operator!(BitOr, bitor, |a, b| a.same_width("|", Primitive::Or, a.width(), b));
+binary_operator!(BitXor, bitxor, |a, b| a.same_width("^", Primitive::Xor, a.width(), b));
+binary_operator!(Mul, mul, |a, b| Expr::build(Primitive::Multiply, a.width() + b.width(), [a, b]));
+
+/// A shift by a constant: zeros come in, the width stays.
+macro_rules! shift_operator {
+    ($trait:ident, $method:ident, $primitive:ident; $($left:ty),+) => {$(
+        impl ops::$trait<u32> for $left {
+            type Output = Expr;
+            fn $method(self, amount: u32) -> Expr {
+                Expr::from(self).shift(Primitive::$primitive, amount)
+            }
+        }
+    )+};
+}
+
+shift_operator!(Shl, shl, ShiftLeft; Expr, Reg, Wire);
+shift_operator!(Shr, shr, ShiftRight; Expr, Reg, Wire);
 
 macro_rules! not_operator {
     ($($operand:ty),+) => {$(
@@ -292,7 +295,7 @@ macro_rules! not_operator {
             type Output = Expr;
             fn not(self) -> Expr {
                 let operand = Expr::from(self);
-                Expr::build(Operation::Not, operand.width(), [operand])
+                Expr::build(Primitive::Not, operand.width(), [operand])
             }
         }
     )+};

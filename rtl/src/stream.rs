@@ -37,7 +37,7 @@ impl Stream {
 
 impl Module {
     /// Declares the ports of a stream that comes in.
-    pub fn stream_in(&mut self, name: &str, layout: &[(impl AsRef<str>, usize)]) -> StreamIn {
+    pub fn stream_in(&mut self, name: &str, layout: &[(impl AsRef<str>, u32)]) -> StreamIn {
         let valid = self.input(&format!("{name}_valid"), 1);
         let ready = self.forward(&format!("{name}_ready"), 1);
         self.output(&format!("{name}_ready"), ready);

@@ -6,12 +6,12 @@ const LINE_CHARACTERS: usize = 100;
 const HEXADECIMAL_FROM: u128 = 1024;
 
 /// `[7:0] ` before the name of a declaration, nothing for one bit.
-pub(super) fn range(width: usize) -> String {
+pub(super) fn range(width: u32) -> String {
     if width == 1 { String::new() } else { format!("[{}:0] ", width - 1) }
 }
 
 /// A literal of exact width.
-pub(super) fn literal(width: usize, value: u128) -> String {
+pub(super) fn literal(width: u32, value: u128) -> String {
     if value < HEXADECIMAL_FROM { format!("{width}'d{value}") } else { format!("{width}'h{value:x}") }
 }
 

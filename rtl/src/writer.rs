@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fmt::Write as _;
 
 use super::canonical::{Graph, Need};
-use super::expression::{Expr, Operation};
+use super::expression::{Expr, Primitive};
 use super::module::Source;
 use super::text::{literal, range};
 
@@ -47,8 +47,8 @@ impl<'a> Writer<'a> {
     }
 
     /// Makes a name known whose reading is of interest.
-    pub fn track(&mut self, name: &str, width: usize) {
-        self.bits_read.insert(name.into(), vec![false; width]);
+    pub fn track(&mut self, name: &str, width: u32) {
+        self.bits_read.insert(name.into(), vec![false; width as usize]);
     }
 
     /// The whole of an expression, as the right side of an assignment.
@@ -127,19 +127,19 @@ impl<'a> Writer<'a> {
     }
 
     pub fn is_leaf(&self, node: usize) -> bool {
-        matches!(self.graph.nodes[node].operation, Operation::Signal(_) | Operation::Literal(_))
+        matches!(self.graph.nodes[node].operation, Primitive::Signal(_) | Primitive::Literal(_))
     }
 
     /// Cheap enough to be written again at every reader.
     fn is_cheap(&self, node: usize) -> bool {
         let description = &self.graph.nodes[node];
         match description.operation {
-            Operation::Signal(_) | Operation::Literal(_) | Operation::Slice(_) => true,
-            Operation::Not | Operation::Any | Operation::All | Operation::Repeat(_) => {
+            Primitive::Signal(_) | Primitive::Literal(_) | Primitive::Slice(_) => true,
+            Primitive::Not | Primitive::Any | Primitive::All | Primitive::Repeat(_) => {
                 let operand = description.operands[0];
-                self.is_leaf(operand) || matches!(self.graph.nodes[operand].operation, Operation::Slice(_))
+                self.is_leaf(operand) || matches!(self.graph.nodes[operand].operation, Primitive::Slice(_))
             }
-            Operation::Concat => {
+            Primitive::Cat => {
                 description.operands.len() == 2 && description.operands.iter().all(|&operand| self.is_leaf(operand))
             }
             _ => false,
@@ -154,7 +154,7 @@ impl<'a> Writer<'a> {
 
     /// The name that stands for a node, defined first where it has none.
     pub fn name_of(&mut self, node: usize) -> String {
-        if let Operation::Signal(signal) = &self.graph.nodes[node].operation {
+        if let Primitive::Signal(signal) = &self.graph.nodes[node].operation {
             self.define(signal.index);
             return signal.name.to_string();
         }
@@ -174,12 +174,12 @@ impl<'a> Writer<'a> {
     /// A new wire for a node whose text is known.
     pub fn name_value(&mut self, node: usize, value: &str) -> String {
         let stem = match self.graph.nodes[node].operation {
-            Operation::Add => "sum",
-            Operation::Subtract => "difference",
-            Operation::Multiply | Operation::MultiplySigned => "product",
-            Operation::Mux => "choice",
-            Operation::Concat | Operation::Repeat(_) => "joined",
-            Operation::ShiftLeft | Operation::ShiftRight => "shifted",
+            Primitive::Add => "sum",
+            Primitive::Subtract => "difference",
+            Primitive::Multiply | Primitive::MultiplySigned => "product",
+            Primitive::Mux => "choice",
+            Primitive::Cat | Primitive::Repeat(_) => "joined",
+            Primitive::ShiftLeft | Primitive::ShiftRight => "shifted",
             _ => "term",
         };
         let mut name;

@@ -5,19 +5,19 @@ use pointcore_tb::lockstep::{Lockstep, Stall, StreamTestbench, seeds};
 
 use crate::support;
 
-const LAYOUT: [(&str, usize); 2] = [("value", 16), ("last", 1)];
+const LAYOUT: [(&str, u32); 2] = [("value", 16), ("last", 1)];
 const ITEMS: u64 = 600;
 
 /// Ports `rst, in_valid, in_value, in_last, out_ready` to `in_ready, out_valid, out_value, out_last`.
-fn golden(depth: usize) -> impl FnMut(&[u64], &mut [u64]) {
-    let mut fifo = Fifo::new(depth);
+fn golden(depth: u32) -> impl FnMut(&[u64], &mut [u64]) {
+    let mut fifo = Fifo::new(depth as usize);
     move |inputs, outputs| {
         let &[rst, in_valid, in_value, in_last, out_ready] = inputs else { panic!("five inputs, not {inputs:?}") };
         let (value, last) = fifo.out().copied().unwrap_or_default();
         outputs.copy_from_slice(&[u64::from(fifo.in_ready()), u64::from(fifo.out().is_some()), value, last]);
         fifo.step((in_valid != 0).then_some((in_value, in_last)), out_ready != 0);
         if rst != 0 {
-            fifo = Fifo::new(depth);
+            fifo = Fifo::new(depth as usize);
         }
     }
 }
@@ -45,7 +45,7 @@ fn queues_of_every_kind_of_depth_agree_with_the_model() {
 }
 
 /// The cycles in which `out_valid` is first high, and `in_ready` first low, when nothing is taken out.
-fn first_cycles(depth: usize) -> (usize, usize) {
+fn first_cycles(depth: u32) -> (usize, usize) {
     let library = support::verilate(&pointcore_hdl::stream::fifo(depth, &LAYOUT));
     let mut model = library.instantiate(1);
     model.reset(2).unwrap();
@@ -63,6 +63,6 @@ fn first_cycles(depth: usize) -> (usize, usize) {
 #[test]
 fn an_item_takes_two_cycles_and_capacity_is_the_depth() {
     for depth in [2, 5, 16] {
-        assert_eq!(first_cycles(depth), (2, depth));
+        assert_eq!(first_cycles(depth), (2, depth as usize));
     }
 }

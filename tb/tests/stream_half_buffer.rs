@@ -5,7 +5,7 @@ use pointcore_tb::lockstep::{Lockstep, Stall, StreamTestbench, seeds};
 
 use crate::support;
 
-const LAYOUT: [(&str, usize); 2] = [("value", 16), ("last", 1)];
+const LAYOUT: [(&str, u32); 2] = [("value", 16), ("last", 1)];
 const ITEMS: u64 = 600;
 
 /// Ports `rst, in_valid, in_value, in_last, out_ready` to `in_ready, out_valid, out_value, out_last`.

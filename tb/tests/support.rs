@@ -24,7 +24,7 @@ pub fn build(source: &VerilogSource) -> Arc<Library> {
 pub fn ports(library: &Library) -> Vec<Port> {
     let port = |port: &rtl::Port| Port {
         name: port.name.clone(),
-        width: u32::try_from(port.width).expect("ports fit a word"),
+        width: port.width,
         direction: match port.direction {
             rtl::Direction::Input => Direction::Input,
             rtl::Direction::Output => Direction::Output,

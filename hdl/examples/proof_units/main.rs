@@ -36,18 +36,11 @@ fn proofs() -> Vec<Proof> {
     const WIDTH: u32 = 2;
     // A depth that is a power of two and one that is not: their addresses go round differently.
     let fifo = |name, depth: u32| {
-        Proof::new(
-            name,
-            stream::fifo(depth as usize, &[("data", WIDTH as usize)]),
-            &[("DEPTH", depth), ("WIDTH", WIDTH)],
-        )
+        Proof::new(name, stream::fifo(depth, &[("data", WIDTH)]), &[("DEPTH", depth), ("WIDTH", WIDTH)])
     };
-    let skid = Proof::new("stream_skid", stream::skid(&[("data", WIDTH as usize)]), &[("DEPTH", 2), ("WIDTH", WIDTH)]);
-    let half_buffer = Proof::new(
-        "stream_half_buffer",
-        stream::half_buffer(&[("data", WIDTH as usize)]),
-        &[("DEPTH", 1), ("WIDTH", WIDTH)],
-    );
+    let skid = Proof::new("stream_skid", stream::skid(&[("data", WIDTH)]), &[("DEPTH", 2), ("WIDTH", WIDTH)]);
+    let half_buffer =
+        Proof::new("stream_half_buffer", stream::half_buffer(&[("data", WIDTH)]), &[("DEPTH", 1), ("WIDTH", WIDTH)]);
     let core = small_core();
     let sizes = [
         ("THREADS", core.threads),

@@ -11,22 +11,22 @@ pub(super) struct Part {
     /// The field's number in its record.
     field: usize,
     /// The beat.
-    beat: usize,
+    beat: u32,
     /// First bit within the beat.
-    low: usize,
+    low: u32,
     /// Its bits.
-    width: usize,
+    width: u32,
 }
 
 /// A record over beats of so many bits.
 pub(super) struct Beats {
     fields: Vec<Field>,
     parts: Vec<Part>,
-    beat_bits: usize,
+    beat_bits: u32,
     /// How many beats there are.
-    pub count: usize,
+    pub count: u32,
     /// Bits of a beat that hold something in some beat: first and width of each run of them.
-    used: Vec<(usize, usize)>,
+    used: Vec<(u32, u32)>,
 }
 
 impl Beats {
@@ -50,49 +50,46 @@ impl Beats {
             while bit < end {
                 let next = (bit + 1).next_multiple_of(beat_bits).min(end);
                 let (beat, low) = (bit / beat_bits, bit % beat_bits);
-                let [beat, low, width] = [beat, low, next - bit].map(|number| number as usize);
-                parts.push(Part { field, beat, low, width });
+                parts.push(Part { field, beat, low, width: next - bit });
                 bit = next;
             }
         }
-        let beat_bits = beat_bits as usize;
-        let is_used = |bit: usize| parts.iter().any(|part| (part.low..part.low + part.width).contains(&bit));
-        let mut used: Vec<(usize, usize)> = vec![];
+        let is_used = |bit: u32| parts.iter().any(|part| (part.low..part.low + part.width).contains(&bit));
+        let mut used: Vec<(u32, u32)> = vec![];
         for bit in (0..beat_bits).filter(|&bit| is_used(bit)) {
             match used.last_mut() {
                 Some((low, width)) if *low + *width == bit => *width += 1,
                 _ => used.push((bit, 1)),
             }
         }
-        Self { fields: fields.to_vec(), parts, beat_bits, count: count as usize, used }
+        Self { fields: fields.to_vec(), parts, beat_bits, count, used }
     }
 
     /// Bits of a beat.
-    pub const fn beat_bits(&self) -> usize {
+    pub const fn beat_bits(&self) -> u32 {
         self.beat_bits
     }
 
     /// Bits that number the beats, none for a single one.
-    pub const fn place_bits(&self) -> usize {
-        if self.count == 1 { 0 } else { (usize::BITS - (self.count - 1).leading_zeros()) as usize }
+    pub const fn place_bits(&self) -> u32 {
+        if self.count == 1 { 0 } else { u32::BITS - (self.count - 1).leading_zeros() }
     }
 
     /// Bits of a beat without those that never hold anything.
-    pub fn used_bits(&self) -> usize {
+    pub fn used_bits(&self) -> u32 {
         self.used.iter().map(|(_, width)| width).sum()
     }
 
     /// A beat without the bits that never hold anything.
     pub fn squeeze(&self, beat: Expr) -> Expr {
-        let runs: Vec<Expr> = self.used.iter().rev().map(|(low, width)| beat.bits(low + width - 1, *low)).collect();
-        cat(runs.iter().copied())
+        cat(self.used.iter().rev().map(|(low, width)| beat.bits(low + width - 1, *low)))
     }
 
     /// A part's bits of a squeezed beat.
     fn part_of(&self, squeezed: Expr, part: &Part) -> Expr {
         let mut at = 0;
-        for (low, width) in &self.used {
-            if (*low..low + width).contains(&part.low) {
+        for &(low, width) in &self.used {
+            if (low..low + width).contains(&part.low) {
                 at += part.low - low;
                 break;
             }
@@ -102,7 +99,7 @@ impl Beats {
     }
 
     /// A field's bits in a beat that holds it whole, and that beat's number.
-    pub fn field_in(&self, name: &str, beat: Expr) -> (usize, Expr) {
+    pub fn field_in(&self, name: &str, beat: Expr) -> (u32, Expr) {
         let index =
             self.fields.iter().position(|(field, _)| field == name).expect("units name fields of their records");
         let part = self.parts.iter().find(|part| part.field == index).expect("every field has a part");
@@ -113,7 +110,7 @@ impl Beats {
     pub fn gather(&self, m: &mut Module, squeezed: Expr, place: Option<Expr>, enable: Expr) -> Record {
         let enables: Vec<Expr> = (0..self.count)
             .map(|beat| match place {
-                Some(place) => m.wire(&format!("takes_beat_{beat}"), enable & place.eq_lit(beat as u128)),
+                Some(place) => m.wire(&format!("takes_beat_{beat}"), enable & place.eq_lit(beat.into())),
                 None => enable,
             })
             .collect();
@@ -122,7 +119,7 @@ impl Beats {
             let gathered = &mut registers[part.field];
             let name = format!("held_{}_{}", self.fields[part.field].0, gathered.len());
             let register = m.reg(&name, part.width);
-            m.next_if(register, enables[part.beat], self.part_of(squeezed, part));
+            m.next_if(register, enables[part.beat as usize], self.part_of(squeezed, part));
             gathered.push(register);
         }
         let mut values = registers.iter().map(|parts| cat(parts.iter().rev().copied()));
@@ -132,23 +129,23 @@ impl Beats {
     /// The beats of a record, first to last, padding zero.
     pub fn spread(&self, record: &Record) -> Vec<Expr> {
         let mut done = vec![0; self.fields.len()];
-        let mut beats: Vec<(Vec<Expr>, usize)> = (0..self.count).map(|_| (vec![], 0)).collect();
+        let mut beats: Vec<(Vec<Expr>, u32)> = (0..self.count).map(|_| (vec![], 0)).collect();
         for part in &self.parts {
             let value = record.get(&self.fields[part.field].0);
             let low = done[part.field];
             done[part.field] += part.width;
-            let (pieces, end) = &mut beats[part.beat];
+            let (pieces, end) = &mut beats[part.beat as usize];
             if part.low > *end {
                 pieces.push(lit(part.low - *end, 0));
             }
             pieces.push(value.bits(low + part.width - 1, low));
             *end = part.low + part.width;
         }
-        let word = |(mut pieces, end): (Vec<Expr>, usize)| {
+        let word = |(mut pieces, end): (Vec<Expr>, u32)| {
             if end < self.beat_bits {
                 pieces.push(lit(self.beat_bits - end, 0));
             }
-            cat(pieces.iter().rev().copied())
+            cat(pieces.into_iter().rev())
         };
         beats.into_iter().map(word).collect()
     }

@@ -29,15 +29,15 @@ impl Buffer<'_> {
     /// Leads reads and writes to memory. A read sees every write before it: it waits until all are answered, and no other is taken
     /// meanwhile.
     pub fn order(&self, m: &mut Module, read: &Stream, write: &Stream) {
-        let stride_bits = Layout::of(self.pixel).stride(self.memory_bits).ilog2() as usize;
+        let stride_bits = Layout::of(self.pixel).stride(self.memory_bits).ilog2();
         let writer_idle = m.out(self.writes, "idle");
-        let tile_bits = stride_bits + self.tile_pixels.ilog2() as usize;
+        let tile_bits = stride_bits + self.tile_pixels.ilog2();
         let address = m.wire("tile_address", place(self.base, read.field("tile"), tile_bits));
-        let count = lit(self.tile_pixels.ilog2() as usize + 1, self.tile_pixels.into());
+        let count = lit(self.tile_pixels.ilog2() + 1, self.tile_pixels.into());
         feed(m, read, (self.reads, "request"), writer_idle, &request(address, count));
         let index = cat([write.field("tile"), write.field("pixel")]);
         let address = m.wire("pixel_address", place(self.base, index, stride_bits));
-        let mut fields = vec![("address".to_owned(), ADDRESS_BITS as u32)];
+        let mut fields = vec![("address".to_owned(), ADDRESS_BITS)];
         fields.extend_from_slice(self.pixel);
         let written = Record::new(&fields, |name| if name == "address" { address } else { write.field(name) });
         let no_read = m.wire("no_read", !read.valid);
@@ -54,8 +54,8 @@ pub fn alone(pixel: &[Field], memory_bits: u32, tile_bits: u32, tile_pixels: u32
     export(&mut m, reads, &ports::reader(pixel, memory_bits, tile_pixels), "m_axi", "m_axi");
     export(&mut m, writes, &ports::writer(pixel, memory_bits), "m_axi", "m_axi");
     let base = m.input("base", ADDRESS_BITS);
-    let read = m.stream_in("read", &[("tile", tile_bits as usize)]);
-    let place = [("tile".to_owned(), tile_bits), ("pixel".to_owned(), address_width(tile_pixels as usize) as u32)];
+    let read = m.stream_in("read", &[("tile", tile_bits)]);
+    let place = [("tile".to_owned(), tile_bits), ("pixel".to_owned(), address_width(tile_pixels) as u32)];
     let write = stream_in(&mut m, "write", &[place.as_slice(), pixel].concat());
     let buffer = Buffer { pixel, tile_pixels, memory_bits, base, reads, writes };
     buffer.order(&mut m, &read, &write);

@@ -6,7 +6,7 @@
 use pointcore_contract::splat::config::index_bits;
 
 use super::REGISTER_BITS;
-use rtl::{Expr, Module, Reg, address_width, lit, select};
+use rtl::{Expr, Module, Reg, address_width, lit};
 
 /// Cycles from one visit of the round to the next at most.
 const CYCLES_A_VISIT: u32 = 4;
@@ -28,13 +28,13 @@ pub(super) struct Answer {
 }
 
 /// How many of the bits are set.
-fn population(bits: &[Expr], width: usize) -> Expr {
+fn population(bits: &[Expr], width: u32) -> Expr {
     bits.iter().map(|bit| bit.zext(width)).reduce(|sum, bit| sum + bit).unwrap_or_else(|| lit(width, 0))
 }
 
 /// Counts; reads the counter `asked` where `asks` is set, which is to fall with the answer.
 pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: Expr) -> Answer {
-    let count = counters.len();
+    let count = counters.len() as u32;
     let index_width = address_width(count);
     let adds = m.reg_reset("adds", 1, 0);
     m.next(adds, !adds);
@@ -42,18 +42,17 @@ pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: 
     let looks = m.wire("looks", !adds);
 
     let (mut parts, mut voids) = (vec![], vec![]);
-    for (index, counter) in counters.iter().enumerate() {
-        let visits = m.wire(&format!("visits_{index}"), looks & visited.eq_lit(index as u128));
-        let [part, void] = own_bits(m, index, count as u32, counter, visits);
+    for (index, counter) in (0..).zip(counters) {
+        let visits = m.wire(&format!("visits_{index}"), looks & visited.eq_lit(u128::from(index)));
+        let [part, void] = own_bits(m, index, count, counter, visits);
         parts.push(part);
         voids.push(void);
     }
     let widest = parts.iter().map(|part| part.width()).max().unwrap_or(1);
-    let parts: Vec<Expr> = parts.iter().map(|part| part.zext(widest)).collect();
     let part = m.reg("part", widest);
-    m.next(part, select(visited, parts.iter().copied()));
+    m.next(part, visited.pick(parts.into_iter().map(|part| part.zext(widest))));
     let is_void = m.reg("is_void", 1);
-    m.next(is_void, select(visited, voids.iter().copied()));
+    m.next(is_void, visited.pick(voids));
 
     let words = m.memory_distributed("words", count, REGISTER_BITS);
     let word = m.read(words, "word", visited);
@@ -68,7 +67,7 @@ pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: 
     let turns_aside = m.wire("turns_aside", asks & !for_read);
     m.next_if(for_read, adds, turns_aside);
     m.next_if(visited, adds, turns_aside.mux(asked, round));
-    let next = round.eq_lit(count as u128 - 1).mux(lit(index_width, 0), round.add_lit(1));
+    let next = round.eq_lit(u128::from(count) - 1).mux(lit(index_width, 0), round.add_lit(1));
     m.next_if(round, adds & !turns_aside, next);
     let valid = m.reg_reset("read_valid", 1, 0);
     m.next(valid, adds & for_read);
@@ -78,9 +77,9 @@ pub(super) fn counters(m: &mut Module, counters: &[Counter], asks: Expr, asked: 
 }
 
 /// A counter's own bits: what it has counted since its last visit, and whether its word in memory is void.
-fn own_bits(m: &mut Module, index: usize, count: u32, counter: &Counter, visits: Expr) -> [Reg; 2] {
+fn own_bits(m: &mut Module, index: u32, count: u32, counter: &Counter, visits: Expr) -> [Reg; 2] {
     let most = counter.sources.len() as u32 * CYCLES_A_VISIT * (count + 1);
-    let width = index_bits(most + 1) as usize;
+    let width = index_bits(most + 1);
     let part = m.reg_reset(&format!("part_{index}"), width, 0);
     let more = population(&counter.sources, width);
     m.assert(&format!("part_{index}_has_room"), !part.add_carry(more).msb());

@@ -33,15 +33,15 @@ pub struct Top {
 }
 
 /// Bits of a byte address in memory.
-const ADDRESS_BITS: usize = config::ADDRESS_BITS as usize;
+const ADDRESS_BITS: u32 = config::ADDRESS_BITS;
 /// Bits of a burst's length, which is one less than its beats.
-const LENGTH_BITS: usize = config::BURST_BEATS_MAX.ilog2() as usize;
+const LENGTH_BITS: u32 = config::BURST_BEATS_MAX.ilog2();
 /// Bits of a response.
-const RESPONSE_BITS: usize = 2;
+const RESPONSE_BITS: u32 = 2;
 /// Bits of a register.
-const REGISTER_BITS: usize = config::REGISTER_BITS as usize;
+const REGISTER_BITS: u32 = config::REGISTER_BITS;
 /// Bytes of a register.
-const REGISTER_BYTES: usize = REGISTER_BITS / 8;
+const REGISTER_BYTES: u32 = REGISTER_BITS / 8;
 /// `burst` of one whose addresses go up.
 const INCREMENTING: Code = Code(1);
 /// `resp` where all is well.

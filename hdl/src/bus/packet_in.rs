@@ -27,7 +27,7 @@ pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) ->
     let tvalid = m.input("s_axis_tvalid", 1);
     let tready = m.forward("s_axis_ready", 1);
     m.output("s_axis_tready", tready);
-    let tdata = m.input("s_axis_tdata", stream_bits as usize);
+    let tdata = m.input("s_axis_tdata", stream_bits);
     let tlast = m.input("s_axis_tlast", 1);
     let takes = m.wire("takes", tvalid & tready);
 

@@ -29,9 +29,9 @@ pub fn limited(fields: &[Field], memory_bits: u32, records_max: u32, reads_max: 
     m.parameter("beats", beats.count);
     m.parameter("width", memory_bits);
     m.parameter("records", records_max);
-    let request_fields = [("address", ADDRESS_BITS), ("records", index_bits(records_max + 1) as usize)];
+    let request_fields = [("address", ADDRESS_BITS), ("records", index_bits(records_max + 1))];
     let request = m.stream_in("request", &request_fields);
-    let stride = Layout::of(fields).stride(memory_bits).ilog2() as usize;
+    let stride = Layout::of(fields).stride(memory_bits).ilog2();
     let chunk_records = ports::chunk_records(fields, memory_bits);
     let lengths = bursts(&mut m, &request, stride, chunk_records, memory_bits, records_max, reads_max);
 
@@ -39,8 +39,8 @@ pub fn limited(fields: &[Field], memory_bits: u32, records_max: u32, reads_max: 
     let queue = m.instance("beat_queue", skid(&[("data", beats.used_bits()), ("last", 1)]));
     let rready = m.out(queue, "in_ready");
     m.output("m_axi_rready", rready);
-    m.input("m_axi_rid", ID_BITS as usize);
-    let rdata = m.input("m_axi_rdata", memory_bits as usize);
+    m.input("m_axi_rid", ID_BITS);
+    let rdata = m.input("m_axi_rdata", memory_bits);
     let rresp = m.input("m_axi_rresp", RESPONSE_BITS);
     let rlast = m.input("m_axi_rlast", 1);
     m.connect(queue, "in_valid", rvalid);
@@ -88,7 +88,7 @@ pub fn limited(fields: &[Field], memory_bits: u32, records_max: u32, reads_max: 
 fn bursts(
     m: &mut Module,
     request: &Stream,
-    stride: usize,
+    stride: u32,
     chunk_records: u32,
     memory_bits: u32,
     records_max: u32,
@@ -96,7 +96,7 @@ fn bursts(
 ) -> Option<Stream> {
     let beat_bytes = memory_bits / 8;
     debug_assert_eq!(chunk_records << stride, BORDER_BYTES.min(BURST_BEATS_MAX * beat_bytes));
-    let record_beats_log2 = stride - beat_bytes.ilog2() as usize;
+    let record_beats_log2 = stride - beat_bytes.ilog2();
     let held = m.reg_reset("held", 1, 0);
     let address = m.reg("address", ADDRESS_BITS - stride);
     let queue = m.instance("address_queue", skid(&[("address", ADDRESS_BITS - stride), ("length", LENGTH_BITS)]));
@@ -115,14 +115,14 @@ fn bursts(
         lengths = None;
     } else {
         let records = m.reg("records", request.field("records").width());
-        let chunk_bits = chunk_records.ilog2() as usize;
+        let chunk_bits = chunk_records.ilog2();
         let width = records.width().max(chunk_bits + 1);
         let offset = address.trunc(chunk_bits).zext(width);
         let room_records = m.wire("room_records", lit(width, chunk_records.into()) - offset);
         let wanted = records.zext(width);
         let crosses = m.wire("crosses", wanted.gt(room_records));
         let burst = m.wire("burst", crosses.mux(room_records, wanted));
-        let under_way = m.instance("length_queue", fifo(reads_max as usize, &[("length", LENGTH_BITS)]));
+        let under_way = m.instance("length_queue", fifo(reads_max, &[("length", LENGTH_BITS)]));
         let below_limit = m.out(under_way, "in_ready");
         issues = m.wire("issues", held & (room & below_limit));
         let ready = m.wire("takes_request", !held | (issues & !crosses));
@@ -154,12 +154,12 @@ fn bursts(
 }
 
 /// Drives an address channel from a queue of record addresses and lengths.
-pub(super) fn address_out(m: &mut Module, prefix: &str, burst: &Stream, stride: usize, beat_bytes: u32) {
+pub(super) fn address_out(m: &mut Module, prefix: &str, burst: &Stream, stride: u32, beat_bytes: u32) {
     m.output(&format!("{prefix}valid"), burst.valid);
     let ready = m.input(&format!("{prefix}ready"), 1);
     m.ready(burst, ready);
     let constants: [(&str, Expr); 2] = [("size", size_of(beat_bytes)), ("burst", INCREMENTING.expr())];
-    m.output(&format!("{prefix}id"), lit(ID_BITS as usize, 0));
+    m.output(&format!("{prefix}id"), lit(ID_BITS, 0));
     let address = burst.field("address");
     let address = if stride == 0 { address } else { cat([address, lit(stride, 0)]) };
     m.output(&format!("{prefix}addr"), address);

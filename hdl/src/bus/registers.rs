@@ -13,12 +13,12 @@ use crate::units::records::event_out;
 use rtl::{Expr, Module, Reg, Wire, address_width, bit, cat, lit};
 
 /// Bits of a byte's place in its register.
-const BYTE_BITS: usize = REGISTER_BYTES.ilog2() as usize;
-const BYTE_ADDRESS_BITS: usize = REGISTER_ADDRESS_BITS as usize;
+const BYTE_BITS: u32 = REGISTER_BYTES.ilog2();
+const BYTE_ADDRESS_BITS: u32 = REGISTER_ADDRESS_BITS;
 /// Bits of a register's number.
-const WORD_BITS: usize = BYTE_ADDRESS_BITS - BYTE_BITS;
+const WORD_BITS: u32 = BYTE_ADDRESS_BITS - BYTE_BITS;
 /// Bits of a counter's number among the registers: counters lie in the first 128 bytes.
-const COUNTER_WORD_BITS: usize = 5;
+const COUNTER_WORD_BITS: u32 = 5;
 
 /// A register that holds what is written.
 struct Stored<'a> {
@@ -28,7 +28,7 @@ struct Stored<'a> {
 
 impl<'a> Stored<'a> {
     fn new(m: &mut Module, register: &'a Register) -> Self {
-        let kept = register.width as usize - zero_bits(register);
+        let kept = register.width - zero_bits(register);
         Self { register, bits: m.reg_reset(&format!("{}_bits", register.name), kept, 0) }
     }
 
@@ -42,9 +42,9 @@ impl<'a> Stored<'a> {
 }
 
 /// Low bits that are zero in every value of a register.
-fn zero_bits(register: &Register) -> usize {
+fn zero_bits(register: &Register) -> u32 {
     match register.kind {
-        Kind::Setting { multiple } => multiple.ilog2() as usize,
+        Kind::Setting { multiple } => multiple.ilog2(),
         _ => 0,
     }
 }
@@ -82,14 +82,14 @@ pub fn module(map: &[Register], sources: ErrorSources) -> Module {
     let stored: Vec<Stored> = map.iter().filter(is_stored).map(|register| Stored::new(&mut m, register)).collect();
     let [refused_access, refused_busy] = write.judge(&mut m, map, &stored, *busy, occupied);
     for Stored { register, bits } in &stored {
-        let value = write.data.bits(register.width as usize - 1, zero_bits(register));
+        let value = write.data.bits(register.width - 1, zero_bits(register));
         m.next_if(*bits, write.accepted & write.chooses(register), value);
     }
     let control = map.iter().find(|register| register.kind == Kind::Control).expect("every map has `control`");
     let commands = m.wire("commands", write.accepted & write.chooses(control));
     let [start, core_reset, clear_errors] = ["start", "core_reset", "clear_errors"].map(|name| m.reg_reset(name, 1, 0));
-    for (number, pulse) in [&start, &core_reset, &clear_errors].into_iter().enumerate() {
-        m.next(*pulse, commands & write.data.bit(number));
+    for (number, pulse) in (0..).zip([start, core_reset, clear_errors]) {
+        m.next(pulse, commands & write.data.bit(number));
     }
     let starts = m.wire("starts", commands & write.data.bit(0));
     m.next(busy, starts | (busy & !finished));
@@ -105,8 +105,8 @@ pub fn module(map: &[Register], sources: ErrorSources) -> Module {
     let mut errors: [Vec<Expr>; ERRORS.len()] = own;
     for ((name, count), errors) in ERROR_INPUTS.into_iter().zip(sources).zip(&mut errors[1..]) {
         if count > 0 {
-            let elsewhere = m.input(name, count as usize);
-            errors.extend((0..count as usize).map(|source| elsewhere.bit(source)));
+            let elsewhere = m.input(name, count);
+            errors.extend((0..count).map(|source| elsewhere.bit(source)));
         }
     }
     let error = m.reg_reset("error", 1, 0);
@@ -226,10 +226,10 @@ fn uniform_out(m: &mut Module, map: &[Register], write: &Write) {
     let Some((address_bits, data_bits)) = ports::uniforms(map) else { return };
     let valid = m.reg_reset("uniform_valid", 1, 0);
     m.next(valid, write.accepted & write.chooses_uniform(map));
-    let address = m.reg("uniform_address", address_bits as usize);
-    m.next(address, write.word.trunc(address_bits as usize));
-    let data = m.reg("uniform_data", data_bits as usize);
-    m.next(data, write.data.trunc(data_bits as usize));
+    let address = m.reg("uniform_address", address_bits);
+    m.next(address, write.word.trunc(address_bits));
+    let data = m.reg("uniform_data", data_bits);
+    m.next(data, write.data.trunc(data_bits));
     m.output("uniform_valid", valid);
     m.output("uniform_address", address);
     m.output("uniform_data", data);
@@ -252,7 +252,7 @@ impl Read {
         let address = m.reg("read_address", BYTE_ADDRESS_BITS);
         let word = word_in(*address);
         let counters: Vec<&Register> = map.iter().filter(|register| is_counter(register)).collect();
-        let index_bits = address_width(counters.len());
+        let index_bits = address_width(counters.len() as u32);
         // Of every number a counter may have: whether it is one's, and which.
         let mut table = vec![0; 1 << COUNTER_WORD_BITS];
         for (index, register) in counters.into_iter().enumerate() {

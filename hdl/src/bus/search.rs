@@ -18,7 +18,7 @@ use crate::units::records::{Record, layout};
 use rtl::{Expr, Instance, Module, Stream, bit, cat, lit};
 
 /// Requests to memory that may await their answer.
-const REQUESTS_MAX: usize = 16;
+const REQUESTS_MAX: u32 = 16;
 
 /// Where errors come from: the window or the reader of the tree beside the reader of points.
 #[must_use]
@@ -40,7 +40,7 @@ fn field_of(config: &Config, word: Expr, name: &str) -> Expr {
     };
     let layout = Layout::of(&fields);
     let place = layout.places.iter().find(|place| place.name == name).expect("a word holds a node or a leaf");
-    word.bits((place.bit() + place.width) as usize - 1, place.bit() as usize)
+    word.bits((place.bit() + place.width) - 1, place.bit())
 }
 
 /// Builds the core on its bus; ports as in `contract::bus::ports::search`.
@@ -136,19 +136,19 @@ fn points(m: &mut Module, config: &Config, core: Instance, control: Instance) ->
     export(m, reads, &ports::reader(&fields, bits, most), "m_axi", "m_axi");
     let base = m.out(control, "points_base");
     let fetch = m.stream_from(core, "fetch");
-    let stride_bits = Layout::of(&fields).stride(bits).ilog2() as usize;
+    let stride_bits = Layout::of(&fields).stride(bits).ilog2();
     let address = m.wire("points_address", place(base, fetch.field("address"), stride_bits));
     let asked = Asked { name: "fetches", fields: records::fetch(config), address, records: fetch.field("beats") };
     let head = asked.remembered(m, &fetch, reads);
 
     let record = m.stream_from(reads, "record");
-    let place_bits = config.beats_bits() as usize;
+    let place_bits = config.beats_bits();
     let place = m.reg_reset("beat", place_bits, 0);
     let last = m.wire("last_beat", place.add_lit(1).eq(head.field("beats")));
     let gives = m.wire("gives_beat", record.valid & head.valid);
     let beat = Record::new(&records::beat(config), |name| match name {
         "thread" => head.field("thread"),
-        "address" => head.field("address") + place.resize(config.beat_bits() as usize),
+        "address" => head.field("address") + place.resize(config.beat_bits()),
         "last" => last,
         _ => record.field(name),
     });
@@ -169,7 +169,7 @@ fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instanc
     m.connect(core, "tree_valid", valid);
     let write = Record::new(&records::tree_write(config), |name| match name {
         "is_leaf" => index.msb(),
-        "address" => index.trunc(config.tree_depth as usize),
+        "address" => index.trunc(config.tree_depth),
         _ => field_of(config, word, name),
     });
     write.connect(m, core, "tree_");
@@ -191,7 +191,7 @@ fn tree_memory(m: &mut Module, config: &Config, core: Instance, control: Instanc
     m.connect(control, "occupied", bit(false));
     let base = m.out(control, "tree_base");
     let lookup = m.stream_from(core, "lookup");
-    let stride_bits = packets::tree_stride(config, bits).ilog2() as usize;
+    let stride_bits = packets::tree_stride(config, bits).ilog2();
     let address = m.wire("tree_address", place(base, lookup.field("address"), stride_bits));
     let asked = Asked { name: "lookups", fields: records::lookup(config), address, records: bit(true) };
     let head = asked.remembered(m, &lookup, reads);

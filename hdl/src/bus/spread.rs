@@ -3,7 +3,7 @@
 use super::beats::Beats;
 use crate::stream::skid;
 use crate::units::records::Record;
-use rtl::{Expr, Module, Stream, bit, lit, select};
+use rtl::{Expr, Module, Stream, bit, lit};
 
 /// Beats of records on their way out.
 pub(super) struct Spread {
@@ -42,7 +42,7 @@ pub(super) fn spread(m: &mut Module, beats: &Beats, valid: Expr, record: &Record
     let record = record.register(m, "held_", takes);
     let words = beats.spread(&record);
     m.connect(queue, "in_valid", held);
-    m.connect(queue, "in_data", select(place, words.iter().copied()));
+    m.connect(queue, "in_data", place.pick(words.iter().copied()));
     m.connect(queue, "in_last", at_end);
     let idle = !held & !out.valid;
     Spread { ready, out, idle }

@@ -9,10 +9,10 @@ use super::{ADDRESS_BITS, INCREMENTING, LENGTH_BITS, OKAY, SLAVE_ERROR, size_of}
 use crate::units::records::event_out;
 use rtl::{Expr, Module, lit};
 
-const WORD_BITS: usize = TREE_WORD_BITS as usize;
-const WORD_BYTES: usize = WORD_BITS / 8;
+const WORD_BITS: u32 = TREE_WORD_BITS;
+const WORD_BYTES: u32 = WORD_BITS / 8;
 /// Bits of a byte's place in its word.
-const BYTE_BITS: usize = WORD_BYTES.ilog2() as usize;
+const BYTE_BITS: u32 = WORD_BYTES.ilog2();
 
 /// What an address channel says of a burst.
 struct Address {
@@ -29,7 +29,7 @@ impl Address {
         let valid = m.input(&format!("{prefix}valid"), 1);
         m.output(&format!("{prefix}ready"), ready);
         let mut input = |name: &str, width| m.input(&format!("{prefix}{name}"), width);
-        let (id, address) = (input("id", ID_BITS as usize), input("addr", ADDRESS_BITS));
+        let (id, address) = (input("id", ID_BITS), input("addr", ADDRESS_BITS));
         let (length, size, burst) = (input("len", LENGTH_BITS), input("size", 3), input("burst", 2));
         Self { valid, id, address, length, size, burst }
     }
@@ -38,7 +38,6 @@ impl Address {
 /// The unit with `2^index_bits` words; ports as in `contract::bus::ports::window`.
 #[must_use]
 pub fn module(index_bits: u32) -> Module {
-    let index_bits = index_bits as usize;
     let mut m = Module::new("bus_window", "Takes bursts of words into a memory, and refuses all others.");
     m.parameter("index_bits", index_bits);
     let locked = m.input("locked", 1);
@@ -52,7 +51,7 @@ pub fn module(index_bits: u32) -> Module {
 }
 
 /// The write half; returns where a burst ends that is refused for what it is.
-fn writes(m: &mut Module, index_bits: usize, locked: Expr) -> Expr {
+fn writes(m: &mut Module, index_bits: u32, locked: Expr) -> Expr {
     let [is_judged, takes_words, bvalid] =
         ["is_judged", "takes_words", "s_axi_bvalid"].map(|name| m.reg_reset(name, 1, 0));
     let awready = !(is_judged | takes_words | bvalid);
@@ -61,11 +60,11 @@ fn writes(m: &mut Module, index_bits: usize, locked: Expr) -> Expr {
     let begins = m.wire("begins", burst.valid & awready);
     m.next(is_judged, begins);
 
-    let bid = m.reg("s_axi_bid", ID_BITS as usize);
+    let bid = m.reg("s_axi_bid", ID_BITS);
     m.next_if(bid, begins, burst.id);
     let is_plain = m.reg("is_plain", 1);
     let aligned = burst.address.trunc(BYTE_BITS).is_zero();
-    let plain = burst.burst.eq(INCREMENTING.expr()) & burst.size.eq(size_of(WORD_BYTES as u32)) & aligned;
+    let plain = burst.burst.eq(INCREMENTING.expr()) & burst.size.eq(size_of(WORD_BYTES)) & aligned;
     m.next_if(is_plain, begins, plain);
     let index = m.reg("index", index_bits);
     let left = m.reg("left", LENGTH_BITS);
@@ -116,7 +115,7 @@ fn writes(m: &mut Module, index_bits: usize, locked: Expr) -> Expr {
     m.wire("refused_write", ends & spoiled)
 }
 
-fn index_of(address: Expr, index_bits: usize) -> Expr {
+fn index_of(address: Expr, index_bits: u32) -> Expr {
     address.bits(BYTE_BITS + index_bits - 1, BYTE_BITS)
 }
 
@@ -127,7 +126,7 @@ fn reads(m: &mut Module) -> Expr {
     let begins = m.wire("read_begins", burst.valid & !rvalid);
     m.output("s_axi_rvalid", rvalid);
     let rready = m.input("s_axi_rready", 1);
-    let rid = m.reg("s_axi_rid", ID_BITS as usize);
+    let rid = m.reg("s_axi_rid", ID_BITS);
     m.next_if(rid, begins, burst.id);
     let left = m.reg("beats_left", LENGTH_BITS);
     let takes = m.wire("beat_goes", rvalid & rready);

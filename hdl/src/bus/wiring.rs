@@ -13,7 +13,7 @@ pub(super) fn export(m: &mut Module, unit: Instance, ports: &[Port], from: &str,
         let name = format!("{to}{rest}");
         match port.direction {
             Direction::Input => {
-                let value = m.input(&name, port.width as usize);
+                let value = m.input(&name, port.width);
                 m.connect(unit, &port.name, value);
             }
             Direction::Output => {
@@ -59,7 +59,7 @@ pub(super) fn report(
 }
 
 /// An index times a stride, from a base.
-pub(super) fn place(base: Expr, index: Expr, stride_bits: usize) -> Expr {
+pub(super) fn place(base: Expr, index: Expr, stride_bits: u32) -> Expr {
     base + cat([index, lit(stride_bits, 0)]).resize(ADDRESS_BITS)
 }
 

@@ -23,15 +23,15 @@ pub fn module(fields: &[Field], memory_bits: u32) -> Module {
 #[must_use]
 pub fn limited(fields: &[Field], memory_bits: u32, writes_max: u32) -> Module {
     let beats = Beats::memory(fields, memory_bits);
-    let stride = Layout::of(fields).stride(memory_bits).ilog2() as usize;
+    let stride = Layout::of(fields).stride(memory_bits).ilog2();
     let mut m = Module::new("bus_writer", "Writes records to memory, each in a burst.");
     m.parameter("beats", beats.count);
     m.parameter("width", memory_bits);
-    let mut input_fields = vec![("address".to_owned(), ADDRESS_BITS as u32)];
+    let mut input_fields = vec![("address".to_owned(), ADDRESS_BITS)];
     input_fields.extend_from_slice(fields);
     let input = stream_in(&mut m, "in", &input_fields);
 
-    let unanswered = m.reg_reset("unanswered", address_width(writes_max as usize + 1), 0);
+    let unanswered = m.reg_reset("unanswered", address_width(writes_max + 1), 0);
     let below_limit = m.wire("below_limit", !unanswered.eq_lit(writes_max.into()));
     let queue = m.instance("address_queue", skid(&[("address", ADDRESS_BITS - stride), ("length", LENGTH_BITS)]));
     let room = m.out(queue, "in_ready");
@@ -49,12 +49,12 @@ pub fn limited(fields: &[Field], memory_bits: u32, writes_max: u32) -> Module {
     let wready = m.input("m_axi_wready", 1);
     m.ready(&words.out, wready);
     m.output("m_axi_wdata", words.out.field("data"));
-    m.output("m_axi_wstrb", bit(true).repeat(memory_bits as usize / 8));
+    m.output("m_axi_wstrb", bit(true).repeat(memory_bits / 8));
     m.output("m_axi_wlast", words.out.field("last"));
 
     let bvalid = m.input("m_axi_bvalid", 1);
     m.output("m_axi_bready", bit(true));
-    m.input("m_axi_bid", ID_BITS as usize);
+    m.input("m_axi_bid", ID_BITS);
     let bresp = m.input("m_axi_bresp", RESPONSE_BITS);
     let width = unanswered.width();
     m.next(unanswered, unanswered + accepted.zext(width) - bvalid.zext(width));

@@ -23,11 +23,11 @@ const TREE_RADIX_LOG2: u32 = 2;
 pub(super) fn levels(node: &Node, operand: Type) -> u32 {
     let carry = CARRY_BASE_LEVELS + operand.width() / CARRY_BITS_PER_LEVEL;
     let levels = match node.operation {
-        Operation::Add | Operation::Subtract | Operation::Less | Operation::LessEqual => carry,
+        Operation::Add | Operation::Subtract | Operation::Less | Operation::LessOrEqual => carry,
         Operation::Negate if !operand.is_float() => carry,
         Operation::Minimum | Operation::Maximum => carry + GATE_LEVELS,
         Operation::Equal => GATE_LEVELS * (1 + operand.width().ilog2() / TREE_RADIX_LOG2),
-        Operation::Not | Operation::And | Operation::Or | Operation::Xor | Operation::Select => GATE_LEVELS,
+        Operation::Not | Operation::And | Operation::Or | Operation::Xor | Operation::Mux => GATE_LEVELS,
         _ => 0,
     };
     levels.min(CYCLE_LEVELS)

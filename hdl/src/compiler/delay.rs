@@ -34,7 +34,7 @@ struct Line {
     output: Expr,
     /// Inputs so far, in the order in which their chains take bits from `output`, lowest first.
     inputs: Vec<Expr>,
-    used: usize,
+    used: u32,
 }
 
 /// The held values of a datapath.
@@ -59,11 +59,11 @@ impl Delays {
         }
         graph.outputs().iter().map(|(_, id)| *id).chain(graph.keep()).for_each(|id| need(id, schedule.latency));
 
-        let mut widths: BTreeMap<LineKey, usize> = BTreeMap::new();
+        let mut widths: BTreeMap<LineKey, u32> = BTreeMap::new();
         for (index, taps) in needs.iter().enumerate() {
             for (from, to) in segments(taps).filter(|(from, to)| to - from >= MEMORY_STAGES) {
                 let key = (emitter.phase_of(schedule.available[index]), to - from);
-                *widths.entry(key).or_default() += graph.nodes()[index].ty.width() as usize;
+                *widths.entry(key).or_default() += graph.nodes()[index].ty.width();
             }
         }
         let lines = widths.into_iter().map(|(key, width)| (key, Line::new(key, width, emitter))).collect();
@@ -112,19 +112,19 @@ fn segments(taps: &BTreeSet<u32>) -> impl Iterator<Item = (u32, u32)> + '_ {
 
 impl Line {
     /// A buffer of one entry less than its delay: the registered read is the last step.
-    fn new((phase, length): LineKey, width: usize, emitter: &mut Emitter) -> Self {
+    fn new((phase, length): LineKey, width: u32, emitter: &mut Emitter) -> Self {
         let depth = length - 1;
         let name = emitter.unique(&format!("delay_{length}_from_{phase}"));
         let enable = emitter.load(phase);
         let module = &mut emitter.module;
-        let pointer = module.reg_reset(&format!("{name}_pointer"), address_width(depth as usize), 0);
+        let pointer = module.reg_reset(&format!("{name}_pointer"), address_width(depth), 0);
         let at_end = pointer.eq_lit(u128::from(depth - 1));
         let next = at_end.mux(pointer.sub_lit(u128::from(depth - 1)), pointer.add_lit(1));
         module.next_if(pointer, enable, next);
         let memory = if depth <= DISTRIBUTED_DEPTH {
-            module.memory_distributed(&name, depth as usize, width)
+            module.memory_distributed(&name, depth, width)
         } else {
-            module.memory(&name, depth as usize, width)
+            module.memory(&name, depth, width)
         };
         let output = module.read_if(memory, &format!("{name}_out"), enable, pointer);
         emitter.count_registers(pointer.width() + width);

@@ -14,7 +14,7 @@ use super::plan::{Plan, Timing};
 use super::schedule::Schedule;
 use super::types::Type;
 use crate::stream::skid;
-use rtl::{Expr, Instance, Module, Stream, lit, select};
+use rtl::{Expr, Instance, Module, Stream, lit};
 use std::collections::{BTreeMap, HashMap};
 
 /// Ports of an operator, in the order of an operation's operands.
@@ -66,12 +66,12 @@ fn ports(graph: &Graph, kind: &Operation) -> Vec<(String, ValueId)> {
     nodes.map(|(index, _)| (graph.label(ValueId(index)), ValueId(index))).collect()
 }
 
-fn layout(graph: &Graph, fields: &[(String, ValueId)]) -> Vec<(String, usize)> {
+fn layout(graph: &Graph, fields: &[(String, ValueId)]) -> Vec<(String, u32)> {
     fields.iter().map(|(name, id)| (name.clone(), width(graph, *id))).collect()
 }
 
-fn width(graph: &Graph, id: ValueId) -> usize {
-    graph.node(id).ty.width() as usize
+fn width(graph: &Graph, id: ValueId) -> u32 {
+    graph.node(id).ty.width()
 }
 
 /// The datapath between the streams.
@@ -110,7 +110,7 @@ impl Body<'_> {
         if !self.plan.is_static(id) {
             self.delays.hold(&mut self.emitter, id, &label, live, self.schedule.available[id.0]);
         }
-        debug_assert_eq!(live.width(), node.ty.width() as usize, "{label}");
+        debug_assert_eq!(live.width(), node.ty.width(), "{label}");
         self.values.insert(id, live);
     }
 
@@ -172,7 +172,7 @@ impl Body<'_> {
             })
             .collect();
         match self.emitter.phase() {
-            Some(phase) if sources.iter().flatten().count() > 1 => select(phase, every_phase.iter().copied()),
+            Some(phase) if sources.iter().flatten().count() > 1 => phase.pick(every_phase.iter().copied()),
             _ => filler,
         }
     }

@@ -40,7 +40,7 @@ impl Emitter {
 
     fn count_phases(&mut self) {
         let Self { ref mut module, initiation_interval, advance, .. } = *self;
-        let phase = module.reg_reset("phase", address_width(initiation_interval as usize), 0);
+        let phase = module.reg_reset("phase", address_width(initiation_interval), 0);
         let last = u128::from(initiation_interval - 1);
         let following = phase.eq_lit(last).mux(phase.sub_lit(last), phase.add_lit(1));
         let phase_next = module.wire("phase_next", advance.mux(following, phase));
@@ -120,7 +120,7 @@ impl Emitter {
     }
 
     /// Adds to the manifest's count.
-    pub fn count_registers(&mut self, bits: usize) {
+    pub fn count_registers(&mut self, bits: u32) {
         self.register_bits += bits as u64;
     }
 

@@ -6,7 +6,7 @@ use rtl::{Expr, bit, cat, lit};
 
 /// The expression of a combinational operation.
 pub(super) fn combinational(operation: &Operation, operands: &[Expr], types: &[Type], result: Type) -> Expr {
-    let width = result.width() as usize;
+    let width = result.width();
     let a = operands[0];
     let is_signed = matches!(types[0], Type::Signed(_));
     let b = || operands[1];
@@ -20,18 +20,18 @@ pub(super) fn combinational(operation: &Operation, operands: &[Expr], types: &[T
         Operation::Minimum => less(b(), a).mux(b(), a),
         Operation::Maximum => less(a, b()).mux(b(), a),
         Operation::Less => less(a, b()),
-        Operation::LessEqual => !less(b(), a),
+        Operation::LessOrEqual => !less(b(), a),
         Operation::Equal => a.eq(b()),
         Operation::Not => !a,
         Operation::And => a & b(),
         Operation::Or => a | b(),
         Operation::Xor => a ^ b(),
-        Operation::Select => a.mux(b(), operands[2]),
-        Operation::Bits { high, low } => a.bits(*high as usize, *low as usize),
-        Operation::Concatenate => cat([a, b()]),
-        Operation::ShiftLeft(by) => a.shl(*by as usize),
-        Operation::ShiftRight(by) if is_signed => a.sar(*by as usize),
-        Operation::ShiftRight(by) => a.shr(*by as usize),
+        Operation::Mux => a.mux(b(), operands[2]),
+        Operation::Bits { high, low } => a.bits(*high, *low),
+        Operation::Cat => cat([a, b()]),
+        Operation::ShiftLeft(by) => a << (*by),
+        Operation::ShiftRight(by) if is_signed => a.sar(*by),
+        Operation::ShiftRight(by) => a >> (*by),
         Operation::Resize(_) if is_signed && width > a.width() => a.sext(width),
         Operation::Resize(_) => a.resize(width),
         Operation::Reinterpret(_) => a,

@@ -22,7 +22,7 @@ mod emit;
 mod emitter;
 mod encode;
 mod error;
-mod fold;
+mod evaluate;
 mod graph;
 mod lower;
 mod manifest;

@@ -32,7 +32,7 @@ pub(super) fn module(a: Type, b: Type, stages: u32) -> Operator {
     let mut pipe = Pipe::new("integer_mul", "Integer product, pipelined.", &delays(a, b), stages);
     pipe.module.parameter("a", a);
     pipe.module.parameter("b", b);
-    let [left, right] = [("a", a), ("b", b)].map(|(name, ty)| pipe.module.input(name, ty.width() as usize));
+    let [left, right] = [("a", a), ("b", b)].map(|(name, ty)| pipe.module.input(name, ty.width()));
     let [left, right] = pipe.cut([("a", left), ("b", right)]);
     let product = match a {
         Type::Signed(_) if is_corrected(a, b) => signed_product(&mut pipe, left, right),
@@ -51,6 +51,6 @@ fn signed_product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
     });
     let unsigned = product(pipe, left, right);
     let [unsigned] = pipe.cut([("unsigned", unsigned)]);
-    let [left, right] = excess.each_mut().map(|(place, times)| pipe.arrive(times).zext(width).shl(*place));
+    let [left, right] = excess.each_mut().map(|(place, times)| pipe.arrive(times).zext(width) << *place);
     unsigned - left - right
 }

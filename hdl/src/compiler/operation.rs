@@ -44,7 +44,7 @@ pub enum Operation {
     /// `a < b`.
     Less,
     /// `a ≤ b`.
-    LessEqual,
+    LessOrEqual,
     /// `a = b`.
     Equal,
     /// `−a`: the sign bit of a float (a NaN's too); integers wrap.
@@ -73,7 +73,7 @@ pub enum Operation {
     /// Bitwise exclusive or.
     Xor,
     /// The first operand chooses: the second when it is 1, the third when it is 0.
-    Select,
+    Mux,
     /// Bits `high` down to `low`, unsigned.
     Bits {
         /// Highest bit taken.
@@ -82,7 +82,7 @@ pub enum Operation {
         low: u32,
     },
     /// Both operands side by side, the first in the upper bits, unsigned.
-    Concatenate,
+    Cat,
     /// To the left, filled with zeros, at the same width.
     ShiftLeft(u32),
     /// To the right, filled with zeros or, for a signed operand, copies of the sign, at the same width.
@@ -114,7 +114,7 @@ impl Operation {
             Self::Minimum => "min",
             Self::Maximum => "max",
             Self::Less => "lt",
-            Self::LessEqual => "le",
+            Self::LessOrEqual => "le",
             Self::Equal => "equal",
             Self::Negate => "neg",
             Self::Absolute => "abs",
@@ -126,9 +126,9 @@ impl Operation {
             Self::And => "and",
             Self::Or => "or",
             Self::Xor => "xor",
-            Self::Select => "select",
+            Self::Mux => "select",
             Self::Bits { .. } => "bits",
-            Self::Concatenate => "concat",
+            Self::Cat => "concat",
             Self::ShiftLeft(_) => "shl",
             Self::ShiftRight(_) => "shr",
             Self::Resize(_) => "resize",

@@ -38,7 +38,7 @@ pub(super) const fn is_pipelined(operation: &Operation, operand: Type) -> bool {
         | Operation::Minimum
         | Operation::Maximum
         | Operation::Less
-        | Operation::LessEqual
+        | Operation::LessOrEqual
         | Operation::Equal => operand.is_float(),
         Operation::Multiply
         | Operation::MultiplyAdd
@@ -91,7 +91,7 @@ pub(super) fn operator(operation: &Operation, operands: &[Type], stages: Option<
         Operation::Minimum => minmax::min(format, or(minmax::stages(format))),
         Operation::Maximum => minmax::max(format, or(minmax::stages(format))),
         Operation::Less => compare::lt(format, or(compare::stages(format))),
-        Operation::LessEqual => compare::le(format, or(compare::stages(format))),
+        Operation::LessOrEqual => compare::le(format, or(compare::stages(format))),
         Operation::Equal => compare::eq(format, or(compare::stages(format))),
         Operation::Convert(to) => convert::module(format, *to, or(convert::stages(format, *to))),
         Operation::ToFixed(fixed) => to_fixed::module(format, *fixed, or(to_fixed::stages(format, *fixed))),

@@ -3,7 +3,7 @@
 //!
 //! Only rewrites that keep every bit: floating-point arithmetic is commuted, never reassociated or evaluated here.
 
-use super::fold::{evaluate, sign_mask};
+use super::evaluate::{evaluate, sign_mask};
 use super::graph::{Graph, Node, ValueId};
 use super::operation::Operation;
 use super::types::Type;
@@ -119,7 +119,7 @@ impl Rewriter {
             _ => None,
         };
         match operation {
-            Operation::Select => match constants[0] {
+            Operation::Mux => match constants[0] {
                 Some(condition) => Some(operands[if condition == 1 { 1 } else { 2 }]),
                 None => (operands[1] == operands[2]).then_some(operands[1]),
             },
@@ -215,10 +215,10 @@ mod tests {
     fn integer_constants_fold_and_float_arithmetic_does_not() {
         let p = Program::new("test", "");
         let n = p.input("n", Type::Unsigned(8));
-        let two = p.unsigned(8, 1) + p.unsigned(8, 1);
+        let two = p.lit(8, 1) + p.lit(8, 1);
         p.output("zero", n * (two - two));
         p.output("double", n * two);
-        p.output("same", !(!(n & p.unsigned(8, 255))));
+        p.output("same", !(!(n & p.lit(8, 255))));
         let one = p.float(Format::F16, 1.0);
         p.output("float", one + one);
         assert_eq!(remaining(&p), ["constant", "resize", "shl", "constant", "add"]);

@@ -96,7 +96,7 @@ impl Program {
 
     /// An unsigned constant.
     #[must_use]
-    pub fn unsigned(&self, width: u32, value: u64) -> Value {
+    pub fn lit(&self, width: u32, value: u64) -> Value {
         self.constant(Type::Unsigned(width), value)
     }
 

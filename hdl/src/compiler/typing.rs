@@ -21,8 +21,8 @@ pub(super) fn result_type(operation: &Operation, operands: &[Type]) -> Result<Ty
         [a, b] => binary(operation, a, b),
         [a, b, c] => match operation {
             Operation::MultiplyAdd => all_same(&[a, b, c], Type::is_float, SAME_FLOAT),
-            Operation::Select if a == Type::BOOL => all_same(&[b, c], |_| true, "both choices must have one type"),
-            Operation::Select => Err("the condition must be u1"),
+            Operation::Mux if a == Type::BOOL => all_same(&[b, c], |_| true, "both choices must have one type"),
+            Operation::Mux => Err("the condition must be u1"),
             _ => Err(OPERAND_COUNT),
         },
         _ => Err(OPERAND_COUNT),
@@ -90,11 +90,11 @@ fn binary(operation: &Operation, a: Type, b: Type) -> Result<Type, &'static str>
             (Type::Signed(left), Type::Signed(right)) => Ok(Type::Signed(left + right)),
             _ => Err(SAME_SIGNEDNESS),
         },
-        Operation::Less | Operation::LessEqual | Operation::Equal => {
+        Operation::Less | Operation::LessOrEqual | Operation::Equal => {
             all_same(&[a, b], |_| true, SAME_TYPE).map(|_| Type::BOOL)
         }
         Operation::And | Operation::Or | Operation::Xor => all_same(&[a, b], |ty| !ty.is_float(), SAME_INTEGER),
-        Operation::Concatenate => Ok(Type::Unsigned(a.width() + b.width())),
+        Operation::Cat => Ok(Type::Unsigned(a.width() + b.width())),
         _ => Err(OPERAND_COUNT),
     }
 }

@@ -78,8 +78,8 @@ impl Value {
 
     /// `when_true` where this truth value is 1, else `when_false`.
     #[must_use]
-    pub fn select(self, when_true: Self, when_false: Self) -> Self {
-        self.apply(Operation::Select, &[when_true, when_false])
+    pub fn mux(self, when_true: Self, when_false: Self) -> Self {
+        self.apply(Operation::Mux, &[when_true, when_false])
     }
 
     /// Bits `high` down to `low`, unsigned.
@@ -90,20 +90,8 @@ impl Value {
 
     /// This value above `lower`.
     #[must_use]
-    pub fn concat(self, lower: Self) -> Self {
-        self.apply(Operation::Concatenate, &[lower])
-    }
-
-    /// Shifted left by a constant.
-    #[must_use]
-    pub fn shl(self, by: u32) -> Self {
-        self.apply(Operation::ShiftLeft(by), &[])
-    }
-
-    /// Shifted right by a constant, keeping a signed value's sign.
-    #[must_use]
-    pub fn shr(self, by: u32) -> Self {
-        self.apply(Operation::ShiftRight(by), &[])
+    pub fn cat(self, lower: Self) -> Self {
+        self.apply(Operation::Cat, &[lower])
     }
 
     /// Truncated or extended to `width` bits, as the value's signedness says.
@@ -159,9 +147,9 @@ methods! {
     /// `self < other`.
     lt(other) = Less;
     /// `self ≤ other`.
-    le(other) = LessEqual;
+    le(other) = LessOrEqual;
     /// `self = other`; of floats as IEEE 754 has it.
-    equal(other) = Equal;
+    eq(other) = Equal;
 }
 
 /// Rust's operators.
@@ -200,4 +188,21 @@ macro_rules! unary_operators {
 unary_operators! {
     Neg::neg = Negate;
     Not::not = Not;
+}
+
+/// Shifts by a constant; to the right a signed value keeps its sign.
+macro_rules! shift_operators {
+    ($($operator:ident::$method:ident = $operation:ident;)*) => {$(
+        impl std::ops::$operator<u32> for Value {
+            type Output = Self;
+            fn $method(self, by: u32) -> Self {
+                self.apply(Operation::$operation(by), &[])
+            }
+        }
+    )*};
+}
+
+shift_operators! {
+    Shl::shl = ShiftLeft;
+    Shr::shr = ShiftRight;
 }

@@ -12,7 +12,7 @@ use pointcore_contract::{Format, Subnormals};
 use rtl::{Expr, cat, lit};
 
 /// Guard, round and sticky bit.
-const EXTRA: usize = 3;
+const EXTRA: u32 = 3;
 
 /// Pipeline registers by default.
 #[must_use]
@@ -21,12 +21,12 @@ pub fn stages(format: Format) -> u32 {
 }
 
 /// Width of a sum, carry included.
-fn sum_width(format: Format) -> usize {
+fn sum_width(format: Format) -> u32 {
     precision(format) + EXTRA + 1
 }
 
 fn delays(format: Format) -> Vec<u32> {
-    let sum = sum_width(format) as u32;
+    let sum = sum_width(format);
     let compare = delay::adder(format.width()) + 2 * delay::LEVEL;
     let mut delays = vec![compare, delay::shifter(sum)];
     delays.extend(normalize_sum_delays(format, sum, delay::adder(sum)));
@@ -55,7 +55,7 @@ pub fn module(format: Format, stages: u32) -> Operator {
 
     let room = lit(EXTRA, 0);
     let stop = stop(&mut pipe, format, &mut limit, sum_width(format));
-    let aligned = shift_right_sticky(cat([small, room]), distance.trunc(format.exponent as usize));
+    let aligned = shift_right_sticky(cat([small, room]), distance.trunc(format.exponent));
     let [large, aligned] = pipe.cut([("large", large), ("aligned", aligned)]);
 
     let (large, aligned) = (cat([large, room]).zext(sum_width(format)), aligned.zext(sum_width(format)));
@@ -92,7 +92,7 @@ pub(super) fn normalize_sum_delays(format: Format, width: u32, preceding: u32) -
 
 /// A one at the place in a sum's width that may become the top one: counted among its leading zeros, it leaves a
 /// subnormal result in place, at exponent 1. Nothing if the format flushes those.
-pub(super) fn stop(pipe: &mut Pipe, format: Format, limit: &mut Carried, width: usize) -> Option<Carried> {
+pub(super) fn stop(pipe: &mut Pipe, format: Format, limit: &mut Carried, width: u32) -> Option<Carried> {
     if format.subnormals == Subnormals::Flush {
         return None;
     }

@@ -87,6 +87,6 @@ fn quotient(mut pipe: Pipe, format: Format, special: CarriedSpecial, a: &Normali
     let digits = cat([quotient, remainder.any()]);
     let exponent = pipe.arrive(&mut exponent) - below_one.zext(exponent_bits);
     let [exponent, significand] =
-        pipe.cut([("exponent", exponent), ("significand", keep_sticky(below_one.mux(digits.shl(1), digits), p + 2))]);
+        pipe.cut([("exponent", exponent), ("significand", keep_sticky(below_one.mux(digits << 1, digits), p + 2))]);
     round(pipe, format, Underflow::Possible, Raw { special, exponent, significand })
 }

@@ -14,9 +14,9 @@ use pointcore_contract::{Format, Subnormals};
 use rtl::{cat, lit};
 
 /// Guard, round and sticky bit.
-const EXTRA: usize = 3;
+const EXTRA: u32 = 3;
 /// Places between addend and a product too small to reach it.
-const ROOM: usize = 2;
+const ROOM: u32 = 2;
 
 /// Pipeline registers by default.
 #[must_use]
@@ -25,12 +25,12 @@ pub fn stages(format: Format) -> u32 {
 }
 
 /// Width of the field in which the sum is formed.
-fn field_width(format: Format) -> usize {
+fn field_width(format: Format) -> u32 {
     3 * precision(format) + ROOM + EXTRA
 }
 
 fn delays(format: Format) -> Vec<u32> {
-    let (p, field) = (format.mantissa + 1, field_width(format) as u32);
+    let (p, field) = (format.mantissa + 1, field_width(format));
     let zero = match format.subnormals {
         Subnormals::Keep => delay::reduction(p),
         Subnormals::Flush => 0,

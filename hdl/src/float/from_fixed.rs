@@ -35,7 +35,7 @@ fn underflow(format: Format, fixed: Fixed) -> Underflow {
 pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_from_fixed", "Fixed to floating point.", &delays(format, fixed), stages);
     fixed_parameters(&mut pipe, format, fixed);
-    let width = fixed.width as usize;
+    let width = fixed.width;
     let a = pipe.module.input("a", width);
     let (sign, magnitude) = match fixed.signed {
         Signedness::Signed => (a.msb(), a.msb().mux((!a).add_lit(1), a)),
@@ -46,7 +46,7 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
     let [magnitude, zeros] = pipe.cut([("magnitude", magnitude), ("zeros", leading_zeros(magnitude))]);
 
     let top = format.bias() + fixed.width as i32 - 1 - fixed.fraction as i32;
-    let bits = signed_width(top.unsigned_abs() + fixed.width).max(format.exponent as usize + 1);
+    let bits = signed_width(top.unsigned_abs() + fixed.width).max(format.exponent + 1);
     let exponent = signed(bits, top) - zeros.zext(bits);
     let significand = keep_sticky(magnitude.shl_by(zeros), precision(format) + 2);
     round(pipe, format, underflow(format, fixed), Raw { special, exponent, significand })

@@ -92,7 +92,7 @@ mod tests {
     fn flushing_formats_cost_less() {
         let register_bits = |operator: &Operator| {
             let design = elaborate(&operator.module).expect("operators elaborate");
-            design.modules().iter().map(|module| module.area.register_bits).sum::<usize>()
+            design.modules().iter().map(|module| module.area.register_bits).sum::<u64>()
         };
         let kept = every_operator(Format::F32, 100);
         let flushed = every_operator(Format::F32.flushed(), 100);

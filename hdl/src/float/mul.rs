@@ -50,7 +50,7 @@ pub fn module(format: Format, stages: u32) -> Operator {
 
     // Both factors lie in [1, 2), the product in [1, 4).
     let carry = product.msb();
-    let normalized = carry.mux(product, product.shl(1));
+    let normalized = carry.mux(product, product << 1);
     let exponent = pipe.arrive(&mut exponent) + carry.zext(exponent_width(format));
     let significand = keep_sticky(normalized, precision(format) + 2);
     round(pipe, format, Underflow::Possible, Raw { special, exponent, significand })

@@ -8,27 +8,27 @@ use pointcore_contract::Format;
 use rtl::{Expr, cat, lit};
 
 /// Bits of a seed table's index.
-pub(super) const INDEX_BITS: usize = 7;
+pub(super) const INDEX_BITS: u32 = 7;
 /// Fraction bits of a seed, which lies in (1/2, 1].
-pub(super) const SEED_FRACTION: usize = 16;
+pub(super) const SEED_FRACTION: u32 = 16;
 
 /// Fraction bits of the iterates.
-pub(super) fn fraction_bits(format: Format) -> usize {
+pub(super) fn fraction_bits(format: Format) -> u32 {
     precision(format) + 4
 }
 
 /// Steps until the seed's error is below the result's.
-pub(super) fn steps(format: Format) -> usize {
+pub(super) fn steps(format: Format) -> u32 {
     if precision(format) <= 12 { 1 } else { 2 }
 }
 
 /// Fraction bits of the iterate that enters a step.
-pub(super) fn iterate_fraction(format: Format, step: usize) -> usize {
+pub(super) fn iterate_fraction(format: Format, step: u32) -> u32 {
     if step == 0 { SEED_FRACTION } else { fraction_bits(format) }
 }
 
 /// The top `count` fraction bits of a significand, zeros behind the last.
-pub(super) fn top_fraction(significand: Expr, count: usize) -> Expr {
+pub(super) fn top_fraction(significand: Expr, count: u32) -> Expr {
     let mantissa = significand.width() - 1;
     match count.checked_sub(mantissa) {
         None | Some(0) => significand.bits(mantissa - 1, mantissa - count),
@@ -37,7 +37,7 @@ pub(super) fn top_fraction(significand: Expr, count: usize) -> Expr {
 }
 
 /// `value` of `from` fraction bits truncated to `to` of them and cut to `width` bits.
-pub(super) fn floor(value: Expr, from: usize, to: usize, width: usize) -> Expr {
+pub(super) fn floor(value: Expr, from: u32, to: u32, width: u32) -> Expr {
     value.bits(from - to + width - 1, from - to)
 }
 
@@ -51,7 +51,7 @@ pub(super) fn finish(
     y: Expr,
 ) -> Operator {
     let below_one = !y.msb();
-    let normalized = below_one.mux(y.shl(1), y);
+    let normalized = below_one.mux(y << 1, y);
     let raw = Raw {
         special,
         exponent: exponent - below_one.zext(exponent_width(format)),

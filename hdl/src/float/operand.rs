@@ -7,19 +7,19 @@ use pointcore_contract::{Format, Subnormals};
 use rtl::{Expr, Module, cat, lit};
 
 /// Bits of `format` as a width.
-pub(super) fn width(format: Format) -> usize {
-    format.width() as usize
+pub(super) fn width(format: Format) -> u32 {
+    format.width()
 }
 
 /// Precision `p`: the significand with its leading one.
-pub(super) fn precision(format: Format) -> usize {
-    format.mantissa as usize + 1
+pub(super) fn precision(format: Format) -> u32 {
+    format.mantissa + 1
 }
 
 /// Width of a signed biased exponent that holds those of sums, products, quotients and normalized subnormals.
-pub(super) fn exponent_width(format: Format) -> usize {
+pub(super) fn exponent_width(format: Format) -> u32 {
     let largest = (3 << (format.exponent - 1)) + 2 * (format.mantissa + 1);
-    (u32::BITS - largest.leading_zeros()) as usize + 1
+    (u32::BITS - largest.leading_zeros()) + 1
 }
 
 /// A number's fields. A zero has significand zero; so has a subnormal number that the format flushes.
@@ -50,7 +50,7 @@ impl Operand {
     }
 
     fn unpack(module: &mut Module, format: Format, name: &'static str, encoded: Expr) -> Self {
-        let mantissa = format.mantissa as usize;
+        let mantissa = format.mantissa;
         let field = module.wire(&format!("{name}_field"), encoded.bits(width(format) - 2, mantissa));
         let fraction = module.wire(&format!("{name}_fraction"), encoded.trunc(mantissa));
         let normal = field.any();
@@ -116,14 +116,14 @@ pub(super) fn flushed(format: Format, encoded: Expr) -> Expr {
     if format.subnormals == Subnormals::Keep {
         return encoded;
     }
-    let mantissa = format.mantissa as usize;
+    let mantissa = format.mantissa;
     let (field, fraction) = (encoded.bits(width(format) - 2, mantissa), encoded.trunc(mantissa));
     cat([encoded.msb(), field, (fraction & field.any().repeat(mantissa))])
 }
 
 /// Whether an encoded number is NaN.
 pub(super) fn is_nan(format: Format, encoded: Expr) -> Expr {
-    let mantissa = format.mantissa as usize;
+    let mantissa = format.mantissa;
     encoded.bits(width(format) - 2, mantissa).all() & encoded.trunc(mantissa).any()
 }
 
@@ -142,11 +142,11 @@ pub(super) const fn order_delay(format: Format) -> u32 {
 }
 
 /// A constant in two's complement.
-pub(super) fn signed(bits: usize, value: i32) -> Expr {
+pub(super) fn signed(bits: u32, value: i32) -> Expr {
     lit(bits, (i128::from(value) & ((1 << bits) - 1)) as u128)
 }
 
 /// Width of a two's complement number of at most that magnitude.
-pub(super) fn signed_width(magnitude: u32) -> usize {
-    (u32::BITS - magnitude.leading_zeros()) as usize + 1
+pub(super) fn signed_width(magnitude: u32) -> u32 {
+    (u32::BITS - magnitude.leading_zeros()) + 1
 }

@@ -5,10 +5,10 @@ use super::pipe::Pipe;
 use rtl::Expr;
 
 /// Widest unsigned operand of one hardware multiplier.
-const MULTIPLIER_WIDTH: usize = 18;
+const MULTIPLIER_WIDTH: u32 = 18;
 
 /// An operand in parts that fit a multiplier, lowest first, each with its place.
-fn parts(operand: Expr) -> Vec<(usize, Expr)> {
+fn parts(operand: Expr) -> Vec<(u32, Expr)> {
     let width = operand.width();
     if width <= MULTIPLIER_WIDTH {
         return vec![(0, operand)];
@@ -32,7 +32,7 @@ pub(crate) fn product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
         pipe.cut([]);
     }
     let mut terms: Vec<Expr> =
-        partial.iter_mut().map(|(place, value)| pipe.arrive(value).zext(width).shl(*place)).collect();
+        partial.iter_mut().map(|(place, value)| pipe.arrive(value).zext(width) << *place).collect();
     if terms.len() == 4 {
         // The outer two do not overlap: one addition less.
         let high = terms.remove(3);
@@ -43,7 +43,7 @@ pub(crate) fn product(pipe: &mut Pipe, left: Expr, right: Expr) -> Expr {
 
 /// Delays of [`product`]'s segments.
 pub(crate) fn product_delays(left: u32, right: u32) -> Vec<u32> {
-    let wide = |width: u32| width as usize > MULTIPLIER_WIDTH;
+    let wide = |width: u32| width > MULTIPLIER_WIDTH;
     match (wide(left), wide(right)) {
         (false, false) => vec![delay::MULTIPLIER],
         (true, true) => vec![delay::MULTIPLIER, 2 * delay::adder(left + right)],

@@ -17,11 +17,11 @@ pub fn stages(format: Format) -> u32 {
 }
 
 fn delays(format: Format) -> Vec<u32> {
-    let (p, fraction) = (format.mantissa + 1, fraction_bits(format) as u32);
+    let (p, fraction) = (format.mantissa + 1, fraction_bits(format));
     let mut delays = normalize_delays(format, 0);
     delays.push(3 * delay::LEVEL);
     for step in 0..steps(format) {
-        let iterate = iterate_fraction(format, step) as u32 + 1;
+        let iterate = iterate_fraction(format, step) + 1;
         delays.extend(product_delays(p, iterate));
         delays.push(delay::adder(fraction + 1));
         delays.extend(product_delays(iterate, fraction + 1));

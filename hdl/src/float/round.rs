@@ -101,7 +101,7 @@ pub(super) fn round_delays(format: Format, underflow: Underflow, preceding: u32)
 fn pack(pipe: &mut Pipe, format: Format, special: CarriedSpecial, exponent: Expr, significand: Expr) -> Expr {
     let CarriedSpecial { mut sign, mut nan, mut infinite, mut zero } = special;
     let [sign, nan, infinite, zero] = [&mut sign, &mut nan, &mut infinite, &mut zero].map(|flag| pipe.arrive(flag));
-    let (p, mantissa, exponent_bits) = (precision(format), format.mantissa as usize, format.exponent as usize);
+    let (p, mantissa, exponent_bits) = (precision(format), format.mantissa, format.exponent);
     let (leading, fraction) = (significand.bit(p + 1), significand.bits(p, 2));
     let (guard, sticky) = (significand.bit(1), significand.bit(0));
     let round_up = pipe.module.wire("round_up", guard & (sticky | fraction.bit(0)));

@@ -52,10 +52,10 @@ pub fn module(format: Format, stages: u32) -> Operator {
 
     // Y_1 = 1/2: w_1 = 2 − m/2 with p fraction bits, u_2 = 5m/4 with p + 1.
     let first = pipe.arrive(&mut m);
-    let mut triple = pipe.carry("triple", first.zext(p + 3) + first.zext(p + 3).shl(1));
+    let mut triple = pipe.carry("triple", first.zext(p + 3) + (first.zext(p + 3) << 1));
     let [mut residual, mut threshold] = pipe.cut([
         ("residual", (lit(p + 2, 2 << p) - first.zext(p + 2))),
-        ("threshold", (first.zext(p + 4).shl(2) + first.zext(p + 4))),
+        ("threshold", ((first.zext(p + 4) << 2) + first.zext(p + 4))),
     ]);
 
     let mut root = bit(true);

@@ -19,11 +19,11 @@ pub fn stages(format: Format) -> u32 {
 }
 
 fn delays(format: Format) -> Vec<u32> {
-    let (p, fraction) = (format.mantissa + 1, fraction_bits(format) as u32);
+    let (p, fraction) = (format.mantissa + 1, fraction_bits(format));
     let mut delays = normalize_delays(format, delay::LEVEL);
     delays.push(3 * delay::LEVEL);
     for step in 0..steps(format) {
-        let iterate = iterate_fraction(format, step) as u32 + 1;
+        let iterate = iterate_fraction(format, step) + 1;
         delays.extend(product_delays(iterate, iterate));
         delays.extend(product_delays(p + 1, fraction + 1));
         delays.push(delay::adder(fraction + 2));

@@ -25,9 +25,9 @@ fn count(value: Expr) -> (Expr, Expr) {
 }
 
 /// Values wider than this lose their leading zeros in two steps.
-const WIDE: usize = 32;
+const WIDE: u32 = 32;
 /// Places of the first step's unit.
-const GROUP: usize = 16;
+const GROUP: u32 = 16;
 
 /// `value` shifted left by the number of leading zeros of `marked`, which is as wide, and that number.
 ///
@@ -51,10 +51,10 @@ pub(super) fn shift_out_zeros(pipe: &mut Pipe, value: Expr, marked: Expr) -> (Ex
         .collect();
     let [value] = pipe.cut([("value", value)]);
 
-    let index_bits = groups.next_power_of_two().trailing_zeros() as usize;
-    let place = |group: usize, zeros: Expr| cat([lit(index_bits, group as u128), zeros]);
-    let mut zeros = place(groups - 1, pipe.arrive(&mut counts[groups - 1].1));
-    for (group, (empty, of_group)) in counts.iter_mut().enumerate().take(groups - 1).rev() {
+    let index_bits = groups.next_power_of_two().trailing_zeros();
+    let place = |group: u32, zeros: Expr| cat([lit(index_bits, group.into()), zeros]);
+    let mut zeros = place(groups - 1, pipe.arrive(&mut counts[groups as usize - 1].1));
+    for (group, (empty, of_group)) in (0..groups - 1).zip(&mut counts).rev() {
         zeros = pipe.arrive(empty).mux(zeros, place(group, pipe.arrive(of_group)));
     }
     let group_bits = zeros.width() - index_bits;
@@ -65,23 +65,23 @@ pub(super) fn shift_out_zeros(pipe: &mut Pipe, value: Expr, marked: Expr) -> (Ex
 
 /// Delays of [`shift_out_zeros`]' segments; the last one goes on behind its last cut.
 pub(super) fn shift_out_zeros_delays(width: u32) -> Vec<u32> {
-    if width as usize <= WIDE {
+    if width <= WIDE {
         return vec![delay::leading_zeros(width), delay::shifter(width)];
     }
-    let (group, groups) = (GROUP as u32, width.div_ceil(GROUP as u32));
-    vec![delay::leading_zeros(group), delay::leading_zeros(groups) + delay::shifter(groups), delay::shifter(group)]
+    let groups = width.div_ceil(GROUP);
+    vec![delay::leading_zeros(GROUP), delay::leading_zeros(groups) + delay::shifter(groups), delay::shifter(GROUP)]
 }
 
 /// `value` shifted right; the lowest bit of the result is set if any one was shifted out of it.
 #[must_use]
 pub(super) fn shift_right_sticky(value: Expr, amount: Expr) -> Expr {
     let width = value.width();
-    let levels = amount.width().min(width.next_power_of_two().trailing_zeros() as usize);
+    let levels = amount.width().min(width.next_power_of_two().trailing_zeros());
     let (mut shifted, mut sticky) = (value, bit(false));
     for level in (0..levels).rev() {
         let (distance, enabled) = (1 << level, amount.bit(level));
         sticky = sticky | (enabled & shifted.trunc(distance.min(width)).any());
-        shifted = enabled.mux(shifted.shr(distance), shifted);
+        shifted = enabled.mux(shifted >> distance, shifted);
     }
     let result = cat([shifted.bits(width - 1, 1), (shifted.bit(0) | sticky)]);
     if amount.width() == levels {
@@ -93,7 +93,7 @@ pub(super) fn shift_right_sticky(value: Expr, amount: Expr) -> Expr {
 
 /// The top `width − 1` bits of `value` and whether any below is set; padded if `value` is narrower.
 #[must_use]
-pub(super) fn keep_sticky(value: Expr, width: usize) -> Expr {
+pub(super) fn keep_sticky(value: Expr, width: u32) -> Expr {
     let lost = (value.width() + 1).saturating_sub(width);
     match lost {
         0 => cat([value, lit(width - value.width(), 0)]),

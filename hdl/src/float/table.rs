@@ -28,8 +28,8 @@ pub fn module(shape: TableShape, samples: &[u64], stages: u32) -> Operator {
     let mut pipe = Pipe::new("float_table", "Sampled function, interpolated linearly.", &delays(shape), stages);
     pipe.module.parameter("index_bits", shape.index_bits);
     pipe.module.parameter("fraction_bits", shape.fraction_bits);
-    let (value_bits, fraction_bits) = (shape.value_bits as usize, shape.fraction_bits as usize);
-    let argument = pipe.module.input("a", fraction_bits + shape.index_bits as usize);
+    let (value_bits, fraction_bits) = (shape.value_bits, shape.fraction_bits);
+    let argument = pipe.module.input("a", fraction_bits + shape.index_bits);
     if fraction_bits == 0 {
         let samples: Vec<u128> = samples.iter().map(|&sample| sample.into()).collect();
         let entry = pipe.module.lookup("samples", &samples, value_bits, argument);

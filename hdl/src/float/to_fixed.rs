@@ -50,14 +50,14 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
         Normalized { exponent: a.exponent, significand: a.significand }
     };
 
-    let width = fixed.width as usize;
+    let width = fixed.width;
     let magnitude_bits = match fixed.signed {
         Signedness::Signed => width - 1,
         Signedness::Unsigned => width,
     };
-    let wide = shifted_width(format, fixed) as usize;
+    let wide = shifted_width(format, fixed);
     let offset = integer_bits(format, fixed, 0);
-    let bits = signed_width(offset.unsigned_abs() + 2 * format.exponent_max() as u32 + wide as u32);
+    let bits = signed_width(offset.unsigned_abs() + 2 * format.exponent_max() as u32 + wide);
     let [infinite, zero] = flags.each_mut().map(|flag| pipe.arrive(flag));
     let integer_bits = a.exponent.sext(bits) + signed(bits, offset);
     let fraction_only = integer_bits.msb() | integer_bits.is_zero();
@@ -65,11 +65,11 @@ pub fn module(format: Format, fixed: Fixed, stages: u32) -> Operator {
     let vanishes = pipe.carry("vanishes", (fraction_only & !infinite) | zero);
     let saturates = pipe.carry("saturates", (too_large & !zero) | infinite);
     let [distance, significand] = pipe.cut([
-        ("distance", (signed(bits, wide as i32) - integer_bits).trunc(delay::levels(wide as u32) as usize)),
+        ("distance", (signed(bits, wide as i32) - integer_bits).trunc(delay::levels(wide))),
         ("significand", a.significand),
     ]);
 
-    let padded = significand.zext(wide).shl(wide - precision(format));
+    let padded = significand.zext(wide) << (wide - precision(format));
     let [magnitude] = pipe.cut([("magnitude", padded.shr_by(distance).trunc(width))]);
 
     let [mut vanishes, mut saturates] = [vanishes, saturates];

@@ -23,8 +23,8 @@ pub(super) struct HeadQueue {
 
 impl HeadQueue {
     /// An empty queue of `depth` items, a power of two.
-    pub fn new(m: &mut Module, name: &str, depth: usize, fields: &[Field]) -> Self {
-        let address_bits = depth.ilog2() as usize;
+    pub fn new(m: &mut Module, name: &str, depth: u32, fields: &[Field]) -> Self {
+        let address_bits = depth.ilog2();
         let count = m.reg_reset(&format!("{name}_count"), address_bits + 1, 0);
         let [write_address, read_address] =
             ["write", "read"].map(|side| m.reg_reset(&format!("{name}_{side}_address"), address_bits, 0));

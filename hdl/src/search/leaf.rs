@@ -47,7 +47,7 @@ fn request_points(m: &mut Module, config: &Config) {
     m.assert("no_leaf_is_looked_up_while_one_is_written", !(writes & leaf.valid));
     // f0: the table shows the entry; f1: it is in a register, for a block RAM is slow to show it.
     let [f0_valid, f1_valid] = ["f0_valid", "f1_valid"].map(|name| m.reg_reset(name, 1, 0));
-    let [f0_thread, f1_thread] = ["f0_thread", "f1_thread"].map(|name| m.reg(name, config.thread_bits() as usize));
+    let [f0_thread, f1_thread] = ["f0_thread", "f1_thread"].map(|name| m.reg(name, config.thread_bits()));
     let advance = m.wire("table_advance", !f1_valid | fetch.room);
     m.ready(&leaf, advance);
     m.next_if(f0_valid, advance, leaf.valid);

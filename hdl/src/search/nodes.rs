@@ -24,8 +24,8 @@ impl Token {
     pub fn new(m: &mut Module, config: &Config, stage: &str) -> Self {
         Self {
             valid: m.reg_reset(&format!("{stage}_valid"), 1, 0),
-            thread: m.reg(&format!("{stage}_thread"), config.thread_bits() as usize),
-            node: m.reg(&format!("{stage}_node"), config.node_bits() as usize),
+            thread: m.reg(&format!("{stage}_thread"), config.thread_bits()),
+            node: m.reg(&format!("{stage}_node"), config.node_bits()),
         }
     }
 
@@ -49,8 +49,8 @@ pub(super) enum Nodes {
 }
 
 /// Bits of a pair of siblings' address; a memory has two words at least.
-const fn pair_bits(config: &Config) -> usize {
-    if config.tree_depth > 1 { config.tree_depth as usize - 1 } else { 1 }
+const fn pair_bits(config: &Config) -> u32 {
+    if config.tree_depth > 1 { config.tree_depth - 1 } else { 1 }
 }
 
 /// The address of the pair that a node is of.
@@ -69,7 +69,7 @@ impl Nodes {
         let fields = records::node(config);
         let address = tree.record.get("address");
         let writes = tree.valid & !tree.record.get("is_leaf");
-        let written = pair(config, address.resize(config.node_bits() as usize));
+        let written = pair(config, address.resize(config.node_bits()));
         let is_odd = address.bit(0);
         let word = tree.record.only(&fields).pack();
         Self::Memories([("even", !is_odd), ("odd", is_odd)].map(|(name, is_here)| {

@@ -18,8 +18,8 @@ const SLOT: &str = "slot";
 
 /// The slot of a leaf, by its first beat's address: all its bits have a say.
 fn slot_of(config: &Config, address: Expr) -> Expr {
-    let slot_bits = index_bits(config.point_cache) as usize;
-    let pieces = (0..address.width()).step_by(slot_bits).map(|low| {
+    let slot_bits = index_bits(config.point_cache);
+    let pieces = (0..address.width()).step_by(slot_bits as usize).map(|low| {
         let high = address.width().min(low + slot_bits) - 1;
         address.bits(high, low).zext(slot_bits)
     });
@@ -33,7 +33,7 @@ const fn slot_beats(config: &Config) -> u32 {
 
 /// Where a beat of a slot is in the memory of points.
 fn place(config: &Config, slot: Expr, count: Expr) -> Expr {
-    match slot_beats(config).ilog2() as usize {
+    match slot_beats(config).ilog2() {
         0 => slot,
         bits => cat([slot, count.trunc(bits)]),
     }
@@ -96,17 +96,17 @@ impl Fill {
     fn new(m: &mut Module, config: &Config) -> Self {
         let head = queue_with_slot(m, config, "fill", &records::beat(config));
         let under_way = m.reg_reset("fill_under_way", 1, 0);
-        let slot_before = m.reg("fill_slot_before", index_bits(config.point_cache) as usize);
+        let slot_before = m.reg("fill_slot_before", index_bits(config.point_cache));
         let slot = m.wire("fill_slot", under_way.mux(slot_before, head.field(SLOT)));
         m.next(slot_before, slot);
-        let count = m.reg_reset("fill_count", config.beats_bits() as usize, 0);
+        let count = m.reg_reset("fill_count", config.beats_bits(), 0);
         Self { head, under_way, slot, count, kept_before: m.reg("fill_kept_before", 1) }
     }
 
     /// Writes the beats of a leaf that is kept, as they are taken, and its tag; returns the memories and the set of slots
     /// whose points are there.
     fn store(&self, m: &mut Module, config: &Config, take: Expr, may_keep: Expr) -> (Memory, Memory, Reg) {
-        let slots = config.point_cache as usize;
+        let slots = config.point_cache;
         let Self { ref head, under_way, slot, count, kept_before } = *self;
         let (last, address) = (head.field("last"), head.field("address"));
         m.ready(head, take);
@@ -118,7 +118,7 @@ impl Fill {
 
         let store = m.wire("store", taken & kept);
         let fields = point_fields(config);
-        let points = m.memory_unordered("points", slots * slot_beats(config) as usize, width(&fields));
+        let points = m.memory_unordered("points", slots * slot_beats(config), width(&fields));
         m.write(points, store, place(config, slot, *count), Record::from(head).only(&fields).pack());
         let begins = store & !under_way;
         let tags = m.memory("tags", slots, address.width());
@@ -165,7 +165,7 @@ pub fn module(config: &Config) -> Module {
     miss.push(&mut m, misses, |name| l.request.get(name));
 
     // Beats of the leaf that is read, or of the one that comes.
-    let run_count = m.reg_reset("run_count", config.beats_bits() as usize, 0);
+    let run_count = m.reg_reset("run_count", config.beats_bits(), 0);
     let run_last = m.wire("run_last", run_count.add_lit(1).eq(run.request.get("beats")));
     let step = m.wire("run_step", advance_r & runs);
     m.next_if(run_count, step, run_last.mux(lit(run_count.width(), 0), run_count.add_lit(1)));

@@ -18,7 +18,7 @@ use crate::units::records::{Pulse, Record, event_out, pulse_in, queue_in, regist
 use rtl::{Expr, Module, Reg, bit, cat};
 
 /// Beats that wait.
-const BEATS: usize = 2;
+const BEATS: u32 = 2;
 
 /// The beat that chooses its candidates.
 struct Beat {
@@ -60,10 +60,10 @@ impl Choice {
         let rest = m.wire("rest", beat.pending & !chosen);
         let nearest_lane =
             (1..config.lanes).rev().fold(lane_distance(&beat.record, config.lanes - 1), |other, lane| {
-                chosen.bit(lane as usize - 1).mux(lane_distance(&beat.record, lane - 1), other)
+                chosen.bit(lane - 1).mux(lane_distance(&beat.record, lane - 1), other)
             });
         let address = beat.record.get("address");
-        let index = match config.lanes.ilog2() as usize {
+        let index = match config.lanes.ilog2() {
             0 => address,
             bits => cat([address, index_of(chosen, bits)]),
         };
@@ -93,7 +93,7 @@ impl Item {
     fn new(m: &mut Module, config: &Config) -> Self {
         let mut flag = |name: &str| m.reg_reset(&format!("item_{name}"), 1, 0);
         let [valid, reads, inserts, last] = ["valid", "reads", "inserts", "last"].map(&mut flag);
-        let thread = m.reg("item_thread", config.thread_bits() as usize);
+        let thread = m.reg("item_thread", config.thread_bits());
         Self { valid, reads, fresh: m.reg("item_fresh", 1), inserts, last, thread }
     }
 }
@@ -111,15 +111,15 @@ struct Insertion {
 impl Insertion {
     fn new(m: &mut Module, config: &Config) -> Self {
         let names = entry_fields(config);
-        let fields: Vec<_> = names.iter().map(|(name, width)| m.reg(&format!("new_{name}"), *width as usize)).collect();
+        let fields: Vec<_> = names.iter().map(|(name, width)| m.reg(&format!("new_{name}"), *width)).collect();
         let mut values = fields.iter();
         let neighbor = Record::new(&names, |_| values.next().expect("a register for every field").expr());
         Self {
-            nearer: m.reg_reset("nearer", config.neighbors as usize, 0),
+            nearer: m.reg_reset("nearer", config.neighbors, 0),
             fields,
             neighbor,
             last: m.reg_reset("new_last", 1, 0),
-            thread: m.reg("new_thread", config.thread_bits() as usize),
+            thread: m.reg("new_thread", config.thread_bits()),
         }
     }
 
@@ -164,8 +164,8 @@ fn arrival_fields(config: &Config) -> Vec<Field> {
 /// The unit; ports as in `contract::search::ports::queue`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let (threads, thread_bits) = (config.threads as usize, config.thread_bits() as usize);
-    let lanes = config.lanes as usize;
+    let (threads, thread_bits) = (config.threads, config.thread_bits());
+    let lanes = config.lanes;
     let mut m = Module::new("search_queue", "A sorted row of neighbors for each thread.");
     m.parameter("threads", threads);
     m.parameter("neighbors", config.neighbors);
@@ -205,7 +205,7 @@ pub fn module(config: &Config) -> Module {
     event_out(&mut m, "event_insert", insertion.nearer.msb());
 
     // e: the farthest neighbor of the row that was the working row a cycle ago and still is.
-    let farthest = m.reg("farthest", config.geometry.width() as usize);
+    let farthest = m.reg("farthest", config.geometry.width());
     let farthest_thread = m.reg("farthest_thread", thread_bits);
     let farthest_valid = m.reg_reset("farthest_valid", 1, 0);
     m.next(farthest, inserted[inserted.len() - 1].get("distance2"));

@@ -5,7 +5,7 @@ use pointcore_contract::search::{Config, records};
 use super::queue_row::{entries, row_bits};
 use super::sets::contains;
 use crate::units::records::{Record, registered_pulse_out};
-use rtl::{Expr, Module, Reg, Stream, address_width, lit, select};
+use rtl::{Expr, Module, Reg, Stream, address_width, lit};
 
 /// Idle, *fetch* or *send*.
 pub(super) struct Readout {
@@ -48,7 +48,7 @@ impl Readout {
         let starts = m.wire("readout_starts", reads & !(rows.displaced & owns));
         m.ready(finish, starts);
         m.next(fetching, starts);
-        let thread = m.reg("readout_thread", config.thread_bits() as usize);
+        let thread = m.reg("readout_thread", config.thread_bits());
         m.next_if(thread, starts, finished);
         // Where the row is does not change while it is fetched: its search is over, and it is not displaced.
         let from_working = m.reg("fetch_from_working", 1);
@@ -67,13 +67,13 @@ impl Readout {
         let fetched = from_nothing.mux(rows.initial, from_working.mux(rows.working, rows.stored));
         let row = m.reg("sent_row", row_bits(config));
         m.next_if(row, fetching, fetched);
-        let number = m.reg("sent_number", config.index_bits as usize);
+        let number = m.reg("sent_number", config.index_bits);
         m.next_if(number, fetching, query.get("number"));
         let released = Record::new(&records::thread_only(config), |_| thread.expr());
         registered_pulse_out(m, "released", fetching, &released);
 
-        let neighbors = config.neighbors as usize;
-        let rank_bits = config.rank_bits() as usize;
+        let neighbors = config.neighbors;
+        let rank_bits = config.rank_bits();
         let position = m.reg("position", rank_bits);
         let next_position = m.wire("next_position", position.add_lit(1));
         let transfer = m.forward("result_transfer", 1);
@@ -84,7 +84,7 @@ impl Readout {
         let entry_bits = address_width(neighbors);
         let at = |position: Expr, field: &str| {
             let values: Vec<_> = words.iter().map(|entry| entry.get(field)).collect();
-            select(position.trunc(entry_bits), values)
+            position.trunc(entry_bits).pick(values)
         };
         let at_end = position.eq_lit(neighbors as u128 - 1);
         let last = m.wire("last_result", at_end | !at(next_position, "found"));

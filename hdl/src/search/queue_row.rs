@@ -17,22 +17,21 @@ pub(super) fn entry_fields(config: &Config) -> Vec<Field> {
 }
 
 /// The bits of a row.
-pub(super) fn row_bits(config: &Config) -> usize {
-    config.neighbors as usize * width(&entry_fields(config))
+pub(super) fn row_bits(config: &Config) -> u32 {
+    config.neighbors * width(&entry_fields(config))
 }
 
 /// The neighbors of a row, nearest first.
 pub(super) fn entries(config: &Config, row: Expr) -> Vec<Record> {
     let fields = entry_fields(config);
     let bits = width(&fields);
-    let entry = |number: usize| Record::unpack(&fields, row.bits((number + 1) * bits - 1, number * bits));
-    (0..config.neighbors as usize).map(entry).collect()
+    let entry = |number: u32| Record::unpack(&fields, row.bits((number + 1) * bits - 1, number * bits));
+    (0..config.neighbors).map(entry).collect()
 }
 
 /// The word of a row.
 pub(super) fn row(entries: &[Record]) -> Expr {
-    let words: Vec<_> = entries.iter().rev().map(Record::pack).collect();
-    cat(words.iter().copied())
+    cat(entries.iter().rev().map(Record::pack))
 }
 
 /// The entries that stay empty in a row for `k` neighbors, a bit each.
@@ -45,7 +44,7 @@ pub(super) fn sentinels(config: &Config, k: Expr) -> Expr {
 pub(super) fn initial(config: &Config, sentinels: Expr, radius2: Expr) -> Expr {
     let nothing = Record::zeros(&entry_fields(config));
     let entry = |number: u32| {
-        let is_sentinel = sentinels.bit(number as usize);
+        let is_sentinel = sentinels.bit(number);
         Record::new(&entry_fields(config), |name| match name {
             "distance2" => is_sentinel.mux(lit(radius2.width(), 0), radius2),
             field => nothing.get(field),
@@ -57,12 +56,12 @@ pub(super) fn initial(config: &Config, sentinels: Expr, radius2: Expr) -> Expr {
 /// A row of anything after an insertion: the neighbor before those entries that it is `nearer` than, a bit each and the last
 /// ones of the row; the last one falls out.
 pub(super) fn insert<T>(old: &[T], nearer: Expr, neighbor: &T, mux: impl Fn(Expr, &T, &T) -> T) -> Vec<T> {
-    let entry = |number: usize| {
+    let entry = |(number, entry): (u32, &T)| {
         let here = nearer.bit(number);
         match number {
-            0 => mux(here, neighbor, &old[0]),
-            _ => mux(here, &mux(nearer.bit(number - 1), &old[number - 1], neighbor), &old[number]),
+            0 => mux(here, neighbor, entry),
+            _ => mux(here, &mux(nearer.bit(number - 1), &old[number as usize - 1], neighbor), entry),
         }
     };
-    (0..old.len()).map(entry).collect()
+    (0..).zip(old).map(entry).collect()
 }

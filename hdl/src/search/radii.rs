@@ -11,15 +11,12 @@ use rtl::{Expr, Module};
 /// the cycle, without a register.
 pub(super) fn radii_now(m: &mut Module, config: &Config, writers: [&Pulse; 2], thread: impl Into<Expr>) -> Expr {
     let thread = thread.into();
-    let threads = config.threads as usize;
+    let threads = config.threads;
     let [(by_query, query_set), (by_leaf, leaf_set)] =
         [("query", writers[0]), ("leaf", writers[1])].map(|(name, writer)| {
             let writes = writer.record.get("thread");
-            let memory = m.memory_distributed(
-                &format!("{name}_radii"),
-                1 << config.thread_bits(),
-                config.geometry.width() as usize,
-            );
+            let memory =
+                m.memory_distributed(&format!("{name}_radii"), 1 << config.thread_bits(), config.geometry.width());
             m.write(memory, writer.valid, writes, writer.record.get("radius2"));
             let radius = m.read_now(memory, &format!("{name}_radius2"), thread);
             (radius, m.wire(&format!("{name}_set"), decode(writer.valid, writes, threads)))
@@ -39,7 +36,7 @@ pub(super) fn radii(
 ) -> Expr {
     let (enable, thread) = (enable.into(), thread.into());
     let now = radii_now(m, config, writers, thread);
-    let radius2 = m.reg("radius2", config.geometry.width() as usize);
+    let radius2 = m.reg("radius2", config.geometry.width());
     m.next_if(radius2, enable, now);
     radius2.expr()
 }

@@ -10,7 +10,7 @@ use rtl::{Expr, Module};
 /// The unit; ports as in `contract::search::ports::recursion`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let thread_bits = config.thread_bits() as usize;
+    let thread_bits = config.thread_bits();
     let thread_only = records::thread_only(config);
     let mut m = Module::new("search_recursion", "Pops paths until one is worth descending.");
     m.parameter("threads", config.threads);

@@ -8,7 +8,7 @@ pub(super) fn set(members: &[Expr]) -> Expr {
 }
 
 /// The set of one number where `valid`, else of none, whatever the number: a shift would be unknown where that is.
-pub(super) fn decode(valid: impl Into<Expr>, number: impl Into<Expr>, count: usize) -> Expr {
+pub(super) fn decode(valid: impl Into<Expr>, number: impl Into<Expr>, count: u32) -> Expr {
     let (valid, number) = (valid.into(), number.into());
     let members: Vec<_> = (0..count).map(|member| valid & number.eq_lit(member as u128)).collect();
     set(&members)
@@ -27,7 +27,7 @@ pub(super) fn lowest(set: impl Into<Expr>) -> Expr {
 }
 
 /// The number of a set's only member.
-pub(super) fn index_of(single: impl Into<Expr>, bits: usize) -> Expr {
+pub(super) fn index_of(single: impl Into<Expr>, bits: u32) -> Expr {
     let single = single.into();
     let digits: Vec<Expr> = (0..bits)
         .map(|digit| {
@@ -42,6 +42,6 @@ pub(super) fn index_of(single: impl Into<Expr>, bits: usize) -> Expr {
 /// Whether a set has more than one member, each against those before it: sooner known than which is the lowest.
 pub(super) fn several(set: impl Into<Expr>) -> Expr {
     let set = set.into();
-    let pair = |member: usize| set.bit(member) & set.trunc(member).any();
+    let pair = |member: u32| set.bit(member) & set.trunc(member).any();
     (1..set.width()).map(pair).fold(bit(false), |any, pair| any | pair)
 }

@@ -28,7 +28,7 @@ pub fn module(config: &Config) -> Module {
     let start = pulse_in(&mut m, "start", &records::start(config));
     let radius = pulse_in(&mut m, "radius", &records::radius(config));
     let head = queue_in(&mut m, "candidates", &fields);
-    let kept = m.instance("kept_queue", fifo(config.sieve_depth() as usize, &layout(&fields)));
+    let kept = m.instance("kept_queue", fifo(config.sieve_depth(), &layout(&fields)));
     let room = m.out(kept, "in_ready");
 
     // s1: the radius is there; s2: it is known whether a lane is nearer.

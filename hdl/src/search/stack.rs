@@ -6,12 +6,12 @@ use pointcore_contract::splat::config::index_bits;
 
 use super::sets::decode;
 use crate::units::records::{Record, pulse_in, width};
-use rtl::{Module, address_width, bit, cat, select};
+use rtl::{Module, address_width, bit, cat};
 
 /// The unit; ports as in `contract::search::ports::stack`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let threads = config.threads as usize;
+    let threads = config.threads;
     let depth = config.tree_depth;
     let thread_only = records::thread_only(config);
     let path = records::path(config);
@@ -23,20 +23,20 @@ pub fn module(config: &Config) -> Module {
     let pop = pulse_in(&mut m, "pop", &thread_only);
     let (pushing, popping) = (push.record.get("thread"), pop.record.get("thread"));
 
-    let depth_bits = index_bits(depth + 1) as usize;
+    let depth_bits = index_bits(depth + 1);
     let depths: Vec<_> = (0..threads).map(|thread| m.reg_reset(&format!("depth_{thread}"), depth_bits, 0)).collect();
-    let push_depth = m.wire("push_depth", select(pushing, depths.clone()));
-    let pop_depth = m.wire("pop_depth", select(popping, depths.clone()));
+    let push_depth = m.wire("push_depth", pushing.pick(depths.clone()));
+    let pop_depth = m.wire("pop_depth", popping.pick(depths.clone()));
     let takes = m.wire("takes", pop.valid & pop_depth.any());
     let [up, down] = [("up", push.valid, pushing), ("down", takes, popping)]
         .map(|(name, valid, thread)| m.wire(name, decode(valid, thread, threads)));
-    for (thread, register) in depths.iter().enumerate() {
+    for (thread, register) in (0..).zip(depths) {
         let changes = up.bit(thread) | down.bit(thread);
-        m.next_if(*register, changes, up.bit(thread).mux(register.add_lit(1), register.sub_lit(1)));
+        m.next_if(register, changes, up.bit(thread).mux(register.add_lit(1), register.sub_lit(1)));
     }
 
-    let level_bits = address_width(depth as usize);
-    let paths = m.memory_unordered("paths", 1 << (config.thread_bits() as usize + level_bits), width(&path));
+    let level_bits = address_width(depth);
+    let paths = m.memory_unordered("paths", 1 << (config.thread_bits() + level_bits), width(&path));
     let write_address = cat([pushing, push_depth.trunc(level_bits)]);
     m.write(paths, push.valid, write_address, push.record.only(&path).pack());
     let read_address = cat([popping, pop_depth.sub_lit(1).trunc(level_bits)]);

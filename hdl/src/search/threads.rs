@@ -11,7 +11,7 @@ use rtl::{Expr, Module, Reg, lit};
 /// Shows a thread and, when it is taken, chooses the next: the first from a pointer on that has a wish, behind which the pointer
 /// moves; returns whose wish is granted. Choice and pointer are sets, the pointer's those behind the thread granted last: a
 /// thread's number is encoded on its way out.
-fn grant(m: &mut Module, name: &str, wishes: Reg, thread_bits: usize) -> Expr {
+fn grant(m: &mut Module, name: &str, wishes: Reg, thread_bits: u32) -> Expr {
     let threads = wishes.width();
     let behind = m.reg_reset(&format!("behind_{name}"), threads, 0);
     let chosen = m.reg_reset(&format!("chosen_{name}"), threads, 0);
@@ -36,7 +36,7 @@ fn grant(m: &mut Module, name: &str, wishes: Reg, thread_bits: usize) -> Expr {
 /// The unit; ports as in `contract::search::ports::threads`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let (threads, thread_bits) = (config.threads as usize, config.thread_bits() as usize);
+    let (threads, thread_bits) = (config.threads, config.thread_bits());
     let thread_only = records::thread_only(config);
     let mut m = Module::new("search_threads", "Gives queries to threads and says what each does next.");
     m.parameter("threads", threads);
@@ -56,7 +56,7 @@ pub fn module(config: &Config) -> Module {
     let descend = queue_out(&mut m, "descend", &records::descent(config));
     m.ready(&query, (free.any() & !start.valid) & descend.room);
     descend.push(&mut m, start.valid, |name| match name {
-        "node" => lit(config.node_bits() as usize, 1),
+        "node" => lit(config.node_bits(), 1),
         field => start.record.get(field),
     });
 
@@ -69,7 +69,7 @@ pub fn module(config: &Config) -> Module {
         m.wire(&format!("{name}_set"), decode(pulse.valid, pulse.record.get("thread"), threads))
     });
     let leaf_ended = m.wire("leaf_ended", leaf_done | skipped);
-    let count_bits = index_bits(config.leaves_in_flight + 1) as usize;
+    let count_bits = index_bits(config.leaves_in_flight + 1);
     let (mut below, mut none, mut early) = (vec![], vec![], vec![]);
     for thread in 0..threads {
         let outstanding = m.reg_reset(&format!("outstanding_{thread}"), count_bits, 0);

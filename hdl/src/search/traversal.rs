@@ -14,7 +14,7 @@ use crate::compiler::{CompileError, Datapath, Options, Program, compile};
 use crate::float::compare;
 use crate::units::datapath::Inputs;
 use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out};
-use rtl::{Expr, Module, bit, cat, select};
+use rtl::{Expr, Module, bit, cat};
 
 /// What `t2` sends through the path datapath: a leaf that is reached, or a path not taken with what its distance follows
 /// from.
@@ -42,10 +42,10 @@ fn distance(config: &Config, options: &Options) -> Result<Datapath, CompileError
 /// without it.
 fn leaf_number(node: Expr) -> Expr {
     let depth = node.width() - 1;
-    let steps = (0..=depth.ilog2()).rev().map(|exponent| 1_usize << exponent);
+    let steps = (0..=depth.ilog2()).rev().map(|exponent| 1_u32 << exponent);
     let shifted = steps.fold(node, |node, step| {
         let zeros = node.bits(depth, depth + 1 - step).is_zero();
-        zeros.mux(node.shl(step), node)
+        zeros.mux(node << step, node)
     });
     shifted.trunc(depth)
 }
@@ -55,8 +55,8 @@ fn leaf_number(node: Expr) -> Expr {
 /// # Errors
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
-    let tree_depth = config.tree_depth as usize;
-    let coordinate_bits = config.geometry.width() as usize;
+    let tree_depth = config.tree_depth;
+    let coordinate_bits = config.geometry.width();
     let mut m = Module::new("search_traversal", "Descends to leaves and stacks the paths not taken.");
     m.parameter("threads", config.threads);
     m.parameter("tree_depth", tree_depth);
@@ -116,7 +116,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     s.take(&mut m, *advance, &v.place());
     m.next_if(s_at_leaf, advance, at_leaf);
     let axes = AXES.map(|axis| point.get(axis));
-    let coordinate = m.wire("coordinate", select(node.get("dimension"), axes));
+    let coordinate = m.wire("coordinate", node.get("dimension").pick(axes));
     m.next_if(s_coordinate, advance, coordinate);
     m.next_if(s_split, advance, node.get("split"));
     m.connect(less, "enable", advance);

@@ -10,8 +10,8 @@ use crate::units::records::{Record, event_out, layout, queue_in, queue_out, stre
 use rtl::{Expr, Module, Stream, bit, cat};
 
 /// Bits that number the lines.
-const fn line_bits(config: &Config) -> usize {
-    index_bits(config.tree_cache) as usize
+const fn line_bits(config: &Config) -> u32 {
+    index_bits(config.tree_cache)
 }
 
 /// The number of the line that holds a record, the low bits of its address.
@@ -21,7 +21,7 @@ fn line_of(config: &Config, address: Expr) -> Expr {
 
 /// A line; without a tag where there is one for every record.
 fn line_fields(config: &Config) -> Vec<Field> {
-    let tag = config.node_bits().saturating_sub(line_bits(config) as u32);
+    let tag = config.node_bits().saturating_sub(line_bits(config));
     let word = width(&records::node(config)).max(width(&records::bucket(config))) as u32;
     let fields = [("valid", 1), ("tag", tag), ("word", word)];
     fields.into_iter().filter(|(_, width)| *width > 0).map(|(name, width)| (name.to_owned(), width)).collect()
@@ -34,7 +34,7 @@ fn tag_of(config: &Config, address: Expr) -> Expr {
 
 /// Whether a line holds the record of an address.
 fn holds(config: &Config, line: &Record, address: Expr) -> Expr {
-    match config.node_bits() as usize > line_bits(config) {
+    match config.node_bits() > line_bits(config) {
         true => line.get("valid") & line.get("tag").eq(tag_of(config, address)),
         false => line.get("valid"),
     }
@@ -43,7 +43,7 @@ fn holds(config: &Config, line: &Record, address: Expr) -> Expr {
 /// A stream that comes in through a queue as long as everything that can be under way.
 fn long_queue_in(m: &mut Module, name: &str, depth: u32, fields: &[Field]) -> Stream {
     let ports = stream_in(m, name, fields);
-    let queue = m.instance(&format!("{name}_queue"), fifo(depth.max(2) as usize, &layout(fields)));
+    let queue = m.instance(&format!("{name}_queue"), fifo(depth.max(2), &layout(fields)));
     m.stream_into(queue, "in", &ports);
     m.stream_from(queue, "out")
 }
@@ -75,7 +75,7 @@ pub fn module(config: &Config) -> Module {
     let fills_fetch = m.wire("fills_fetch", fills & fill_is_leaf);
     let fills_record = m.wire("fills_record", fills & !fill_is_leaf);
     let filling = Record::from(&fill);
-    let lines = m.memory("lines", config.tree_cache as usize, width(&line_fields));
+    let lines = m.memory("lines", config.tree_cache, width(&line_fields));
     let [node_word, leaf_word] = [&node_fields, &leaf_fields].map(|fields| filling.only(fields).pack());
     let filled = Record::new(&line_fields, |name| match name {
         "valid" => bit(true),

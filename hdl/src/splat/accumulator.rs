@@ -12,7 +12,7 @@ use pointcore_contract::splat::{Config, Field, records};
 use super::blend::blend;
 use crate::stream::{fifo, fifo_distributed};
 use crate::units::records::{Head, Record, layout, stream_in, width};
-use rtl::{Expr, Module, Reg, Stream, bit, cat, select};
+use rtl::{Expr, Module, Reg, Stream, bit, cat};
 
 /// What travels with a sample through every stage.
 struct Stage {
@@ -29,8 +29,8 @@ impl Stage {
             valid: m.reg_reset(&format!("valid_{number}"), 1, 0),
             inside: m.reg_reset(&format!("inside_{number}"), 1, 0),
             last: m.reg(&format!("last_{number}"), 1),
-            slot: m.reg(&format!("slot_{number}"), config.slot_bits() as usize),
-            pixel: m.reg(&format!("pixel_{number}"), PIXEL_BITS as usize),
+            slot: m.reg(&format!("slot_{number}"), config.slot_bits()),
+            pixel: m.reg(&format!("pixel_{number}"), PIXEL_BITS),
         }
     }
 
@@ -64,9 +64,9 @@ fn collisions(m: &mut Module, head: &Head, stages: &[Stage]) -> Expr {
     let moving = &stages[..stages.len() - 1];
     collide.extend(moving.iter().map(|stage| stage.inside & arriving.eq(cat([stage.slot, stage.pixel]))));
     let collide = cat(collide.iter().rev().copied());
-    let collisions = m.reg("collisions", stages.len());
+    let collisions = m.reg("collisions", stages.len() as u32);
     // A head that stays sees the others move on, and none follow.
-    m.next(collisions, head.takes.mux(collide, collisions.shl(1)));
+    m.next(collisions, head.takes.mux(collide, collisions << 1));
     collisions.expr()
 }
 
@@ -109,7 +109,7 @@ const PLACE: [&str; 5] = ["end", "last", "inside", "slot", "pixel"];
 /// The queue of samples: two that move together, as what decides comes out of flip-flops and the rest out of block memory.
 fn queue(m: &mut Module, input: &Stream, fields: &[Field]) -> Stream {
     let (place, rest): (Vec<_>, Vec<_>) = fields.iter().cloned().partition(|(name, _)| PLACE.contains(&name.as_str()));
-    let depth = SAMPLE_QUEUE_DEPTH as usize;
+    let depth = SAMPLE_QUEUE_DEPTH;
     let places = m.instance("places", fifo_distributed(depth, &layout(&place)));
     let samples = m.instance("samples", fifo(depth, &layout(&rest)));
     for (queue, fields) in [(&places, &place), (&samples, &rest)] {
@@ -156,13 +156,13 @@ fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses
     let pixel_bits = width(&records::pixel(config));
     let mut slot = |number: u32| {
         let is = |slot: Expr| slot.eq_lit(number.into());
-        let memory = m.memory_unordered(&format!("slot_{number}_pixels"), TILE_PIXELS as usize, pixel_bits);
+        let memory = m.memory_unordered(&format!("slot_{number}_pixels"), TILE_PIXELS, pixel_bits);
         let filling = m.wire(&format!("filling_{number}"), ports.fill_valid & is(ports.fill_slot));
         let write = filling | (accesses.write & is(accesses.write_slot));
         let address = filling.mux(ports.fill_pixel, accesses.write_pixel);
         m.write(memory, write, address, filling.mux(ports.fill, accesses.result));
 
-        let ready = ports.ready.bit(number as usize);
+        let ready = ports.ready.bit(number);
         let read = accesses.read & is(accesses.read_slot);
         let drain = ports.drain_enable & is(ports.drain_slot);
         let address = ready.mux(accesses.read_pixel, ports.drain_pixel);
@@ -177,7 +177,7 @@ fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses
 /// The unit; ports as in `contract::splat::ports::accumulator`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let slot_bits = config.slot_bits() as usize;
+    let slot_bits = config.slot_bits();
     let (sample_fields, pixel_fields) = (records::weighted_sample(config), records::pixel(config));
     let mut m = Module::new("splat_accumulator", "Blends samples into the pixels of the tile slots.");
     m.parameter("slots", config.tile_slots);
@@ -185,7 +185,7 @@ pub fn module(config: &Config) -> Module {
     let input = stream_in(&mut m, "in", &sample_fields);
     let queued = queue(&mut m, &input, &sample_fields);
 
-    let ready = m.input("slot_ready", config.tile_slots as usize);
+    let ready = m.input("slot_ready", config.tile_slots);
     let retire_valid = m.reg_reset("retire_valid", 1, 0);
     let retire_slot = m.reg("retire_slot", slot_bits);
     let frame_end = m.reg_reset("frame_end", 1, 0);
@@ -196,11 +196,11 @@ pub fn module(config: &Config) -> Module {
         ready,
         fill_valid: m.input("fill_valid", 1),
         fill_slot: m.input("fill_slot", slot_bits),
-        fill_pixel: m.input("fill_pixel", PIXEL_BITS as usize),
+        fill_pixel: m.input("fill_pixel", PIXEL_BITS),
         fill: Record::input(&mut m, "fill_", &pixel_fields).pack(),
         drain_enable: m.input("drain_enable", 1),
         drain_slot: m.input("drain_slot", slot_bits),
-        drain_pixel: m.input("drain_pixel", PIXEL_BITS as usize),
+        drain_pixel: m.input("drain_pixel", PIXEL_BITS),
     };
 
     let stages: Vec<_> = (1..=config.accumulate_stages + 1).map(|number| Stage::new(&mut m, config, number)).collect();
@@ -229,10 +229,10 @@ pub fn module(config: &Config) -> Module {
     };
     let read = slots(&mut m, config, &ports, &accesses);
     let stored = m.reg("stored", width(&pixel_fields));
-    m.next(stored, select(stages[1].slot, read.iter().copied()));
+    m.next(stored, stages[1].slot.pick(read.iter().copied()));
     let drained_slot = m.reg("drained_slot", slot_bits);
     m.next_if(drained_slot, ports.drain_enable, ports.drain_slot);
-    let drained = m.wire("drained", select(drained_slot, read));
+    let drained = m.wire("drained", drained_slot.pick(read));
     Record::unpack(&pixel_fields, drained).output(&mut m, "drain_");
 
     let carried: Vec<_> = sample_fields.into_iter().filter(|(name, _)| !PLACE.contains(&name.as_str())).collect();

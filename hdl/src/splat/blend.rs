@@ -24,7 +24,7 @@ fn delay(m: &mut Module, name: &str, value: Expr, count: u32) -> Expr {
 /// A sum as it is, or the largest number of its sign where it overflowed. What chooses is the exponent alone, and the choice merges
 /// with the one that follows it into a look-up table a bit.
 fn saturated(m: &mut Module, name: &str, format: Format, sum: Expr) -> Expr {
-    let (top, mantissa) = (format.width() as usize - 1, format.mantissa as usize);
+    let (top, mantissa) = (format.width() - 1, format.mantissa);
     let exponent = sum.bits(top - 1, mantissa);
     let overflows = m.wire(&format!("overflow_of_{name}"), exponent.all());
     let largest = lit(top, u128::from(format.infinity() - 1));
@@ -86,7 +86,7 @@ pub(super) fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &R
         delay(m, &format!("late_{name}"), outcome, cycles - depth_test::LATENCY)
     });
 
-    let weight_bits = WEIGHT_SUM_BITS as usize;
+    let weight_bits = WEIGHT_SUM_BITS;
     let weight = sample.get("weight");
     let weight_sum = stored.get("weight").add_carry(weight.zext(weight_bits));
     let weight_sum = delay(m, "weight_sum", weight_sum, cycles);

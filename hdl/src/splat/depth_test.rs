@@ -21,8 +21,8 @@ fn product(m: &mut Module, name: &str, left: Expr, right: Expr) -> Expr {
     let (left_half, right_half) = (left.width() / 2, right.width() / 2);
     let [low_left, high_left] = [left.trunc(left_half), left.bits(left.width() - 1, left_half)];
     let [low_right, high_right] = [right.trunc(right_half), right.bits(right.width() - 1, right_half)];
-    let mut partial = |part: &str, left: Expr, right: Expr, place: usize| {
-        delayed(m, &format!("{name}_{part}"), left * right).zext(width).shl(place)
+    let mut partial = |part: &str, left: Expr, right: Expr, place: u32| {
+        delayed(m, &format!("{name}_{part}"), left * right).zext(width) << place
     };
     // The outer two do not overlap.
     let outer = partial("low_low", low_left, low_right, 0)
@@ -37,10 +37,10 @@ fn product(m: &mut Module, name: &str, left: Expr, right: Expr) -> Expr {
 #[must_use]
 pub fn module(_config: &Config) -> Module {
     let mut m = Module::new("splat_depth_test", "Compares a pixel's normalized depth with a splat's depth band.");
-    let weight = m.input("weight", WEIGHT_SUM_BITS as usize);
-    let depth = m.input("depth", DEPTH_SUM_BITS as usize);
-    let low = m.input("depth_low", DEPTH_BITS as usize);
-    let high = m.input("depth_high", DEPTH_BITS as usize);
+    let weight = m.input("weight", WEIGHT_SUM_BITS);
+    let depth = m.input("depth", DEPTH_SUM_BITS);
+    let low = m.input("depth_low", DEPTH_BITS);
+    let high = m.input("depth_high", DEPTH_BITS);
 
     let arrived = delayed(&mut m, "arrived", depth);
     let stored = delayed(&mut m, "stored", arrived);

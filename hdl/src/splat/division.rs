@@ -19,9 +19,9 @@ pub(super) fn sqrt(division: Division, program: &Program, format: Format, x: Val
         Division::Rounded => x.sqrt(),
         Division::Newton => {
             let sign = format.width() - 1;
-            let is_zero = x.bits(sign - 1, 0).equal(program.unsigned(sign, 0));
-            let is_infinite = x.bits(sign, 0).equal(program.unsigned(format.width(), format.infinity()));
-            (is_zero | is_infinite).select(x, x * x.rsqrt_newton())
+            let is_zero = x.bits(sign - 1, 0).eq(program.lit(sign, 0));
+            let is_infinite = x.bits(sign, 0).eq(program.lit(format.width(), format.infinity()));
+            (is_zero | is_infinite).mux(x, x * x.rsqrt_newton())
         }
     }
 }

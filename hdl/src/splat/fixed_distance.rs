@@ -63,7 +63,7 @@ impl Evaluation<'_> {
     /// From the centre to a sample.
     fn offset(&self, place: Value, place_fraction: u32, center: &str) -> Value {
         let Fixed { width, fraction, .. } = self.coefficient.offset();
-        let place = place.resize(width).shl(fraction - place_fraction).reinterpret(Type::Signed(width));
+        let place = (place.resize(width) << (fraction - place_fraction)).reinterpret(Type::Signed(width));
         place - self.signed(center, self.coefficient.center().width).resize(width)
     }
 
@@ -72,7 +72,7 @@ impl Evaluation<'_> {
         let shift = self.input.bits("shift");
         let mut width = self.coefficient.offset().width;
         (0..Coefficient::SHIFT_BITS).rev().fold(offset, |value, bit| {
-            let chosen = shift.bits(bit, bit).select(value.shr(1 << bit), value);
+            let chosen = shift.bits(bit, bit).mux(value >> (1 << bit), value);
             // It fits with what is left to be shifted.
             width = width.min(self.coefficient.width() + (1 << bit) - 1);
             chosen.resize(width)
@@ -81,8 +81,8 @@ impl Evaluation<'_> {
 
     /// The kernel's argument, or all ones.
     fn argument(&self, covered: Value, argument: Value) -> Squared {
-        let ones = self.program.unsigned(self.kernel_bits, (1 << self.kernel_bits) - 1);
-        let argument = covered.select(argument, ones);
+        let ones = self.program.lit(self.kernel_bits, (1 << self.kernel_bits) - 1);
+        let argument = covered.mux(argument, ones);
         Squared { covered, argument }
     }
 
@@ -95,7 +95,7 @@ impl Evaluation<'_> {
         let delta = self.signed("delta", self.coefficient.delta_width());
         let [along_x, along_y] =
             [x * self.coefficient("mx"), y * self.coefficient("my")].map(|product| product.resize(wide));
-        let d = delta.resize(wide).shl(self.coefficient.place_fraction()) + along_x + along_y;
+        let d = (delta.resize(wide) << self.coefficient.place_fraction()) + along_x + along_y;
 
         let (d_bits, s_bits) = (magnitude(d), [s1, s2].map(|s| magnitude(s).resize(2 * n)));
         let (significant, beyond) = self.significant(d_bits, s_bits);
@@ -116,17 +116,17 @@ impl Evaluation<'_> {
     fn significant(&self, d: Value, [first, second]: [Value; 2]) -> ([Value; 3], Value) {
         let mut width = 2 * self.coefficient.width();
         let mut parts = [d, first, second];
-        let mut beyond = self.program.unsigned(1, 0);
+        let mut beyond = self.program.lit(1, 0);
         for level in (0..width.next_power_of_two().ilog2()).rev() {
             let by = 1 << level;
             let [d_empty, first_empty, second_empty] = parts.each_ref().map(|part| {
                 let top = part.bits(width - 1, width - by);
-                top.equal(self.program.unsigned(by, 0))
+                top.eq(self.program.lit(by, 0))
             });
             beyond = beyond | (d_empty & !(first_empty & second_empty));
             // What the levels left can shift, and the bits that are kept.
             let kept = width.min(SIGNIFICANT + by - 1);
-            parts = parts.map(|part| d_empty.select(part.shl(by), part).bits(width - 1, width - kept));
+            parts = parts.map(|part| d_empty.mux(part << by, part).bits(width - 1, width - kept));
             width = kept;
         }
         (parts, beyond)
@@ -140,12 +140,12 @@ impl Evaluation<'_> {
         let mut remainder = numerator;
         let mut digits: Option<Value> = None;
         for _ in 0..self.kernel_bits {
-            let twice = remainder.resize(room).shl(1);
+            let twice = remainder.resize(room) << 1;
             let difference = twice - divisor;
             let below = difference.bits(room - 1, room - 1);
-            remainder = below.select(twice, difference).resize(width);
+            remainder = below.mux(twice, difference).resize(width);
             let digit = !below;
-            digits = Some(digits.map_or_else(|| digit, |digits| digits.concat(digit)));
+            digits = Some(digits.map_or_else(|| digit, |digits| digits.cat(digit)));
         }
         digits.expect("a kernel's argument has bits")
     }
@@ -158,8 +158,8 @@ impl Evaluation<'_> {
         let sign = dropped + narrow.width - 1;
         let sides = [x, y].map(|side| {
             let (high, bits) = (side.bits(offset.width - 1, sign), offset.width - sign);
-            let [zeros, ones] = [0, (1 << bits) - 1].map(|value| self.program.unsigned(bits, value));
-            let is_near = high.equal(zeros) | high.equal(ones);
+            let [zeros, ones] = [0, (1 << bits) - 1].map(|value| self.program.lit(bits, value));
+            let is_near = high.eq(zeros) | high.eq(ones);
             let side = side.bits(sign, dropped).reinterpret(Type::Signed(narrow.width));
             (is_near, (side * side).reinterpret(Type::Unsigned(2 * narrow.width)))
         });
@@ -167,7 +167,7 @@ impl Evaluation<'_> {
         let sum = squared_x + squared_y;
         let lowest = 2 * narrow.fraction - square.fraction;
         let end = lowest + square.width;
-        let is_zero = |value: Value, bits: u32| value.equal(self.program.unsigned(bits, 0));
+        let is_zero = |value: Value, bits: u32| value.eq(self.program.lit(bits, 0));
         let top = 2 * narrow.width - 1;
         let near = near_x & near_y & is_zero(sum.bits(top, end), top - end + 1);
 

@@ -50,21 +50,21 @@ pub(super) fn footprint(
     let [in_x, in_y] = splat.center.map(|center| rounding.exponent(center).lt(rounding.integer(limit)));
     let placed = (in_x & in_y).named("placed");
     let beside = program.constant(Type::Signed(place.width), 1 << (place.width - 1));
-    let center = splat.center.map(|center| placed.select(rounding.rounded(center, place), beside));
+    let center = splat.center.map(|center| placed.mux(rounding.rounded(center, place), beside));
     let shift = rounding.shift(coefficient, &center, &splat.pixels).named("shift");
 
     let delta_width = coefficient.delta_width();
     let lowered = shift.resize(EXPONENT_BITS) + rounding.integer((delta_width - coefficient.width()).into());
     let delta_exponent = rounding.exponent(splat.delta);
     let none = rounding.integer(0);
-    let delta_relative = lowered.lt(delta_exponent).select(delta_exponent - lowered, none);
+    let delta_relative = lowered.lt(delta_exponent).mux(delta_exponent - lowered, none);
     let lengths = [splat.a[0], splat.b[0], splat.a[1], splat.b[1], splat.m[0], splat.m[1]];
     let exponents = lengths.map(|length| rounding.exponent(length));
     let exponent = exponents.iter().fold(delta_relative, |largest, exponent| largest.max(*exponent)).named("exponent");
 
     let [ax, bx, ay, by, mx, my] = lengths.map(|length| rounding.fraction(length, exponent, coefficient.width()));
     let delta = rounding.fraction(splat.delta, exponent + lowered, delta_width);
-    let odd = exponents.iter().chain([&delta_exponent]).map(|exponent| exponent.equal(rounding.integer(NOT_FINITE)));
+    let odd = exponents.iter().chain([&delta_exponent]).map(|exponent| exponent.eq(rounding.integer(NOT_FINITE)));
     let odd = odd.reduce(|one, other| one | other).expect("there are seven").named("odd");
     let signed_delta = |value: i64| {
         let ty = Type::Signed(delta_width);
@@ -76,7 +76,7 @@ pub(super) fn footprint(
 
     let or_none = |value: Value| {
         let none = program.constant(value.ty().unwrap_or(Type::BOOL), 0);
-        covers_nothing.select(none, value)
+        covers_nothing.mux(none, value)
     };
     let [center_x, center_y] = center;
     let coefficients = [("ax", ax), ("bx", bx), ("ay", ay), ("by", by), ("delta", delta), ("mx", mx), ("my", my)];
@@ -88,7 +88,7 @@ pub(super) fn footprint(
 
 impl Rounding<'_> {
     fn integer(&self, value: u64) -> Value {
-        self.program.unsigned(EXPONENT_BITS, value)
+        self.program.lit(EXPONENT_BITS, value)
     }
 
     /// The biased exponent.
@@ -100,10 +100,10 @@ impl Rounding<'_> {
     fn fraction(&self, value: Value, exponent: Value, width: u32) -> Value {
         let own = self.exponent(value);
         let raised = own + self.integer(HALF);
-        let is_number = exponent.lt(raised) & !own.equal(self.integer(0));
-        let field = is_number.select(raised - exponent, self.integer(0)).resize(self.format.exponent);
+        let is_number = exponent.lt(raised) & !own.eq(self.integer(0));
+        let field = is_number.mux(raised - exponent, self.integer(0)).resize(self.format.exponent);
         let top = self.format.width() - 1;
-        let bits = value.bits(top, top).concat(field).concat(value.bits(self.format.mantissa - 1, 0));
+        let bits = value.bits(top, top).cat(field).cat(value.bits(self.format.mantissa - 1, 0));
         let scaled = bits.reinterpret(Type::Float(self.format));
         self.rounded(scaled, Fixed { width, fraction: width - 1, signed: Signedness::Signed })
     }
@@ -116,25 +116,25 @@ impl Rounding<'_> {
         let room = finer.width + 1;
         let sum = truncated.resize(room) + positive.zext(room).reinterpret(Type::Signed(room));
         let largest = self.program.constant(Type::Signed(room), (1 << (fixed.width - 1)) - 1);
-        sum.shr(1).min(largest).resize(fixed.width)
+        (sum >> 1).min(largest).resize(fixed.width)
     }
 
     /// Places by which offsets are shifted so that all of the rectangle's fit.
     fn shift(&self, coefficient: Coefficient, center: &[Value; 2], pixels: &[[Value; 2]; 2]) -> Value {
         let Fixed { width, fraction, .. } = coefficient.offset();
-        let place = |pixel: Value| pixel.resize(width).shl(fraction).reinterpret(Type::Signed(width));
-        let one = self.program.unsigned(width, 1);
+        let place = |pixel: Value| (pixel.resize(width) << fraction).reinterpret(Type::Signed(width));
+        let one = self.program.lit(width, 1);
         let edges = center.iter().zip(pixels).flat_map(|(center, [first, last])| {
             let past = last.resize(width) + one;
             [*first, past].map(|pixel| place(pixel) - center.resize(width))
         });
         let reach = edges.map(magnitude).reduce(|reach, edge| reach | edge).expect("there are four");
         let top = width - 2;
-        let none = self.program.unsigned(Coefficient::SHIFT_BITS, 0);
+        let none = self.program.lit(Coefficient::SHIFT_BITS, 0);
         (1..=width - coefficient.width()).fold(none, |shift, places| {
             let low = coefficient.width() - 2 + places;
-            let is_wide = !reach.bits(top, low).equal(self.program.unsigned(top - low + 1, 0));
-            is_wide.select(self.program.unsigned(Coefficient::SHIFT_BITS, places.into()), shift)
+            let is_wide = !reach.bits(top, low).eq(self.program.lit(top - low + 1, 0));
+            is_wide.mux(self.program.lit(Coefficient::SHIFT_BITS, places.into()), shift)
         })
     }
 }
@@ -142,5 +142,5 @@ impl Rounding<'_> {
 /// A signed number without its sign, inverted if it is negative: a bit narrower, and unsigned.
 pub(super) fn magnitude(value: Value) -> Value {
     let sign = value.ty().map_or(1, Type::width) - 1;
-    value.bits(sign, sign).select(!value, value).bits(sign - 1, 0)
+    value.bits(sign, sign).mux(!value, value).bits(sign - 1, 0)
 }

@@ -23,10 +23,10 @@ pub fn module(config: &Config) -> Module {
 #[must_use]
 pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     let format = EntryFormat::new(config, sequence_bits);
-    let levels = config.heap_levels as usize;
+    let levels = config.heap_levels;
     let mut m = Module::new("splat_heap", "Pipelined heap that orders splat copies by tile, then by arrival.");
     m.parameter("levels", levels);
-    m.parameter("interval", config.heap_interval as usize);
+    m.parameter("interval", config.heap_interval);
     m.parameter("sequence_bits", format.sequence);
     let fields: [Field; 2] = [("tile".into(), config.tile_bits()), ("pointer".into(), config.heap_levels)];
     let input = stream_in(&mut m, "in", &fields);
@@ -104,7 +104,7 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
 /// Places the stages one below the other and connects neighbors.
 fn stages(m: &mut Module, config: &Config, format: EntryFormat) -> Vec<Instance> {
     let step_fields = Place::new(config, format, 0).step();
-    let instances: Vec<_> = (0..config.heap_levels as usize)
+    let instances: Vec<_> = (0..config.heap_levels)
         .step_by(2)
         .map(|level| m.instance(&format!("stage_{level}"), heap_stage::module(config, format, level)))
         .collect();

@@ -11,18 +11,18 @@ use rtl::{Expr, Module, Reg};
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub format: EntryFormat,
-    pub levels: usize,
+    pub levels: u32,
     /// The upper one of its levels, the root's being 0.
-    pub upper: usize,
+    pub upper: u32,
 }
 
 impl Place {
-    pub fn new(config: &Config, format: EntryFormat, upper: usize) -> Self {
-        Self { format, levels: config.heap_levels as usize, upper }
+    pub fn new(config: &Config, format: EntryFormat, upper: u32) -> Self {
+        Self { format, levels: config.heap_levels, upper }
     }
 
     /// Bits of the rows that the stage reads, which are the numbers of the parents.
-    pub const fn row_bits(self) -> usize {
+    pub const fn row_bits(self) -> u32 {
         self.upper + 1
     }
 
@@ -126,8 +126,8 @@ impl Place {
     }
 }
 
-fn fields(widths: &[(&str, usize)]) -> Vec<Field> {
-    widths.iter().map(|(name, width)| ((*name).to_owned(), *width as u32)).collect()
+fn fields(widths: &[(&str, u32)]) -> Vec<Field> {
+    widths.iter().map(|(name, width)| ((*name).to_owned(), (*width))).collect()
 }
 
 /// A tick of the heap, in which an operation passes a level and of which it takes two: one cycle, or two for a higher clock.
@@ -195,7 +195,7 @@ impl Registers {
     pub fn new(m: &mut Module, prefix: &str, fields: &[Field]) -> Self {
         let mut register = |name: &str, width: u32| {
             let full = format!("{prefix}{name}");
-            if name == "valid" { m.reg_reset(&full, 1, 0) } else { m.reg(&full, width as usize) }
+            if name == "valid" { m.reg_reset(&full, 1, 0) } else { m.reg(&full, width) }
         };
         Self(fields.iter().map(|(name, width)| (name.clone(), register(name, *width))).collect())
     }

@@ -10,25 +10,21 @@ use rtl::{Expr, cat};
 /// Widths of the parts of an entry, which is the word `{sweep, tile, sequence, pointer}`; all but the pointer is its key.
 #[derive(Clone, Copy)]
 pub(super) struct EntryFormat {
-    pub tile: usize,
-    pub sequence: usize,
-    pub pointer: usize,
+    pub tile: u32,
+    pub sequence: u32,
+    pub pointer: u32,
 }
 
 impl EntryFormat {
     pub fn new(config: &Config, sequence_bits: u32) -> Self {
-        Self {
-            tile: config.tile_bits() as usize,
-            sequence: sequence_bits as usize,
-            pointer: config.heap_levels as usize,
-        }
+        Self { tile: config.tile_bits(), sequence: sequence_bits, pointer: config.heap_levels }
     }
 
-    pub const fn width(&self) -> usize {
+    pub const fn width(&self) -> u32 {
         self.key_width() + self.pointer
     }
 
-    pub const fn key_width(&self) -> usize {
+    pub const fn key_width(&self) -> u32 {
         1 + self.tile + self.sequence
     }
 

@@ -23,7 +23,7 @@ use rtl::{Expr, Module, Reg, Wire, bit, cat, lit};
 pub(super) const RISE: [&str; 6] = ["entry", "exists", "ahead", "right", "childless", "node"];
 
 /// Memories with addresses of up to so many bits are made of lookup tables: all of their time lies before their output's register.
-const SMALL_MEMORY_BITS: usize = 7;
+const SMALL_MEMORY_BITS: u32 = 7;
 
 /// What every part of a stage refers to.
 struct Stage {
@@ -285,12 +285,12 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: Expr, settlemen
 }
 
 /// The stage whose upper level is `upper`.
-pub(super) fn module(config: &Config, format: EntryFormat, upper: usize) -> Module {
+pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module {
     let place = Place::new(config, format, upper);
     let mut m = Module::new("splat_heap_stage", "Two neighboring levels of the pipelined heap.");
     m.parameter("level", upper);
     m.parameter("levels", place.levels);
-    m.parameter("interval", config.heap_interval as usize);
+    m.parameter("interval", config.heap_interval);
     let order = Order { format: place.format, sweep: m.input("sweep", 1), last_epoch: m.input("last_epoch", 1) };
     let pace = Pace::new(&mut m, config);
     let lower = pace.lower(&mut m);

@@ -20,8 +20,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let (tile, pixel) = (sums.bits("tile"), sums.bits("pixel"));
     let local_bits = TILE_SIZE.ilog2();
     let column_bits = config.tile_column_bits();
-    let column = tile.bits(column_bits - 1, 0).concat(pixel.bits(local_bits - 1, 0));
-    let row = tile.bits(config.tile_bits() - 1, column_bits).concat(pixel.bits(2 * local_bits - 1, local_bits));
+    let column = tile.bits(column_bits - 1, 0).cat(pixel.bits(local_bits - 1, 0));
+    let row = tile.bits(config.tile_bits() - 1, column_bits).cat(pixel.bits(2 * local_bits - 1, local_bits));
 
     let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
     let mut computed = vec![("depth", depth), ("column", column), ("row", row)];
@@ -47,6 +47,6 @@ fn divided(program: &Program, geometry: Format, fraction: Fraction, sum: Value, 
     let halves = quotient.to_fixed(Fixed { width: width + 1, fraction: places + 1, signed });
     let wide = Type::Signed(width + 2);
     let is_positive = (!halves.bits(width, width)).zext(width + 2).reinterpret(wide);
-    let nearest = (halves.resize(width + 2) + is_positive).shr(1);
+    let nearest = (halves.resize(width + 2) + is_positive) >> 1;
     nearest.min(program.constant(wide, (1 << places) - 1)).resize(width)
 }

@@ -73,7 +73,7 @@ fn evaluation(config: &Config, options: &Options) -> Result<Datapath, CompileErr
     };
     let weight = argument.kernel(&kernel);
     let local = |name| input.bits(name).bits(LOCAL_BITS - 1, 0);
-    let pixel = local("row").concat(local("column"));
+    let pixel = local("row").cat(local("column"));
     let mut computed = vec![("inside", inside), ("pixel", pixel), ("weight", weight)];
     if let (FragmentDepth::Plane, Squared::Float { format, offset, .. }) = (config.depth, &squared) {
         computed.extend(depth_band(*format, &program, &input, offset));
@@ -98,7 +98,7 @@ fn floating(config: &Config, format: Format, program: &Program, input: &Inputs) 
     if config.eye_plane.is_on() {
         let behind = sign(d, format) ^ sign(coefficient("delta"), format);
         let infinity = program.constant(Type::Float(format), format.infinity());
-        distance = behind.select(infinity, distance);
+        distance = behind.mux(infinity, distance);
     }
     if config.screen_filter.is_on() {
         let screen = (x * x + y * y) * uniform(program, format, "filter_scale");
@@ -111,16 +111,16 @@ fn floating(config: &Config, format: Format, program: &Program, input: &Inputs) 
 fn sample(sampling: Sampling, program: &Program, input: &Inputs, axis: &str) -> (Value, u32) {
     let index = input.bits(axis);
     match sampling {
-        Sampling::Center => (index.concat(program.unsigned(1, 1)), 1),
+        Sampling::Center => (index.cat(program.lit(1, 1)), 1),
         Sampling::Flipquad => {
             let is_top = input.bits("column").bits(0, 0);
             let odd = input.bits("column").bits(1, 1) ^ input.bits("row").bits(0, 0);
-            let [none, three, five] = [0, 3, 5].map(|eighths| program.unsigned(3, eighths));
+            let [none, three, five] = [0, 3, 5].map(|eighths| program.lit(3, eighths));
             let (pixel, eighths) = match axis {
-                "column" => (index.shr(1), is_top.select(odd.select(five, three), none)),
-                _ => (index, is_top.select(none, odd.select(three, five))),
+                "column" => ((index >> 1), is_top.mux(odd.mux(five, three), none)),
+                _ => (index, is_top.mux(none, odd.mux(three, five))),
             };
-            (pixel.concat(eighths), 3)
+            (pixel.cat(eighths), 3)
         }
     }
 }
@@ -161,14 +161,14 @@ struct Scanner {
 
 impl Scanner {
     fn new(m: &mut Module, config: &Config) -> Self {
-        let local = LOCAL_BITS as usize;
+        let local = LOCAL_BITS;
         Self {
             busy: m.reg_reset("busy", 1, 0),
             idle: m.reg_reset("idle", 1, 1),
             end: m.reg("is_end", 1),
             last: m.reg("is_last", 1),
-            slot: m.reg("slot", config.slot_bits() as usize),
-            tile: m.reg("tile", config.tile_bits() as usize),
+            slot: m.reg("slot", config.slot_bits()),
+            tile: m.reg("tile", config.tile_bits()),
             column: m.reg("column", local),
             row: m.reg("row", local),
             left: m.reg("left", local),
@@ -207,9 +207,9 @@ impl Scanner {
 
     /// Connects the evaluation's input to the current pixel.
     fn emit(&self, m: &mut Module, evaluation: Instance, config: &Config) {
-        let column_bits = config.tile_column_bits() as usize;
+        let column_bits = config.tile_column_bits();
         let tile_column = self.tile.bits(column_bits - 1, 0);
-        let tile_row = self.tile.bits(config.tile_bits() as usize - 1, column_bits);
+        let tile_row = self.tile.bits(config.tile_bits() - 1, column_bits);
         m.connect(evaluation, "in_valid", self.busy);
         m.connect(evaluation, "in_end", self.end);
         m.connect(evaluation, "in_last", *self.last & !*self.end);
@@ -231,7 +231,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let advance = m.out(evaluation, "in_ready");
 
     let shared = records::shared(config);
-    let queue = m.instance("shared", stream::fifo(COPY_QUEUE_DEPTH as usize, &layout(&shared)));
+    let queue = m.instance("shared", stream::fifo(COPY_QUEUE_DEPTH, &layout(&shared)));
     let queue_ready = m.out(queue, "in_ready");
 
     let scanner = Scanner::new(&mut m, config);
@@ -241,7 +241,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     scanner.step(&mut m, &copy, advance, ready);
     scanner.emit(&mut m, evaluation, config);
     for (name, width) in position(config).iter().skip(5) {
-        let register = m.reg(name, *width as usize);
+        let register = m.reg(name, *width);
         m.next_if(register, ready, copy.field(name));
         m.connect(evaluation, &format!("in_{name}"), register);
     }
@@ -263,7 +263,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     m.connect(queue, "out_ready", (out_ready & valid) & last);
 
     if config.screen_filter.is_on() {
-        let filter_scale = m.input("filter_scale", config.uniform_format("filter_scale").width() as usize);
+        let filter_scale = m.input("filter_scale", config.uniform_format("filter_scale").width());
         m.connect(evaluation, "filter_scale", filter_scale);
     }
     let busy = scanner.busy.expr();

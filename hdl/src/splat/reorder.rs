@@ -12,7 +12,7 @@ use rtl::Module;
 /// The unit; ports as in `contract::splat::ports::reorder`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let pointer_bits = config.heap_levels as usize;
+    let pointer_bits = config.heap_levels;
     let pointers = 1 << pointer_bits;
     let payload = records::payload(config);
     let mut m = Module::new("splat_reorder", "Orders splat copies by tile; their payloads wait in a memory.");
@@ -60,7 +60,7 @@ pub fn module(config: &Config) -> Module {
     m.ready(&first, advance);
     let leaving = m.wire("leaving", first.transfer());
     m.next_if(stage_valid, advance, leaving);
-    let stage_tile = m.reg("stage_tile", config.tile_bits() as usize);
+    let stage_tile = m.reg("stage_tile", config.tile_bits());
     m.next_if(stage_tile, advance, first.field("tile"));
     let stage_payload = payloads.read_if(&mut m, "stage_payload", advance, first.field("pointer"));
     m.connect(returned, "in_valid", leaving);

@@ -99,19 +99,19 @@ impl Frame<'_> {
     /// First and last row or column of samples between two bounds, `columns` to a pixel, and whether there is one; a NaN widens the bounds.
     fn samples(&self, low: Value, high: Value, edge: u32, columns: u32, bits: u32) -> (Value, Value, Value) {
         let sum_bits = BOUND.width + 1;
-        let constant = |value| self.program.unsigned(sum_bits, value);
+        let constant = |value| self.program.lit(sum_bits, value);
         let zero = self.constant(0.0);
         let fraction = BOUND.fraction;
         let round = |bound: Value, offset| {
-            let pixel = (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)).shr(fraction);
-            if columns == 1 { pixel } else { pixel.concat(self.program.unsigned(columns.ilog2(), 0)).resize(sum_bits) }
+            let pixel = (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)) >> fraction;
+            if columns == 1 { pixel } else { pixel.cat(self.program.lit(columns.ilog2(), 0)).resize(sum_bits) }
         };
         let (first_offset, past_offset) = offsets(self.config.sampling);
         let first = round(low.max(zero), first_offset);
         let past = round(high.min(self.constant(BOUND_MAX)).max(zero), past_offset);
         let edge = constant(edge.into());
         let (first, past) = match &self.whole {
-            Some(whole) => (whole.select(first, constant(0)), whole.select(past.min(edge), edge)),
+            Some(whole) => (whole.mux(first, constant(0)), whole.mux(past.min(edge), edge)),
             None => (first, past.min(edge)),
         };
         let last = past - constant(1);
@@ -126,8 +126,8 @@ fn cancelled(program: &Program, format: Format, difference: Value, term: Value) 
     let exponent = |value: Value| value.bits(format.width() - 2, format.mantissa).resize(bits);
     let left = exponent(difference);
     // A term is known to four bits less than a number is.
-    let raised = left + program.unsigned(bits, u64::from(format.mantissa - 3));
-    left.equal(program.unsigned(bits, 0)) | raised.lt(exponent(term))
+    let raised = left + program.lit(bits, u64::from(format.mantissa - 3));
+    left.eq(program.lit(bits, 0)) | raised.lt(exponent(term))
 }
 
 /// Camera space to footprint, depth band and bounding rectangle; drops splats outside the image, beyond the far plane, and such
@@ -166,8 +166,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let zero = program.float(format, 0.0);
     let beyond_near = zero.le(spread_depth - spread_half);
     let beyond_near = whole.map_or(beyond_near, |whole| whole & beyond_near).named("beyond_near");
-    let depth = beyond_near.select(spread_depth, center_depth);
-    let half = beyond_near.select(spread_half, b.abs().min(one));
+    let depth = beyond_near.mux(spread_depth, center_depth);
+    let half = beyond_near.mux(spread_half, b.abs().min(one));
     let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");
 
     let mut visible = center_depth.le(one) & x.occupied & y.occupied;
@@ -190,7 +190,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
             ("bx", coefficient(x.b)),
             ("ay", coefficient(y.a)),
             ("by", coefficient(y.b)),
-            ("delta", edge_on.select(no_delta, coefficient(delta))),
+            ("delta", edge_on.mux(no_delta, coefficient(delta))),
             ("mx", coefficient(mx)),
             ("my", coefficient(my)),
         ],
@@ -203,7 +203,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
                 delta,
                 edge_on,
                 m: [mx, my],
-                pixels: [[x.first.shr(per_pixel), x.last.shr(per_pixel)], [y.first, y.last]],
+                pixels: [[(x.first >> per_pixel), (x.last >> per_pixel)], [y.first, y.last]],
             };
             fixed_footprint::footprint(&program, format, coefficient, &projection)
         }
@@ -216,13 +216,13 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
         }
         FragmentDepth::Plane => {
             let scale = b * recip(config.division, delta);
-            let slope = |m: Value| coefficient(edge_on.select(zero, scale * m));
+            let slope = |m: Value| coefficient(edge_on.mux(zero, scale * m));
             vec![
                 ("depth_center", coefficient(center_depth)),
                 ("depth_x", slope(mx)),
                 ("depth_y", slope(my)),
-                ("depth_near", coefficient(beyond_near.select(spread_depth - spread_half, zero))),
-                ("depth_far", coefficient(beyond_near.select(spread_depth + spread_half, one))),
+                ("depth_near", coefficient(beyond_near.mux(spread_depth - spread_half, zero))),
+                ("depth_far", coefficient(beyond_near.mux(spread_depth + spread_half, one))),
                 ("epsilon", coefficient(epsilon)),
             ]
         }

@@ -8,7 +8,7 @@ use crate::units::records::{Record, half_out, stream_in};
 use rtl::{Expr, Module, cat, lit};
 
 /// Bits of a pixel's column or row within its tile.
-const LOCAL: usize = TILE_SIZE.ilog2() as usize;
+const LOCAL: u32 = TILE_SIZE.ilog2();
 
 /// The unit; ports as in `contract::splat::ports::splitter`.
 #[must_use]
@@ -33,8 +33,8 @@ pub fn module(config: &Config) -> Module {
         pixel.bits(pixel.width() - 1, LOCAL)
     };
     let tile_at = |record: &Record, row: &str, column: &str| cat([tile_of(record, row), tile_of(record, column)]);
-    let column = m.reg("column", config.tile_column_bits() as usize);
-    let row = m.reg("row", config.tile_row_bits() as usize);
+    let column = m.reg("column", config.tile_column_bits());
+    let row = m.reg("row", config.tile_row_bits());
     let left_most = column.eq(tile_of(&splat, "left"));
     let right_most = m.wire("right_most", column.eq(tile_of(&splat, "right")));
     let top_most = row.eq(tile_of(&splat, "top"));

@@ -10,7 +10,7 @@ use crate::units::records::{Head, QueueOut, Record, half_in, half_out, queue_out
 use rtl::{Expr, Module, Reg, address_width, lit};
 
 /// Bits of a number of pixels of a tile, all of them included; the top bit says that all are done.
-pub(super) const COUNT_BITS: usize = PIXEL_BITS as usize + 1;
+pub(super) const COUNT_BITS: u32 = PIXEL_BITS + 1;
 
 /// What the unit is about.
 #[derive(Clone, Copy)]
@@ -66,16 +66,16 @@ pub(super) struct State {
 
 impl State {
     fn new(m: &mut Module, config: &Config) -> Self {
-        let tile_bits = config.tile_bits() as usize;
+        let tile_bits = config.tile_bits();
         Self {
-            mode: m.reg_reset("mode", address_width(Mode::Close as usize + 1), Mode::Clear as u128),
+            mode: m.reg_reset("mode", address_width(Mode::Close as u32 + 1), Mode::Clear as u128),
             frame_ended: m.reg_reset("frame_ended", 1, 0),
             code: m.reg_reset("code", tile_bits, 0),
             code_read: m.reg_reset("code_read", 1, 0),
             looking: m.reg_reset("looking", 1, 0),
             looked: m.reg_reset("looked", 1, 0),
             moving: m.reg_reset("moving", 1, 0),
-            slot: m.reg("slot", config.slot_bits() as usize),
+            slot: m.reg("slot", config.slot_bits()),
             tile: m.reg("read_tile", tile_bits),
             read_valid: m.reg_reset("read_valid", 1, 0),
             evict: m.reg("evict", 1),
@@ -83,9 +83,9 @@ impl State {
             load: m.reg("load", 1),
             drained: m.reg("drained", COUNT_BITS),
             showing: m.reg_reset("showing", 1, 0),
-            shown_pixel: m.reg("shown_pixel", PIXEL_BITS as usize),
+            shown_pixel: m.reg("shown_pixel", PIXEL_BITS),
             holding: m.reg_reset("holding", 1, 0),
-            held_pixel: m.reg("held_pixel", PIXEL_BITS as usize),
+            held_pixel: m.reg("held_pixel", PIXEL_BITS),
             filled: m.reg("filled", COUNT_BITS),
         }
     }
@@ -193,7 +193,7 @@ fn with_place(config: &Config, pixel: Vec<Field>) -> Vec<Field> {
 /// The unit; ports as in `contract::splat::ports::tile_cache`.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let (tile_bits, slot_bits) = (config.tile_bits() as usize, config.slot_bits() as usize);
+    let (tile_bits, slot_bits) = (config.tile_bits(), config.slot_bits());
     let pixel_fields = records::pixel(config);
     let mut m =
         Module::new("splat_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
@@ -236,7 +236,7 @@ pub fn module(config: &Config) -> Module {
     fill_ports(&mut m, &state, moves.fill, fill_valid, &arriving, &pixel_fields);
     m.output("drain_enable", moves.step);
     m.output("drain_slot", state.slot);
-    m.output("drain_pixel", state.drained.trunc(PIXEL_BITS as usize));
+    m.output("drain_pixel", state.drained.trunc(PIXEL_BITS));
     let held = Record::input(&mut m, "drain_", &pixel_fields);
     push_pixels(&mut m, &state, &moves, close, &held, &arriving, [write, pixel]);
 

@@ -73,12 +73,12 @@ pub(super) struct Changes {
 }
 
 /// Of the values, the one whose condition is set, or 0 where none is.
-fn pick(width: usize, choices: impl Iterator<Item = (Expr, Expr)>) -> Expr {
+fn pick(width: u32, choices: impl Iterator<Item = (Expr, Expr)>) -> Expr {
     choices.fold(lit(width, 0), |all, (condition, value)| all | (condition.repeat(width) & value))
 }
 
 impl Hit {
-    fn new(m: &mut Module, name: &str, width: usize, hits: &[Expr]) -> Self {
+    fn new(m: &mut Module, name: &str, width: u32, hits: &[Expr]) -> Self {
         let found = m.wire(&format!("{name}_hit"), cat(hits.iter().copied()).any());
         let numbers: Vec<_> = (0..hits.len()).map(|slot| lit(width, slot as u128)).collect();
         let slot = pick(width, hits.iter().copied().zip(numbers));
@@ -89,14 +89,14 @@ impl Hit {
 impl Directory {
     /// Declares the registers.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let (tile_bits, slot_bits) = (config.tile_bits() as usize, config.slot_bits() as usize);
+        let (tile_bits, slot_bits) = (config.tile_bits(), config.slot_bits());
         let next = m.reg_reset("next", slot_bits, 0);
         let slots: Vec<_> = (0..config.tile_slots)
             .map(|slot| Slot {
                 tile: m.reg(&format!("tile_{slot}"), tile_bits),
                 resident: m.reg_reset(&format!("resident_{slot}"), 1, 0),
                 ready: m.reg_reset(&format!("ready_{slot}"), 1, 0),
-                in_flight: m.reg_reset(&format!("in_flight_{slot}"), IN_FLIGHT_BITS as usize, 0),
+                in_flight: m.reg_reset(&format!("in_flight_{slot}"), IN_FLIGHT_BITS, 0),
                 is_next: next.eq_lit(slot.into()),
                 is_of_copy: m.reg(&format!("is_of_copy_{slot}"), 1),
                 is_of_code: m.reg(&format!("is_of_code_{slot}"), 1),

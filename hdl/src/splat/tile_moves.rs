@@ -36,7 +36,7 @@ pub(super) fn exchange(
     let step = m.wire("drain_step", draining & (!state.holding | room));
     let drain_next = m.wire("drain_next", step & !state.all_drained());
     m.next_if(state.showing, step, drain_next);
-    m.next_if(state.shown_pixel, drain_next, state.drained.trunc(PIXEL_BITS as usize));
+    m.next_if(state.shown_pixel, drain_next, state.drained.trunc(PIXEL_BITS));
     m.next_if(state.holding, step, state.showing);
     m.next_if(state.held_pixel, step, state.shown_pixel);
     let leaves = m.wire("held_leaves", state.holding & step);
@@ -61,9 +61,9 @@ pub(super) fn exchange(
 
 /// The ports that write the slot, a cycle after a pixel came.
 pub(super) fn fill_ports(m: &mut Module, state: &State, fill: Expr, fill_valid: Reg, data: &Record, fields: &[Field]) {
-    let fill_pixel = m.reg("fill_pixel", PIXEL_BITS as usize);
+    let fill_pixel = m.reg("fill_pixel", PIXEL_BITS);
     m.next(fill_valid, fill);
-    m.next_if(fill_pixel, fill, state.filled.trunc(PIXEL_BITS as usize));
+    m.next_if(fill_pixel, fill, state.filled.trunc(PIXEL_BITS));
     let filling = data.mux(*state.load, &Record::zeros(fields)).register(m, "fill_", fill);
     m.output("fill_valid", fill_valid);
     m.output("fill_slot", state.slot);
@@ -88,7 +88,7 @@ pub(super) fn push_pixels(
         field => held.get(field),
     });
     let from_slot = state.is(Mode::FromSlot);
-    let sent_pixel = from_slot.mux(state.held_pixel, state.drained.trunc(PIXEL_BITS as usize));
+    let sent_pixel = from_slot.mux(state.held_pixel, state.drained.trunc(PIXEL_BITS));
     let sent = held.mux(from_slot, data);
     let sends = (from_slot & moves.leaves) | (state.is(Mode::FromMemory) & moves.beat);
     let visible = m.wire("visible", sent.get("weight").any());

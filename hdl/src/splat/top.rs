@@ -58,16 +58,16 @@ fn place(
 /// The uniform registers, written by address; connects every unit's input of a register's name.
 fn uniforms(m: &mut Module, config: &Config, units: &[(Instance, Vec<Port>)]) {
     let valid = m.input("uniform_valid", 1);
-    let address = m.input("uniform_address", UNIFORM_ADDRESS_BITS as usize);
-    let data = m.input("uniform_data", config.geometry.width() as usize);
+    let address = m.input("uniform_address", UNIFORM_ADDRESS_BITS);
+    let data = m.input("uniform_data", config.geometry.width());
     for (index, name) in UNIFORMS.iter().enumerate() {
         let readers: Vec<_> = units.iter().filter(|(_, ports)| ports.iter().any(|port| port.name == *name)).collect();
         if readers.is_empty() {
             continue;
         }
-        let width = config.uniform_format(name).width() as usize;
+        let width = config.uniform_format(name).width();
         let register = m.reg(&format!("uniform_{name}"), width);
-        let selected = address.eq(lit(UNIFORM_ADDRESS_BITS as usize, index as u128));
+        let selected = address.eq(lit(UNIFORM_ADDRESS_BITS, index as u128));
         m.next_if(register, valid & selected, data.trunc(width));
         for (unit, _) in readers {
             m.connect(*unit, name, register);

@@ -58,9 +58,9 @@ fn finite(program: &Program, format: Format, number: Value) -> Value {
         number.bits(format.width() - 2, format.mantissa),
         number.bits(format.mantissa - 1, 0),
     ];
-    let special = exponent.equal(program.unsigned(format.exponent, format.exponent_max()));
-    let infinite = fraction.equal(program.unsigned(format.mantissa, 0));
-    let largest = sign.concat(program.unsigned(format.width() - 1, format.infinity() - 1));
-    let replacement = infinite.select(largest, program.unsigned(format.width(), 0));
-    special.select(replacement, number)
+    let special = exponent.eq(program.lit(format.exponent, format.exponent_max()));
+    let infinite = fraction.eq(program.lit(format.mantissa, 0));
+    let largest = sign.cat(program.lit(format.width() - 1, format.infinity() - 1));
+    let replacement = infinite.mux(largest, program.lit(format.width(), 0));
+    special.mux(replacement, number)
 }

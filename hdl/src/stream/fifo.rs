@@ -16,17 +16,17 @@ enum Storage {
 
 /// A queue of `depth` items (at least 2).
 #[must_use]
-pub fn fifo(depth: usize, layout: &[(impl AsRef<str>, usize)]) -> Module {
+pub fn fifo(depth: u32, layout: &[(impl AsRef<str>, u32)]) -> Module {
     queue(depth, layout, &Storage::Inferred)
 }
 
 /// A [`fifo`] in look-up tables: its output comes from flip-flops and so earlier in the cycle than out of a block memory.
 #[must_use]
-pub fn fifo_distributed(depth: usize, layout: &[(impl AsRef<str>, usize)]) -> Module {
+pub fn fifo_distributed(depth: u32, layout: &[(impl AsRef<str>, u32)]) -> Module {
     queue(depth, layout, &Storage::Distributed)
 }
 
-fn queue(depth: usize, layout: &[(impl AsRef<str>, usize)], storage: &Storage) -> Module {
+fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Module {
     let mut m = Module::new("stream_fifo", "Queue in a memory with a registered output.");
     let width = item_width(layout);
     m.parameter("depth", depth);
@@ -77,7 +77,7 @@ fn moved(count: Reg, up: Expr, down: Expr) -> Expr {
 }
 
 /// An address that goes round.
-fn advance(m: &mut Module, address: Reg, step: Expr, depth: usize) {
+fn advance(m: &mut Module, address: Reg, step: Expr, depth: u32) {
     let next = address.add_lit(1);
     let next = if depth.is_power_of_two() {
         next

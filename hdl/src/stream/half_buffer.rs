@@ -10,7 +10,7 @@ use rtl::Module;
 
 /// A buffer of one item.
 #[must_use]
-pub fn half_buffer(layout: &[(impl AsRef<str>, usize)]) -> Module {
+pub fn half_buffer(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let mut m = Module::new("stream_half_buffer", "One item in a register, at half rate.");
     let width = item_width(layout);
     m.parameter("width", width);

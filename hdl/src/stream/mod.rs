@@ -16,7 +16,7 @@ fn packed(stream: &Stream) -> Expr {
 }
 
 /// The fields of a packed item by name.
-fn unpacked(word: Expr, layout: &[(impl AsRef<str>, usize)]) -> Vec<(String, Expr)> {
+fn unpacked(word: Expr, layout: &[(impl AsRef<str>, u32)]) -> Vec<(String, Expr)> {
     let mut high = word.width();
     let fields = layout.iter().map(|(name, width)| {
         high -= width;
@@ -26,6 +26,6 @@ fn unpacked(word: Expr, layout: &[(impl AsRef<str>, usize)]) -> Vec<(String, Exp
 }
 
 /// Bits of an item.
-fn item_width(layout: &[(impl AsRef<str>, usize)]) -> usize {
+fn item_width(layout: &[(impl AsRef<str>, u32)]) -> u32 {
     layout.iter().map(|(_, width)| width).sum()
 }

@@ -9,7 +9,7 @@ use rtl::Module;
 
 /// A queue of two items in registers.
 #[must_use]
-pub fn skid(layout: &[(impl AsRef<str>, usize)]) -> Module {
+pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let mut m = Module::new("stream_skid", "Queue of two in registers.");
     let width = item_width(layout);
     m.parameter("width", width);

@@ -17,17 +17,12 @@ impl Record {
 
     /// Input ports `<prefix><field>`.
     pub fn input(m: &mut Module, prefix: &str, fields: &[Field]) -> Self {
-        Self(
-            fields
-                .iter()
-                .map(|(name, width)| (name.clone(), m.input(&format!("{prefix}{name}"), *width as usize)))
-                .collect(),
-        )
+        Self(fields.iter().map(|(name, width)| (name.clone(), m.input(&format!("{prefix}{name}"), *width))).collect())
     }
 
     /// All bits zero.
     pub fn zeros(fields: &[Field]) -> Self {
-        Self(fields.iter().map(|(name, width)| (name.clone(), lit(*width as usize, 0))).collect())
+        Self(fields.iter().map(|(name, width)| (name.clone(), lit(*width, 0))).collect())
     }
 
     /// The fields of a word that [`Record::pack`] made, the first field on top.
@@ -35,8 +30,8 @@ impl Record {
         let word = word.into();
         let mut top = word.width();
         let values = fields.iter().map(|(name, width)| {
-            top -= *width as usize;
-            (name.clone(), word.bits(top + *width as usize - 1, top))
+            top -= *width;
+            (name.clone(), word.bits(top + *width - 1, top))
         });
         Self(values.collect())
     }
@@ -96,13 +91,13 @@ impl From<&Stream> for Record {
 }
 
 /// The bits that hold a record.
-pub(crate) fn width(fields: &[Field]) -> usize {
-    fields.iter().map(|(_, width)| *width as usize).sum()
+pub(crate) fn width(fields: &[Field]) -> u32 {
+    fields.iter().map(|(_, width)| *width).sum()
 }
 
 /// A record's fields with the widths the front end counts in.
-pub(crate) fn layout(record: &[Field]) -> Vec<(&str, usize)> {
-    record.iter().map(|(name, width)| (name.as_str(), *width as usize)).collect()
+pub(crate) fn layout(record: &[Field]) -> Vec<(&str, u32)> {
+    record.iter().map(|(name, width)| (name.as_str(), *width)).collect()
 }
 
 /// Declares the ports of a stream of records that comes in.

@@ -4,7 +4,7 @@
 use rtl::{Expr, Memory, Module, cat};
 
 /// Bits that a block RAM holds: words of nine bits and more have the parity's, too.
-const fn block_bits(words: usize) -> usize {
+const fn block_bits(words: u32) -> u32 {
     if words <= 1 << 11 { 9 << 11 } else { 1 << 14 }
 }
 
@@ -15,7 +15,7 @@ pub(crate) struct Sliced {
 
 struct Slice {
     memory: Memory,
-    low: usize,
+    low: u32,
 }
 
 impl Sliced {
@@ -23,13 +23,13 @@ impl Sliced {
     pub fn new(m: &mut Module, name: &str, enable: Expr, address: Expr, word: Expr) -> Self {
         let (address_bits, width) = (address.width(), word.width());
         let bits = (block_bits(1 << address_bits) >> address_bits).clamp(1, width);
-        let slice = |low: usize| {
+        let slice = |low: u32| {
             let high = width.min(low + bits) - 1;
             let memory = m.memory_unordered(&format!("{name}_{low}"), 1 << address_bits, high + 1 - low);
             m.write(memory, enable, address, word.bits(high, low));
             Slice { memory, low }
         };
-        Self { slices: (0..width).step_by(bits).map(slice).collect() }
+        Self { slices: (0..width).step_by(bits as usize).map(slice).collect() }
     }
 
     /// A read port that keeps its word while `enable` is low.

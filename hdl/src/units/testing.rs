@@ -8,7 +8,7 @@ fn spec_port(port: &rtl::Port) -> Port {
         rtl::Direction::Input => Direction::Input,
         rtl::Direction::Output => Direction::Output,
     };
-    Port { name: port.name.clone(), width: port.width as u32, direction }
+    Port { name: port.name.clone(), width: port.width, direction }
 }
 
 /// The ports without the clock; there must be no path from input to output.

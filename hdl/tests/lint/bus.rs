@@ -75,7 +75,7 @@ fn a_top_lies_beside_its_core() {
     let all: HashSet<String> = bus.modules().iter().map(|module| module.name.clone()).collect();
     assert_eq!(all, in_core.union(&in_bus).cloned().collect());
     assert!(in_core.contains("splat_top") && in_bus.contains("splat_axi"));
-    lint_text("splat_axi", &format!("{}{}", bus.verilog(), core.verilog()));
+    lint_text("splat_axi", &format!("{}{}", bus.verilog(), core.verilog()), &[]);
 }
 
 #[test]

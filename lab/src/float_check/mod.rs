@@ -95,7 +95,7 @@ pub fn check_format(
 fn top(format: Format, operations: &[Operation]) -> Module {
     let mut module = Module::new("float_check", "Every floating-point operator of one format.");
     module.parameter("format", format);
-    let width = format.width() as usize;
+    let width = format.width();
     let enable = module.input("enable", 1);
     let operands = ["a", "b", "c"].map(|name| module.input(name, width));
     for operation in operations {

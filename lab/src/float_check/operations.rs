@@ -41,7 +41,7 @@ impl Operation {
     pub fn connections(&self, operands: &[Expr; 3]) -> Vec<(&'static str, Expr)> {
         match self.operands {
             Operands::Floats(count) => ["a", "b", "c"].into_iter().zip(operands.iter().cloned()).take(count).collect(),
-            Operands::Bits(width) => vec![("a", cat([operands[1], operands[0]]).trunc(width as usize))],
+            Operands::Bits(width) => vec![("a", cat([operands[1], operands[0]]).trunc(width))],
         }
     }
 }

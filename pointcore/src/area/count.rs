@@ -16,7 +16,7 @@ pub fn total(design: &Design) -> Area {
     })
 }
 
-fn entries(area: &Area) -> [(&'static str, usize); 6] {
+fn entries(area: &Area) -> [(&'static str, u64); 6] {
     [
         ("register bits", area.register_bits),
         ("memory bits", area.memory_bits),
@@ -29,7 +29,7 @@ fn entries(area: &Area) -> [(&'static str, usize); 6] {
 
 /// Two designs side by side: name, figure of the first, figure of the second.
 #[must_use]
-pub fn rows(first: &Design, second: &Design) -> Vec<(&'static str, usize, usize)> {
+pub fn rows(first: &Design, second: &Design) -> Vec<(&'static str, u64, u64)> {
     let (first, second) = (entries(&total(first)), entries(&total(second)));
     first.into_iter().zip(second).map(|((name, first), (_, second))| (name, first, second)).collect()
 }

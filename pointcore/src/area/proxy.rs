@@ -28,12 +28,12 @@ impl Proxy {
     pub fn of(design: &Design) -> Self {
         let area = total(design);
         Self {
-            register_bits: area.register_bits as u64,
-            memory_bits: area.memory_bits as u64,
-            multipliers: area.multipliers as u64,
-            product_bits: area.multiplier_bits as u64,
-            adder_bits: area.adder_bits as u64,
-            mux_bits: area.mux_bits as u64,
+            register_bits: area.register_bits,
+            memory_bits: area.memory_bits,
+            multipliers: area.multipliers,
+            product_bits: area.multiplier_bits,
+            adder_bits: area.adder_bits,
+            mux_bits: area.mux_bits,
         }
     }
 

@@ -6,7 +6,7 @@ use rtl::{Direction, Expr, Module, cat, elaborate};
 use std::rc::Rc;
 
 /// Inputs of one lookup table: no path of the shell's own goes through more.
-const LUT_INPUTS: usize = 4;
+const LUT_INPUTS: u32 = 4;
 
 /// Name of the unit in the shell.
 pub const UNIT_INSTANCE: &str = "unit";
@@ -88,7 +88,7 @@ fn fold(m: &mut Module, bits: Expr) -> Expr {
             break;
         }
         let parities: Vec<_> = (0..bits.width())
-            .step_by(LUT_INPUTS)
+            .step_by(LUT_INPUTS as usize)
             .map(|low| {
                 let group = low..bits.width().min(low + LUT_INPUTS);
                 group.map(|index| bits.bit(index)).reduce(|a, b| a ^ b).expect("groups are not empty")

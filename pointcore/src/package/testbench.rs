@@ -8,15 +8,15 @@ use rtl::{Design, Direction, Port};
 
 /// The bits of a port in a vector.
 struct Place {
-    low: usize,
-    width: usize,
+    low: u32,
+    width: u32,
 }
 
 impl Place {
     fn of(recording: &Recording, name: &str) -> Option<Self> {
         let mut low = 0;
         for port in recording.ports() {
-            let width = port.width as usize;
+            let width = port.width;
             if port.name == name {
                 return Some(Self { low, width });
             }
@@ -52,7 +52,7 @@ fn connections(design: &Design, recording: &Recording) -> String {
 fn side(recording: &Recording, direction: Direction) -> Vec<Port> {
     let specified = if direction == Direction::Input { Specified::Input } else { Specified::Output };
     let ports = recording.ports().iter().filter(|port| port.direction == specified);
-    ports.map(|port| Port { name: port.name.clone(), width: port.width as usize, direction }).collect()
+    ports.map(|port| Port { name: port.name.clone(), width: port.width, direction }).collect()
 }
 
 /// The streams that leave the core.

@@ -135,7 +135,7 @@ mod tests {
             let of = |part: &str| rows.iter().find(|row| row.part == part).map(|row| row.kilobytes);
             assert!(of("kd-tree") > of("thread data"), "{rows:?}");
             let bits =
-                core.design.modules().iter().map(|module| module.instances * module.area.memory_bits).sum::<usize>();
+                core.design.modules().iter().map(|module| module.instances * module.area.memory_bits).sum::<u64>();
             let kilobytes: f64 = rows.iter().map(|row| row.kilobytes).sum();
             assert!((kilobytes - bits as f64 / BYTE_BITS / KILOBYTE).abs() < 1e-9);
         }

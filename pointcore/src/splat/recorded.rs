@@ -14,7 +14,7 @@ use pointcore_tb::lockstep::{LockstepError, Stall};
 /// Splats of the frame: few, so that its first pixels leave the core within the vectors.
 const SPLATS: usize = 3;
 /// Bits of the vectors: the whole frame would take hundreds of times as much.
-const VECTOR_BITS: usize = 3 << 19;
+const VECTOR_BITS: u32 = 3 << 19;
 /// Pixel that the camera's axis meets: near the first tile, for tiles leave the core in their order.
 const CENTER_PX: f64 = 16.0;
 /// Cycles beyond one a tile until the core has cleared its directory of tiles.
@@ -81,8 +81,8 @@ fn frame(config: &Config) -> EncodedFrame {
 /// The frame does not come to its end.
 pub fn record(config: &Config, core: &SplatCore) -> Result<Recording, LockstepError> {
     let frame = frame(config);
-    let width: usize = core.design.ports().iter().map(|port| port.width).sum();
-    let stop_after = Some((VECTOR_BITS / width) as u64);
+    let width: u32 = core.design.ports().iter().map(|port| port.width).sum();
+    let stop_after = Some((VECTOR_BITS / width).into());
     let runner =
         SplatRunner { config, frame: &frame, stall: Stall::Never, seed: SEED, progress: &|_, _| {}, stop_after };
     runner.recording(core, (1 << config.tile_bits()) + SETTLING_CYCLES)

@@ -2,15 +2,15 @@
 
 use std::fmt::Write as _;
 
-use rtl::{Expr, Module, cat, elaborate, lit, select};
+use rtl::{Expr, Module, cat, elaborate, lit};
 
 use crate::lint::{lint_but, run};
 
-const INPUT_WIDTHS: [usize; 4] = [1, 3, 8, 13];
+const INPUT_WIDTHS: [u32; 4] = [1, 3, 8, 13];
 const TREES: usize = 80;
 const VECTORS: usize = 40;
 /// Trees wider than this are cut down, so that plain integers hold them.
-const WIDEST: usize = 48;
+const WIDEST: u32 = 48;
 
 /// A small reproducible generator (splitmix64).
 struct Random(u64);
@@ -23,16 +23,16 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound as u64) as usize
+    fn below(&mut self, bound: u32) -> u32 {
+        (self.next() % u64::from(bound)) as u32
     }
 }
 
-fn mask(width: usize) -> u128 {
+fn mask(width: u32) -> u128 {
     (1 << width) - 1
 }
 
-fn signed(value: u128, width: usize) -> i128 {
+fn signed(value: u128, width: u32) -> i128 {
     if value >> (width - 1) & 1 == 1 { value as i128 - (1 << width) } else { value as i128 }
 }
 
@@ -44,7 +44,7 @@ struct Tree {
 }
 
 impl Tree {
-    fn width(&self) -> usize {
+    fn width(&self) -> u32 {
         self.expr.width()
     }
 
@@ -58,7 +58,7 @@ impl Tree {
         Self { expr, values }
     }
 
-    fn resized(&self, width: usize) -> Self {
+    fn resized(&self, width: u32) -> Self {
         self.map(self.expr.resize(width), |a| a)
     }
 
@@ -70,10 +70,10 @@ impl Tree {
 
 fn leaf(random: &mut Random, inputs: &[Tree]) -> Tree {
     if random.below(5) > 0 {
-        return inputs[random.below(inputs.len())].clone();
+        return inputs[random.below(inputs.len() as u32) as usize].clone();
     }
     let width = 1 + random.below(9);
-    let value = [0, mask(width), u128::from(random.next()) & mask(width)][random.below(3)];
+    let value = [0, mask(width), u128::from(random.next()) & mask(width)][random.below(3) as usize];
     Tree { expr: lit(width, value), values: vec![value; VECTORS] }
 }
 
@@ -94,8 +94,8 @@ fn one_operand(random: &mut Random, a: &Tree) -> Tree {
     let low = random.below(high + 1);
     match random.below(12) {
         0 => a.map(!a.expr, |a| !a),
-        1 => a.map(a.expr.shl(amount), |a| a << amount),
-        2 => a.map(a.expr.shr(amount), |a| a >> amount),
+        1 => a.map(a.expr << amount, |a| a << amount),
+        2 => a.map(a.expr >> amount, |a| a >> amount),
         3 => a.map(a.expr.sar(amount), |a| (signed(a, width) >> amount) as u128),
         4 => a.map(a.expr.bits(high, low), |a| a >> low),
         5 => a.map(a.expr.sext(width + amount), |a| signed(a, width) as u128),
@@ -134,7 +134,7 @@ fn two_operands(random: &mut Random, inputs: &[Tree], a: &Tree, b: &Tree) -> Tre
             let index = inputs[1].clone();
             let third = a.map(!a.expr, |a| !a);
             let entries = [a, &same, &third];
-            let expr = select(index.expr, entries.map(|entry| entry.expr));
+            let expr = index.expr.pick(entries.map(|entry| entry.expr));
             let values = (0..VECTORS).map(|i| entries[(index.values[i] as usize).min(2)].values[i]);
             let picked = Tree { expr, values: values.collect() };
             inputs[0].choose(&picked, &same)
@@ -197,7 +197,7 @@ fn random_expressions_simulate_as_integers_say() {
     let printed = String::from_utf8(output.stdout).expect("a simulation prints ASCII");
     let printed: Vec<&str> = printed.lines().collect();
     assert_eq!(printed.len(), VECTORS * TREES);
-    let again = format!("POINTCORE_SEED={seed} cargo test -p pointcore-hdl --test rtl random_expressions");
+    let again = format!("POINTCORE_SEED={seed} cargo test -p rtl random_expressions");
     for (line, text) in printed.iter().enumerate() {
         let (vector, index) = (line / TREES, line % TREES);
         let value = u128::from_str_radix(text, 16).unwrap_or_else(|_| panic!("o{index} is `{text}`; {again}"));

@@ -26,15 +26,11 @@ pub fn lint(design: &Design) {
 
 /// As [`lint`], with flags that let Verilator overlook a rule.
 pub fn lint_but(design: &Design, overlooked: &[&str]) {
-    lint_text_but(design.top(), design.verilog(), overlooked);
+    lint_text(design.top(), design.verilog(), overlooked);
 }
 
-/// As [`lint`], of any text.
-pub fn lint_text(top: &str, verilog: &str) {
-    lint_text_but(top, verilog, &[]);
-}
-
-fn lint_text_but(top: &str, verilog: &str, overlooked: &[&str]) {
+/// As [`lint_but`], of any text.
+pub fn lint_text(top: &str, verilog: &str, overlooked: &[&str]) {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = format!("{top}.v");
     std::fs::write(folder.path().join(&file), verilog).expect("a temporary folder can be written");

@@ -64,6 +64,6 @@ fn what_is_used_twice_becomes_a_wire_and_what_is_not_used_goes() {
 #[test]
 fn ports_are_listed_as_declared() {
     let design = elaborate(&accumulator()).expect("the module has no fault");
-    let ports: Vec<(&str, usize)> = design.ports().iter().map(|port| (port.name.as_str(), port.width)).collect();
+    let ports: Vec<(&str, u32)> = design.ports().iter().map(|port| (port.name.as_str(), port.width)).collect();
     assert_eq!(ports, [("clk", 1), ("rst", 1), ("enable", 1), ("value", 8), ("total", 8), ("over", 1)]);
 }

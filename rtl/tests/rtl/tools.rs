@@ -1,6 +1,6 @@
 //! Verilator, Icarus and yosys take the text of a design with every feature, without a warning.
 
-use rtl::{Module, bit, cat, elaborate, lit, select};
+use rtl::{Module, bit, cat, elaborate, lit};
 
 use crate::lint::{lint, run};
 
@@ -16,7 +16,7 @@ fn everything() -> Module {
     let product = a.mul_signed(b);
     let shifted = a.shl_by(b.bits(2, 0)) ^ a.shr_by(b.bits(5, 3)) ^ a.sar(2);
     let reduced = cat([a.any(), b.all(), a.is_zero(), a.lt_signed(b), a.lt_lit(7), (a + b).bit(3)]);
-    let picked = select(a.bits(1, 0), [a, b, (a - b)]);
+    let picked = a.bits(1, 0).pick([a, b, (a - b)]);
     m.output("sum", sum);
     m.output("mixed", cat([product, (a * b), shifted, reduced, picked, wide.bits(149, 140)]));
     m.output("constant", lit(200, 5));
@@ -62,7 +62,7 @@ fn everything() -> Module {
 }
 
 /// A register as a module of its own, so wide.
-fn stage(width: usize) -> Module {
+fn stage(width: u32) -> Module {
     let mut m = Module::new("stage", "One register.");
     m.parameter("width", width);
     let d = m.input("d", width);
@@ -125,7 +125,7 @@ fn two_builds_give_the_same_bytes() {
 #[test]
 fn identical_modules_are_one_and_others_are_told_apart() {
     let design = elaborate(&everything()).expect("the module has no fault");
-    let names: Vec<(&str, usize)> =
+    let names: Vec<(&str, u64)> =
         design.modules().iter().map(|module| (module.name.as_str(), module.instances)).collect();
     assert_eq!(names, [("stage_w8", 2), ("stage_w5", 1), ("everything", 1)]);
     assert_eq!(design.modules()[0].area.register_bits, 8);

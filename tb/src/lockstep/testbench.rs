@@ -45,7 +45,7 @@ pub enum TestbenchError {
         /// The port.
         port: String,
         /// Its width.
-        width: usize,
+        width: u32,
         /// The value.
         value: u64,
     },

@@ -78,7 +78,7 @@ pub enum VerilatedError {
         /// The port.
         name: String,
         /// Its width.
-        width: usize,
+        width: u32,
     },
     /// The design has a port whose name Verilator would change.
     #[error("port `{name}` of `{top}`: use letters, digits and single underscores, beginning with a letter")]

@@ -11,7 +11,7 @@ use rtl::{Module, cat, elaborate};
 use crate::support;
 
 /// Bits of a word that crosses to the hardware.
-const WORD_BITS: usize = 64;
+const WORD_BITS: u32 = 64;
 /// Runs of one configuration.
 pub const SEEDS: u64 = 3;
 
@@ -28,7 +28,7 @@ fn narrow(unit: Module) -> Module {
         match direction {
             Direction::Input => {
                 let words: Vec<_> = words.map(|(word, _, bits)| m.input(&word, bits)).collect();
-                m.connect(inside, name, cat(words.iter().rev().copied()));
+                m.connect(inside, name, cat(words.into_iter().rev()));
             }
             Direction::Output => {
                 let value = m.out(inside, name);
@@ -91,7 +91,7 @@ impl Bench {
 /// The words of so many bytes.
 pub fn words(bytes: &[u8]) -> Vec<u64> {
     let word = |chunk: &[u8]| chunk.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
-    bytes.chunks(WORD_BITS / 8).map(word).collect()
+    bytes.chunks(WORD_BITS as usize / 8).map(word).collect()
 }
 
 /// The bytes of words, so many.

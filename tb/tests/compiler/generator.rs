@@ -107,7 +107,7 @@ fn operations(rng: &mut Rng, formats: [Format; 2], table: &Rc<Table>) -> Vec<Ope
         Operation::Minimum,
         Operation::Maximum,
         Operation::Less,
-        Operation::LessEqual,
+        Operation::LessOrEqual,
         Operation::Equal,
         Operation::Negate,
         Operation::Absolute,
@@ -119,9 +119,9 @@ fn operations(rng: &mut Rng, formats: [Format; 2], table: &Rc<Table>) -> Vec<Ope
         Operation::And,
         Operation::Or,
         Operation::Xor,
-        Operation::Select,
+        Operation::Mux,
         Operation::Bits { high: low + rng.u32(..12), low },
-        Operation::Concatenate,
+        Operation::Cat,
         Operation::ShiftLeft(rng.u32(..12)),
         Operation::ShiftRight(rng.u32(..12)),
         Operation::Resize(width),
@@ -141,11 +141,11 @@ fn operands(rng: &mut Rng, graph: &Graph, operation: &Operation) -> Vec<ValueId>
     let first = any(rng);
     match operation {
         Operation::MultiplyAdd => vec![first, like(rng, first), like(rng, first)],
-        Operation::Select => {
+        Operation::Mux => {
             let second = any(rng);
             vec![first, second, like(rng, second)]
         }
-        Operation::Concatenate => vec![first, any(rng)],
+        Operation::Cat => vec![first, any(rng)],
         Operation::Add
         | Operation::Subtract
         | Operation::Multiply
@@ -153,7 +153,7 @@ fn operands(rng: &mut Rng, graph: &Graph, operation: &Operation) -> Vec<ValueId>
         | Operation::Minimum
         | Operation::Maximum
         | Operation::Less
-        | Operation::LessEqual
+        | Operation::LessOrEqual
         | Operation::Equal
         | Operation::And
         | Operation::Or

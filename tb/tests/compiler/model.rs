@@ -44,11 +44,11 @@ pub fn compile_all(programs: Vec<(Graph, u32)>, rng: &mut Rng) -> (Design, Vec<C
         let datapath = compiler::compile_graph(&graph, &options).expect("the program is well formed");
         let instance = top.instance(&format!("program_{index}"), datapath.module);
         let fields = names(&graph, &Operation::Input).into_iter().zip(types(&graph, &Operation::Input));
-        let layout: Vec<(String, usize)> = fields.map(|(name, ty)| (name, ty.width() as usize)).collect();
+        let layout: Vec<(String, u32)> = fields.map(|(name, ty)| (name, ty.width())).collect();
         let input = top.stream_in(&format!("in_{index}"), &layout);
         top.stream_into(instance, "in", &input);
         for (name, ty) in names(&graph, &Operation::Uniform).iter().zip(types(&graph, &Operation::Uniform)) {
-            let port = top.input(&format!("uniform_{index}_{name}"), ty.width() as usize);
+            let port = top.input(&format!("uniform_{index}_{name}"), ty.width());
             top.connect(instance, name, port);
         }
         let output = top.stream_from(instance, "out");

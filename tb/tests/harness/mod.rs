@@ -11,7 +11,7 @@ use pointcore_tb::verilated::{BuildOptions, Builder, Direction, Library, Port, V
 /// The queue's Verilog.
 const FIFO: &str = include_str!("fifo.v");
 
-fn port(name: &str, width: usize, direction: Direction) -> Port {
+fn port(name: &str, width: u32, direction: Direction) -> Port {
     Port { name: name.to_owned(), width, direction }
 }
 

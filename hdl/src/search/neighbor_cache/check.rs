@@ -14,7 +14,7 @@ use crate::units::records::{Record, event_out, queue_in, queue_out};
 use rtl::{Expr, Module, Stream, lit};
 
 /// Queries whose comparisons may be under way.
-const CHECKS: usize = 8;
+const CHECKS: u32 = 8;
 
 /// A query's comparison with one entry: which it is, whether it is the query's last, and the entry's state as it was read.
 fn item_fields(config: &Config) -> Vec<Field> {
@@ -100,7 +100,7 @@ impl Comparisons {
         let datapath = m.instance("check", module);
         let accepts = m.out(datapath, "in_ready");
 
-        let entry = m.reg_reset("next_entry", config.entry_bits() as usize, 0);
+        let entry = m.reg_reset("next_entry", config.entry_bits(), 0);
         let first = m.wire("first_entry", entry.is_zero());
         let last = m.wire("last_entry", entry.eq_lit(u128::from(config.neighbor_cache) - 1));
         let issues = m.forward("issues", 1);
@@ -173,7 +173,7 @@ impl Check {
         m.assert("a_hit_is_present", !hits | from.entries.is_present(entry));
 
         search.push(m, misses, |name| match name {
-            "number" => from.tickets.next.zext(config.index_bits as usize),
+            "number" => from.tickets.next.zext(config.index_bits),
             field => asked.head.get(field),
         });
         event_out(m, "event_cache_hit", hits);

@@ -33,12 +33,12 @@ pub(super) fn copy(
     (entries, tickets, neighborhoods): (&Entries, &Tickets, &Neighborhoods),
     (is_ball, hits, room): (Expr, Expr, Expr),
 ) -> Copy {
-    let rank_bits = config.rank_bits() as usize;
+    let rank_bits = config.rank_bits();
     let found = queue_in(m, "found", &records::result(config));
     let (distance2, is_found, last) = (found.field("distance2"), found.field("found"), found.field("last"));
     let copying = m.reg_reset("copying", 1, 0);
     let starts = m.wire("copy_starts", (found.valid & !copying) & (entries.victim.valid & !hits));
-    let target = m.reg("copy_entry", config.entry_bits() as usize);
+    let target = m.reg("copy_entry", config.entry_bits());
     m.next_if(target, starts, entries.victim.entry);
     let query = tickets.query(m, config, starts, found.field("number"));
 
@@ -50,7 +50,7 @@ pub(super) fn copy(
 
     // Neighbors found so far, and the squared distance of the last of them.
     let rank = m.reg("copy_rank", rank_bits);
-    let previous = m.reg("copy_previous", config.geometry.width() as usize);
+    let previous = m.reg("copy_previous", config.geometry.width());
     let stores = m.wire("copy_stores", takes & is_found);
     let total = m.wire("copy_total", rank + is_found.zext(rank_bits));
     let latest = is_found.mux(distance2, previous);

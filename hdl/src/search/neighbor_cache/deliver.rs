@@ -35,7 +35,7 @@ pub(super) struct Answer {
 impl Deliveries {
     /// None after reset.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let queue = m.instance("deliver_queue", fifo(DEPTH as usize, &layout(&fields(config))));
+        let queue = m.instance("deliver_queue", fifo(DEPTH, &layout(&fields(config))));
         let room = m.out(queue, "in_ready");
         Self { queue, result: queue_out(m, "result", &records::cached_result(config)), room }
     }
@@ -63,7 +63,7 @@ impl Deliveries {
         m.ready(&head, !d0_valid);
         let answer = Record::from(&head).register(m, "d0_", takes);
         let count = from.count(m, takes, head.field("entry"));
-        let rank_bits = config.rank_bits() as usize;
+        let rank_bits = config.rank_bits();
         let rank = m.reg("d0_rank", rank_bits);
         let next_rank = m.reg("d0_next_rank", rank_bits);
 

@@ -10,7 +10,7 @@ use pointcore_contract::splat::config::index_bits;
 
 use super::deliver;
 use crate::search::sets::{contains, decode, index_of, set};
-use rtl::{Expr, Module, Reg, bit, lit, select};
+use rtl::{Expr, Module, Reg, bit, lit};
 
 /// Bits of a version: far more neighborhoods than an entry is given to while a comparison with it is under way.
 pub(super) const VERSION_BITS: u32 = 8;
@@ -54,12 +54,12 @@ pub(super) struct Entries {
 /// The member of `eligible` that was used before all others of it, alone.
 fn oldest(m: &mut Module, eligible: Expr, older: &[Reg]) -> Expr {
     let entries = eligible.width();
-    let used_before = |entry: usize, other: usize| match other.cmp(&entry) {
-        Ordering::Less => older[entry - 1].bit(other),
+    let used_before = |entry: u32, other: u32| match other.cmp(&entry) {
+        Ordering::Less => older[entry as usize - 1].bit(other),
         Ordering::Equal => bit(false),
-        Ordering::Greater => !older[other - 1].bit(entry),
+        Ordering::Greater => !older[other as usize - 1].bit(entry),
     };
-    let mut is_oldest = |entry: usize| {
+    let mut is_oldest = |entry: u32| {
         let before = set(&(0..entries).map(|other| used_before(entry, other)).collect::<Vec<_>>());
         let before = m.wire(&format!("before_{entry}"), eligible & before);
         eligible.bit(entry) & before.is_zero()
@@ -70,15 +70,14 @@ fn oldest(m: &mut Module, eligible: Expr, older: &[Reg]) -> Expr {
 impl Entries {
     /// After reset none is present and they count as used in order, entry 0 first.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let count = config.neighbor_cache as usize;
+        let count = config.neighbor_cache;
         let [present, writing, stale] = ["present", "writing", "stale"].map(|name| m.reg_reset(name, count, 0));
-        let versions =
-            (0..count).map(|entry| m.reg_reset(&format!("version_{entry}"), VERSION_BITS as usize, 0)).collect();
+        let versions = (0..count).map(|entry| m.reg_reset(&format!("version_{entry}"), VERSION_BITS, 0)).collect();
         // Those who wait in the queue of deliveries, and the one that is served.
-        let readers_bits = index_bits(deliver::DEPTH + 2) as usize;
+        let readers_bits = index_bits(deliver::DEPTH + 2);
         let readers: Vec<_> =
             (0..count).map(|entry| m.reg_reset(&format!("readers_{entry}"), readers_bits, 0)).collect();
-        let all = |width: usize| (1 << width) - 1;
+        let all = |width: u32| (1 << width) - 1;
         let older: Vec<_> =
             (1..count).map(|entry| m.reg_reset(&format!("older_than_{entry}"), entry, all(entry))).collect();
 
@@ -86,7 +85,7 @@ impl Entries {
         let eligible = m.wire("eligible", !(read | writing));
         let chosen = oldest(m, eligible, &older);
         let chosen = m.wire("oldest", chosen);
-        let victim = m.wire("victim", index_of(chosen, config.entry_bits() as usize));
+        let victim = m.wire("victim", index_of(chosen, config.entry_bits()));
         let victim = Chosen { valid: eligible.any(), entry: victim };
         Self { present, writing, stale, versions, readers, older, victim }
     }
@@ -98,7 +97,7 @@ impl Entries {
 
     /// The number of neighborhoods that the entry was given to so far, modulo a power of two.
     pub fn version(&self, entry: Expr) -> Expr {
-        select(entry, self.versions.iter().copied())
+        entry.pick(self.versions.iter().copied())
     }
 
     /// The entries as they are after a cycle. A hit and a start never come together.
@@ -118,21 +117,21 @@ impl Entries {
         m.next(present, ((present & !start) | (judged & !stale)) & !setup);
         m.next(writing, (writing | start) & !judged);
         m.next(stale, (stale | (writing & setup)) & !judged);
-        for (entry, version) in versions.into_iter().enumerate() {
+        for (entry, version) in (0..).zip(versions) {
             m.next_if(version, start.bit(entry), version.add_lit(1));
         }
 
         let more = m.wire("more_readers", hit | end);
-        for (entry, &readers) in readers.iter().enumerate() {
+        for (entry, &readers) in (0..).zip(&readers) {
             let [up, down] = [more, release].map(|set| set.bit(entry).zext(readers.width()));
             m.next(readers, readers + up - down);
         }
-        let none_read = readers.iter().enumerate().map(|(entry, readers)| readers.is_zero() & release.bit(entry));
+        let none_read = (0..).zip(&readers).map(|(entry, readers)| readers.is_zero() & release.bit(entry));
         m.assert("released_entries_have_readers", !none_read.fold(bit(false), |any, faulty| any | faulty));
 
         let used = m.wire("used", hit | start);
-        for (before, older) in older.into_iter().enumerate() {
-            let (width, entry) = (older.width(), before + 1);
+        for (entry, older) in (1..).zip(older) {
+            let width = older.width();
             let now = used.bit(entry).mux(!lit(width, 0), older & !used.trunc(width));
             m.next(older, now);
         }

@@ -52,7 +52,7 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     let room = deliveries.room;
 
     let copying = m.forward("copied", 1);
-    let target = m.forward("copied_entry", config.entry_bits() as usize);
+    let target = m.forward("copied_entry", config.entry_bits());
     let copied = Chosen { valid: copying.expr(), entry: target.expr() };
     let resources =
         Resources { entries: &entries, covers: &covers, tickets: &tickets, settings: &settings, copied: &copied, room };

@@ -14,8 +14,8 @@ pub(super) fn neighbor_fields(config: &Config) -> Vec<Field> {
 }
 
 /// Words of a memory with one for each entry; a memory has two at least.
-pub(super) fn entry_words(config: &Config) -> usize {
-    config.neighbor_cache.max(2) as usize
+pub(super) fn entry_words(config: &Config) -> u32 {
+    config.neighbor_cache.max(2)
 }
 
 /// A memory of neighbors by entry and rank, and one of their numbers by entry.
@@ -23,16 +23,16 @@ pub(super) struct Neighborhoods {
     fields: Vec<Field>,
     neighbors: Memory,
     counts: Memory,
-    rank_bits: usize,
+    rank_bits: u32,
 }
 
 impl Neighborhoods {
     /// Unknown contents.
     pub fn new(m: &mut Module, config: &Config) -> Self {
         let (fields, words) = (neighbor_fields(config), entry_words(config));
-        let rank_bits = address_width(config.neighbors as usize);
+        let rank_bits = address_width(config.neighbors);
         let neighbors = m.memory_unordered("neighborhoods", words << rank_bits, width(&fields));
-        let counts = m.memory("counts", words, config.rank_bits() as usize);
+        let counts = m.memory("counts", words, config.rank_bits());
         Self { fields, neighbors, counts, rank_bits }
     }
 

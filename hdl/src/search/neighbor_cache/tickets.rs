@@ -23,13 +23,13 @@ pub(super) struct Tickets {
 impl Tickets {
     /// All free after reset.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let count = config.tickets() as usize;
+        let count = config.tickets();
         let bits = address_width(count);
         let taken = m.reg_reset("taken", count, 0);
         let queries = m.memory("tickets", 1 << bits, width(&records::query(config)));
         let any = m.reg_reset("any_ticket", 1, 0);
         let next = m.reg("next_ticket", bits);
-        let under_way = m.reg_reset("under_way", index_bits(config.tickets() + 1) as usize, 0);
+        let under_way = m.reg_reset("under_way", index_bits(config.tickets() + 1), 0);
         Self { taken, queries, under_way, any, next }
     }
 

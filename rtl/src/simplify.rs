@@ -1,20 +1,20 @@
 //! Constant folding and the identities that keep comparisons and slices out of lint's way.
 
-use super::expression::{Expr, Node, Operation, bit, cat, lit};
+use super::expression::{Expr, Node, Primitive, bit, cat, lit};
 
 /// Literals up to this width are computed here; wider ones are left to the tools.
-const FOLDED_BITS: usize = 128;
+const FOLDED_BITS: u32 = 128;
 
 /// The simplest equivalent of a node whose operands are simple already, where it is another one.
 pub(super) fn simplify(node: &Node) -> Option<Expr> {
     constant(node).or_else(|| identity(node))
 }
 
-fn mask(width: usize) -> u128 {
+fn mask(width: u32) -> u128 {
     if width >= FOLDED_BITS { u128::MAX } else { (1 << width) - 1 }
 }
 
-fn sign_extended(value: u128, width: usize) -> i128 {
+fn sign_extended(value: u128, width: u32) -> i128 {
     let unused = FOLDED_BITS - width;
     ((value << unused) as i128) >> unused
 }
@@ -22,7 +22,7 @@ fn sign_extended(value: u128, width: usize) -> i128 {
 /// The value of a node over literals only.
 fn constant(node: &Node) -> Option<Expr> {
     let width = node.width;
-    let operand_widths: Vec<usize> = node.operands.iter().map(|operand| operand.width()).collect();
+    let operand_widths: Vec<u32> = node.operands.iter().map(|operand| operand.width()).collect();
     if width > FOLDED_BITS || operand_widths.iter().any(|&width| width > FOLDED_BITS) {
         return None;
     }
@@ -30,45 +30,45 @@ fn constant(node: &Node) -> Option<Expr> {
     let first = *values.first()?;
     let second = values.get(1).copied().unwrap_or(0);
     let value = match &node.operation {
-        Operation::Not => !first,
-        Operation::And => first & second,
-        Operation::Or => first | second,
-        Operation::Xor => first ^ second,
-        Operation::Add => first.wrapping_add(second),
-        Operation::Subtract => first.wrapping_sub(second),
-        Operation::Multiply => first.wrapping_mul(second),
-        Operation::MultiplySigned => {
+        Primitive::Not => !first,
+        Primitive::And => first & second,
+        Primitive::Or => first | second,
+        Primitive::Xor => first ^ second,
+        Primitive::Add => first.wrapping_add(second),
+        Primitive::Subtract => first.wrapping_sub(second),
+        Primitive::Multiply => first.wrapping_mul(second),
+        Primitive::MultiplySigned => {
             let product =
                 sign_extended(first, operand_widths[0]).wrapping_mul(sign_extended(second, operand_widths[1]));
             product as u128
         }
-        Operation::Equal => u128::from(first == second),
-        Operation::NotEqual => u128::from(first != second),
-        Operation::Less => u128::from(first < second),
-        Operation::LessOrEqual => u128::from(first <= second),
-        Operation::LessSigned => {
+        Primitive::Equal => u128::from(first == second),
+        Primitive::NotEqual => u128::from(first != second),
+        Primitive::Less => u128::from(first < second),
+        Primitive::LessOrEqual => u128::from(first <= second),
+        Primitive::LessSigned => {
             u128::from(sign_extended(first, operand_widths[0]) < sign_extended(second, operand_widths[1]))
         }
-        Operation::ShiftLeft => shift_amount(second).map_or(0, |amount| first << amount),
-        Operation::ShiftRight => shift_amount(second).map_or(0, |amount| first >> amount),
-        Operation::Slice(low) => first >> low,
-        Operation::Concat => {
+        Primitive::ShiftLeft => shift_amount(second).map_or(0, |amount| first << amount),
+        Primitive::ShiftRight => shift_amount(second).map_or(0, |amount| first >> amount),
+        Primitive::Slice(low) => first >> low,
+        Primitive::Cat => {
             let parts = values.iter().zip(&operand_widths);
-            parts.fold(0u128, |high, (value, &width)| high.checked_shl(width as u32).unwrap_or(0) | value)
+            parts.fold(0u128, |high, (value, &width)| high.checked_shl(width).unwrap_or(0) | value)
         }
-        Operation::Repeat(count) => {
-            (0..*count).fold(0u128, |high, _| high.checked_shl(operand_widths[0] as u32).unwrap_or(0) | first)
+        Primitive::Repeat(count) => {
+            (0..*count).fold(0u128, |high, _| high.checked_shl(operand_widths[0]).unwrap_or(0) | first)
         }
-        Operation::Any => u128::from(first != 0),
-        Operation::All => u128::from(first == mask(operand_widths[0])),
-        Operation::Mux => values[if first == 1 { 1 } else { 2 }],
-        Operation::Signal(_) | Operation::Literal(_) | Operation::Poison(_) => return None,
+        Primitive::Any => u128::from(first != 0),
+        Primitive::All => u128::from(first == mask(operand_widths[0])),
+        Primitive::Mux => values[if first == 1 { 1 } else { 2 }],
+        Primitive::Signal(_) | Primitive::Literal(_) | Primitive::Poison(_) => return None,
     };
     Some(lit(width, value & mask(width)))
 }
 
 fn shift_amount(amount: u128) -> Option<u32> {
-    u32::try_from(amount).ok().filter(|&amount| (amount as usize) < FOLDED_BITS)
+    u32::try_from(amount).ok().filter(|&amount| amount < FOLDED_BITS)
 }
 
 /// An operand that is a literal of all zeros or all ones.
@@ -90,31 +90,31 @@ fn identity(node: &Node) -> Option<Expr> {
     let second = *operands.get(1).unwrap_or(&first);
     if operands.len() == 2 && same(first, second) {
         match &node.operation {
-            Operation::And | Operation::Or => return Some(first),
-            Operation::Xor | Operation::Subtract => return Some(lit(node.width, 0)),
-            Operation::Equal | Operation::LessOrEqual => return Some(bit(true)),
-            Operation::NotEqual | Operation::Less | Operation::LessSigned => return Some(bit(false)),
+            Primitive::And | Primitive::Or => return Some(first),
+            Primitive::Xor | Primitive::Subtract => return Some(lit(node.width, 0)),
+            Primitive::Equal | Primitive::LessOrEqual => return Some(bit(true)),
+            Primitive::NotEqual | Primitive::Less | Primitive::LessSigned => return Some(bit(false)),
             _ => {}
         }
     }
     match &node.operation {
-        Operation::Not if first.node().operation == Operation::Not => Some(first.node().operands[0]),
-        Operation::And if is_zero(first) || is_ones(second) => Some(first),
-        Operation::And if is_zero(second) || is_ones(first) => Some(second),
-        Operation::Or if is_ones(first) || is_zero(second) => Some(first),
-        Operation::Or if is_ones(second) || is_zero(first) => Some(second),
-        Operation::Add | Operation::Subtract | Operation::Xor if is_zero(second) => Some(first),
-        Operation::Add | Operation::Xor if is_zero(first) => Some(second),
-        Operation::ShiftLeft | Operation::ShiftRight if is_zero(second) || is_zero(first) => Some(first),
+        Primitive::Not if first.node().operation == Primitive::Not => Some(first.node().operands[0]),
+        Primitive::And if is_zero(first) || is_ones(second) => Some(first),
+        Primitive::And if is_zero(second) || is_ones(first) => Some(second),
+        Primitive::Or if is_ones(first) || is_zero(second) => Some(first),
+        Primitive::Or if is_ones(second) || is_zero(first) => Some(second),
+        Primitive::Add | Primitive::Subtract | Primitive::Xor if is_zero(second) => Some(first),
+        Primitive::Add | Primitive::Xor if is_zero(first) => Some(second),
+        Primitive::ShiftLeft | Primitive::ShiftRight if is_zero(second) || is_zero(first) => Some(first),
         // Comparisons that every operand decides alike: lint reports them.
-        Operation::Less if is_zero(second) || is_ones(first) => Some(bit(false)),
-        Operation::LessOrEqual if is_zero(first) || is_ones(second) => Some(bit(true)),
-        Operation::Equal if first.width() == 1 => one_bit_equal(first, second),
-        Operation::Any | Operation::All if first.width() == 1 => Some(first),
-        Operation::Repeat(1) => Some(first),
-        Operation::Slice(low) => slice(first, *low, node.width),
-        Operation::Concat => concat(operands, node.width),
-        Operation::Mux => mux(operands),
+        Primitive::Less if is_zero(second) || is_ones(first) => Some(bit(false)),
+        Primitive::LessOrEqual if is_zero(first) || is_ones(second) => Some(bit(true)),
+        Primitive::Equal if first.width() == 1 => one_bit_equal(first, second),
+        Primitive::Any | Primitive::All if first.width() == 1 => Some(first),
+        Primitive::Repeat(1) => Some(first),
+        Primitive::Slice(low) => slice(first, *low, node.width),
+        Primitive::Cat => concat(operands, node.width),
+        Primitive::Mux => mux(operands),
         _ => None,
     }
 }
@@ -150,14 +150,14 @@ fn mux(operands: &[Expr]) -> Option<Expr> {
 }
 
 /// A slice of a slice or of a concatenation names the bits it means.
-fn slice(source: Expr, low: usize, width: usize) -> Option<Expr> {
+fn slice(source: Expr, low: u32, width: u32) -> Option<Expr> {
     if width == source.width() {
         return Some(source);
     }
     let node = source.node();
     match &node.operation {
-        Operation::Slice(inner) => Some(Expr::build(Operation::Slice(inner + low), width, [node.operands[0]])),
-        Operation::Concat => {
+        Primitive::Slice(inner) => Some(Expr::build(Primitive::Slice(inner + low), width, [node.operands[0]])),
+        Primitive::Cat => {
             let mut pieces = Vec::new();
             let mut top = source.width();
             for part in &node.operands {
@@ -170,7 +170,7 @@ fn slice(source: Expr, low: usize, width: usize) -> Option<Expr> {
             }
             Some(cat(pieces))
         }
-        Operation::Repeat(count) if node.operands[0].width() == 1 && width < *count => {
+        Primitive::Repeat(count) if node.operands[0].width() == 1 && width < *count => {
             Some(node.operands[0].repeat(width))
         }
         _ => None,
@@ -178,12 +178,12 @@ fn slice(source: Expr, low: usize, width: usize) -> Option<Expr> {
 }
 
 /// One flat list of parts; neighboring literals and neighboring slices of one signal are merged.
-fn concat(operands: &[Expr], width: usize) -> Option<Expr> {
+fn concat(operands: &[Expr], width: u32) -> Option<Expr> {
     let mut parts: Vec<Expr> = Vec::with_capacity(operands.len());
     for operand in operands {
         let node = operand.node();
         let flat = match &node.operation {
-            Operation::Concat => &node.operands,
+            Primitive::Cat => &node.operands,
             _ => std::slice::from_ref(operand),
         };
         for &part in flat {
@@ -197,7 +197,7 @@ fn concat(operands: &[Expr], width: usize) -> Option<Expr> {
         return parts.pop();
     }
     let changed = parts.len() != operands.len() || parts.iter().zip(operands).any(|(&a, &b)| !same(a, b));
-    changed.then(|| Node::new(Operation::Concat, width, parts).keep())
+    changed.then(|| Node::new(Primitive::Cat, width, parts).keep())
 }
 
 fn merged(high: Expr, low: Expr) -> Option<Expr> {
@@ -206,7 +206,7 @@ fn merged(high: Expr, low: Expr) -> Option<Expr> {
         return (width <= FOLDED_BITS).then(|| lit(width, a << low.width() | b));
     }
     let (above, below) = (high.node(), low.node());
-    let (Operation::Slice(a), Operation::Slice(b)) = (&above.operation, &below.operation) else { return None };
+    let (Primitive::Slice(a), Primitive::Slice(b)) = (&above.operation, &below.operation) else { return None };
     let source = above.operands[0];
     let adjoining = same(source, below.operands[0]) && *a == b + low.width();
     adjoining.then(|| source.bits(a + high.width() - 1, *b))

@@ -10,9 +10,9 @@ pub(super) fn evaluate(operation: &Operation, operands: &[(Type, u64)], result: 
     // 65 bits hold every operand with its sign; products of 64-bit results hold in 128.
     let number = |index: usize| integer(operands[index]);
     let value = match operation {
-        Operation::Select => operand(if first == 1 { 1 } else { 2 }),
+        Operation::Mux => operand(if first == 1 { 1 } else { 2 }),
         Operation::Bits { low, .. } => first >> low,
-        Operation::Concatenate => first << operands[1].0.width() | operand(1),
+        Operation::Cat => first << operands[1].0.width() | operand(1),
         Operation::Reinterpret(_) => first,
         Operation::Negate if first_type.is_float() => first ^ sign_mask(first_type),
         Operation::Absolute => first & !sign_mask(first_type),
@@ -28,7 +28,7 @@ pub(super) fn evaluate(operation: &Operation, operands: &[(Type, u64)], result: 
         Operation::Minimum => number(0).min(number(1)) as u64,
         Operation::Maximum => number(0).max(number(1)) as u64,
         Operation::Less => (number(0) < number(1)).into(),
-        Operation::LessEqual => (number(0) <= number(1)).into(),
+        Operation::LessOrEqual => (number(0) <= number(1)).into(),
         Operation::Equal => (first == operand(1)).into(),
         Operation::ShiftLeft(by) => first << by,
         Operation::ShiftRight(by) => (number(0) >> by) as u64,
