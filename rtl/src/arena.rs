@@ -52,10 +52,16 @@ pub(super) fn keep(node: Node) -> u64 {
     ARENA.with_borrow_mut(|arena| arena.nodes.put(node))
 }
 
+/// The number of no node.
+pub(super) const NOTHING: u64 = u64::MAX;
+
 /// The node of that number; poison if all modules it could have been for are gone.
 pub(super) fn node(number: u64) -> Rc<Node> {
     ARENA.with_borrow(|arena| arena.nodes.get(number)).unwrap_or_else(|| {
-        let message = "the expression was made for modules that are gone";
+        let message = match number {
+            NOTHING => "there is no expression in this place",
+            _ => "the expression was made for modules that are gone",
+        };
         Rc::new(Node { operation: Primitive::Poison(message.into()), width: 1, operands: [].into(), tainted: true })
     })
 }

@@ -92,6 +92,13 @@ impl Node {
     }
 }
 
+/// What stands in the place of an expression that is not there; using it is an error at elaboration.
+impl Default for Expr {
+    fn default() -> Self {
+        Self { number: arena::NOTHING, width: 1, thread: PhantomData }
+    }
+}
+
 impl Expr {
     /// A node in its simplest form.
     pub(super) fn build(operation: Primitive, width: u32, operands: impl Into<Box<[Self]>>) -> Self {

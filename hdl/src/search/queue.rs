@@ -12,7 +12,7 @@ use pointcore_contract::splat::Field;
 use super::head_queue::HeadQueue;
 use super::queue_readout::{Readout, Rows, Whose};
 use super::queue_row::{entries, entry_fields, initial, insert, row, row_bits, sentinels};
-use super::radii::radii_now;
+use super::radii::{Writer, radii_now};
 use super::sets::{contains, decode, index_of, lowest, set, several};
 use crate::units::records::{Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, stream_in, width};
 use rtl::{Expr, Module, Reg, bit, cat};
@@ -254,7 +254,11 @@ pub fn module(config: &Config) -> Module {
     let take_reads = beat.valid.mux(!follows_beat, !follows_tail | is_fresh);
     m.next(beat.reads, take.mux(take_reads, beat.reads & waits));
     // Pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
-    let limit = radii_now(&mut m, config, [&start, &radius], candidates.field("thread"));
+    let writers = [&start, &radius].map(|writer| {
+        let (thread, radius2) = (writer.record.get("thread"), writer.record.get("radius2"));
+        Writer { valid: writer.valid, thread, radius2 }
+    });
+    let limit = radii_now(&mut m, config, writers, candidates.field("thread"));
     let arriving = Record::from(&candidates);
     let arriving =
         Record::new(&arrival_fields(config), |name| if name == "limit" { limit } else { arriving.get(name) });

@@ -3,32 +3,34 @@
 //!
 //! The last beat that was kept waits in `held` until it is known whether the leaf's end goes along with it.
 
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::Candidates;
+use pointcore_contract::search::units::sieve::PORTS;
 
 use super::radii::radii;
 use super::sets::set;
 use crate::stream::fifo;
-use crate::units::records::{Record, layout, pulse_in, queue_in, registered_pulse_out};
+use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, held};
+use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Module};
 
 /// Whether a lane is nearer than the radius.
-fn survives(config: &Config, beat: &Record, radius2: Expr) -> Expr {
-    let nearer: Vec<_> = (0..config.lanes).map(|lane| beat.get(&format!("distance{lane}")).lt(radius2)).collect();
+fn survives(config: &Config, beat: &Candidates<Wires>, radius2: Expr) -> Expr {
+    let nearer: Vec<_> = beat.distances[..config.lanes as usize].iter().map(|distance| distance.lt(radius2)).collect();
     set(&nearer).any()
 }
 
-/// The unit; ports as in `contract::search::ports::sieve`.
+/// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let fields = records::candidates(config);
     let mut m = Module::new("search_sieve", "Takes out beats without a point near enough.");
     m.parameter("threads", config.threads);
     m.parameter("lanes", config.lanes);
     m.parameter("depth", config.sieve_depth());
-    let start = pulse_in(&mut m, "start", &records::start(config));
-    let radius = pulse_in(&mut m, "radius", &records::radius(config));
-    let head = queue_in(&mut m, "candidates", &fields);
-    let kept = m.instance("kept_queue", fifo(config.sieve_depth(), &layout(&fields)));
+    let start = PORTS.start.declare(&mut m, config);
+    let radius = PORTS.radius.declare(&mut m, config);
+    let head = PORTS.candidates.queue(&mut m, config);
+    let kept = m.instance("kept_queue", fifo(config.sieve_depth(), &layout::<Candidates>(config)));
     let room = m.out(kept, "in_ready");
 
     // s1: the radius is there; s2: it is known whether a lane is nearer.
@@ -36,14 +38,14 @@ pub fn module(config: &Config) -> Module {
     let s1_valid = m.reg_reset("s1_valid", 1, 0);
     let advance = m.wire("advance", !s1_valid | decides);
     m.next_if(s1_valid, advance, head.valid);
-    let s1 = Record::from(&head).register(&mut m, "s1_", advance);
-    let radius2 = radii(&mut m, config, [&start, &radius], advance, head.field("thread"));
-    m.ready(&head, advance);
+    let s1 = head.record.register(&mut m, config, "s1_", advance);
+    let radius2 = radii(&mut m, config, [start.into(), radius.into()], advance, head.record.place.thread.thread);
+    m.drive(head.ready, advance);
     let s2_valid = m.reg_reset("s2_valid", 1, 0);
     m.next_if(s2_valid, decides, s1_valid);
     let s2_survives = m.reg("s2_survives", 1);
     m.next_if(s2_survives, decides, survives(config, &s1, radius2));
-    let s2 = s1.register(&mut m, "s2_", decides);
+    let s2 = s1.register(&mut m, config, "s2_", decides);
     let near = m.wire("near", s2_valid & s2_survives);
 
     // What is held goes when its leaf is closed or when the next beat of the leaf is kept.
@@ -56,18 +58,22 @@ pub fn module(config: &Config) -> Module {
     m.drive(decides, !s2_valid | proceeds);
 
     let keep = m.wire("keep", near & proceeds);
-    let last = s2.get("last");
+    let last = s2.place.last;
     let ends = m.wire("ends", (s2_valid & last) & (!near & proceeds));
     let closes = m.wire("closes", ends & (held_valid & !held_last));
     m.next(held_valid, keep | (held_valid & !leaves));
     m.next_if(held_last, keep | closes, last);
-    let others: Vec<_> = fields.iter().filter(|(name, _)| name != "last").cloned().collect();
-    let held = s2.only(&others).register(&mut m, "held_", keep);
-    let held = Record::new(&fields, |name| if name == "last" { held_last.expr() } else { held.get(name) });
+    let mut held = s2;
+    held.place.last = held_last.expr();
+    held.place.thread = s2.place.thread.register(&mut m, config, "held_", keep);
+    held.place.address = self::held(&mut m, "held_address", keep, s2.place.address);
+    for (lane, distance) in held.distances[..config.lanes as usize].iter_mut().enumerate() {
+        *distance = self::held(&mut m, &format!("held_distance{lane}"), keep, *distance);
+    }
     m.connect(kept, "in_valid", leaves);
-    held.connect(&mut m, kept, "in_");
-    let out = m.stream_from(kept, "out");
-    m.stream_export("kept", &out);
-    registered_pulse_out(&mut m, "skipped", ends & !closes, &s2.only(&records::thread_only(config)));
+    held.connect(&mut m, config, kept, "in_");
+    let out = Flow::from(&mut m, config, kept, "out");
+    PORTS.kept.export(&mut m, config, out);
+    PORTS.skipped.registered(&mut m, config, ends & !closes, s2.place.thread);
     m
 }

@@ -1,8 +1,10 @@
 //! What the units of both cores share.
 
 pub(crate) mod datapath;
+pub(crate) mod ports;
 pub(crate) mod records;
 pub(crate) mod sliced;
+pub(crate) mod wires;
 
 #[cfg(test)]
 pub(crate) mod testing;
