@@ -1,13 +1,10 @@
 //! The `pointcore` command.
 
 mod commands;
+mod exit;
 
 use clap::{Parser, Subcommand};
-use commands::{Failure, accuracy, area, bench, generate, inspect, knn, plan, run, stability, vectors};
-use pointcore::search::SearchError;
-use pointcore::vectors::VectorsError;
-use pointcore_lab::accuracy::AccuracyError;
-use pointcore_lab::synthesis::SynthesisError;
+use commands::{accuracy, area, bench, generate, inspect, knn, plan, run, stability, vectors};
 use std::process::ExitCode;
 
 /// Generates, simulates and measures hardware for point-based graphics.
@@ -79,39 +76,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("pointcore: {failure}");
-            failure.exit_code()
+            exit::code(&failure)
         }
-    }
-}
-
-impl Failure {
-    fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self {
-            Self::Mismatch(_) | Self::Neighbors(_) | Self::Stale { .. } | Self::Vectors(VectorsError::Frame(_)) => 1,
-            Self::Search(error) | Self::Vectors(VectorsError::Search(error)) => match error {
-                SearchError::Lockstep(_) | SearchError::Stuck { .. } => 1,
-                SearchError::Generate(_) | SearchError::Verilated(_) => 3,
-                _ => 2,
-            },
-            Self::Accuracy(error) => match error {
-                AccuracyError::Lockstep(_) | AccuracyError::Neighbors(_) => 1,
-                AccuracyError::Search(SearchError::Lockstep(_) | SearchError::Stuck { .. }) => 1,
-                AccuracyError::Search(SearchError::Generate(_) | SearchError::Verilated(_)) => 3,
-                AccuracyError::Generate(_) | AccuracyError::Verilated(_) => 3,
-                _ => 2,
-            },
-            Self::Scene(_)
-            | Self::Plan { .. }
-            | Self::Excluded { .. }
-            | Self::Configuration(_)
-            | Self::Usage(_)
-            | Self::Synthesis(SynthesisError::TooLarge { .. })
-            | Self::Write { .. }
-            | Self::Picture(_)
-            | Self::Plot(_) => 2,
-            Self::Vectors(VectorsError::Generate(_)) => 3,
-            Self::Vectors(_) => 2,
-            Self::Generate(_) | Self::Package(_) | Self::Operators(_) | Self::Verilated(_) | Self::Synthesis(_) => 3,
-        })
     }
 }

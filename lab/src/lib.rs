@@ -1,8 +1,25 @@
-//! What measures the project: accuracy, stability, operators, and the charts of all of them.
+//! What measures the project: figures of both cores, accuracy, stability, area and clock, operators, and the charts of all of them.
 
 pub mod accuracy;
+pub mod bench;
+pub mod chart;
+mod error;
 pub mod float_check;
 pub mod operands;
-pub mod plot;
 pub mod stability;
 pub mod synthesis;
+
+pub use error::LabError;
+
+use pointcore_tb::cache::file;
+use serde_json::{Map, Value};
+use std::path::Path;
+
+/// Figures by key.
+pub type Figures = Map<String, Value>;
+
+/// Writes a text file of results, making its folder.
+fn write(path: &Path, contents: &str) -> Result<(), LabError> {
+    let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+    Ok(folder.and_then(|()| std::fs::write(path, contents)).map_err(file("write", path))?)
+}

@@ -23,14 +23,11 @@ use pointcore::plan::{Plan, PlanError};
 use pointcore::scene::{Scene, SceneError};
 use pointcore::search::{SearchError, WrongAnswer};
 use pointcore::vectors::VectorsError;
-use pointcore_lab::accuracy::AccuracyError;
-use pointcore_lab::float_check::FloatCheckError;
-use pointcore_lab::plot::PlotError;
 use pointcore_lab::synthesis::SynthesisError;
+use pointcore_lab::{Figures, LabError};
 use pointcore_tb::lockstep::LockstepError;
 use pointcore_tb::verilated::VerilatedError;
 use serde::Serialize;
-use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 
 /// How results are printed.
@@ -111,15 +108,9 @@ pub enum Failure {
     /// Neighbors that are not the nearest.
     #[error("{0}")]
     Neighbors(WrongAnswer),
-    /// Operators that could not be compared.
+    /// What could not be measured.
     #[error(transparent)]
-    Operators(#[from] FloatCheckError),
-    /// Synthesis, place and route.
-    #[error(transparent)]
-    Synthesis(#[from] SynthesisError),
-    /// A point of a sweep.
-    #[error(transparent)]
-    Accuracy(#[from] AccuracyError),
+    Lab(#[from] LabError),
     /// A result that cannot be written.
     #[error("{}: cannot be written: {source}", path.display())]
     Write {
@@ -131,17 +122,17 @@ pub enum Failure {
     /// A picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),
-    /// A chart that cannot be written.
-    #[error(transparent)]
-    Plot(#[from] PlotError),
+}
+
+impl From<SynthesisError> for Failure {
+    fn from(error: SynthesisError) -> Self {
+        Self::Lab(error.into())
+    }
 }
 
 impl From<CostError> for Failure {
     fn from(error: CostError) -> Self {
-        match error {
-            CostError::Generate(error) => Self::Generate(error),
-            CostError::Run(error) => Self::Mismatch(error),
-        }
+        Self::Lab(error.into())
     }
 }
 
@@ -181,9 +172,6 @@ pub fn write_bytes(path: &Path, contents: &[u8]) -> Result<(), Failure> {
     let written = folder.and_then(|()| std::fs::write(path, contents));
     written.map_err(|source| Failure::Write { path: path.to_owned(), source })
 }
-
-/// Figures by key.
-pub type Figures = Map<String, Value>;
 
 /// The figures that are already in the file; none if there is no such file.
 fn existing(path: &Path) -> Result<Figures, Failure> {

@@ -1,6 +1,5 @@
 //! `pointcore plan SCENE`.
 
-use super::accuracy::estimator;
 use super::{Failure, Output, load, scene_name};
 use pointcore::area::count;
 use pointcore::area::estimate::Estimator;
@@ -8,6 +7,7 @@ use pointcore::cost::{Costs, Cycles, HardwareFigures, TABLE_HEAD, table_row};
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
 use pointcore::splat::SplatCore;
+use pointcore_lab::accuracy::estimator;
 use pointcore_tb::cache::Cache;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -36,7 +36,7 @@ pub struct Arguments {
 
 impl Arguments {
     fn estimator(&self) -> Result<Estimator, Failure> {
-        estimator(&self.record, &Cache::new(Cache::default_folder("accuracy")))
+        Ok(estimator(&self.record, &Cache::new(Cache::default_folder("accuracy")))?)
     }
 }
 

@@ -1,8 +1,8 @@
 //! One point: rendered, compared, timed.
 
-use super::AccuracyError;
 use super::figures::{Compared, Hardware, PointEngine, PointFigures};
 use super::point::RenderMethod;
+use crate::LabError;
 use pointcore::area::proxy::Proxy;
 use pointcore::generated::verilate;
 use pointcore::picture::Picture;
@@ -31,7 +31,7 @@ pub(super) fn reference(scene: &Scene, mapping: Mapping) -> Frame {
 }
 
 /// The frame on hardware, and what that took.
-fn hardware(scene: &Scene, plan: &Plan, engine: PointEngine) -> Result<(Frame, Hardware), AccuracyError> {
+fn hardware(scene: &Scene, plan: &Plan, engine: PointEngine) -> Result<(Frame, Hardware), LabError> {
     let config = &plan.config;
     let core = SplatCore::generate(config)?;
     let frame = EncodedFrame::new(scene, plan);
@@ -53,7 +53,7 @@ pub(super) fn measure(
     method: RenderMethod,
     engine: PointEngine,
     truth: &Picture,
-) -> Result<Rendered, AccuracyError> {
+) -> Result<Rendered, LabError> {
     let reference_frame = reference(scene, Mapping::Backward);
     let (frame, taken) = match method {
         RenderMethod::Hardware => {

@@ -4,7 +4,8 @@
 
 use super::figures::PointEngine;
 use super::sweep::SOURCES;
-use super::{AccuracyError, read_result, write_result};
+use super::{read_result, write_result};
+use crate::LabError;
 use pointcore::area::estimate::Estimator;
 use pointcore::area::proxy::Proxy;
 use pointcore::search::{
@@ -99,14 +100,14 @@ impl Task<'_> {
     ///
     /// # Errors
     /// The search cannot be run, or its neighbors are not the nearest within the tolerance.
-    pub fn measure(&self, cache: &Cache, setting: NeighborSetting) -> Result<Found, AccuracyError> {
+    pub fn measure(&self, cache: &Cache, setting: NeighborSetting) -> Result<Found, LabError> {
         let Self { points, k, limit, engine } = self;
         let key = key(["neighbors", SOURCES, &digest(points), &digest(&(k, limit, setting)), engine.name()]);
         let folder = cache.entry(&key, |folder| write_result(folder, &self.search(setting)?))?;
         read_result(&folder)
     }
 
-    fn search(&self, setting: NeighborSetting) -> Result<Found, AccuracyError> {
+    fn search(&self, setting: NeighborSetting) -> Result<Found, LabError> {
         let Self { points, k, limit, engine } = *self;
         let NeighborSetting { epsilon, entries, bucket } = setting;
         let splitting = Splitting::Packed;
@@ -127,7 +128,7 @@ impl Task<'_> {
             .reusing(Reuse { epsilon, ..Reuse::default() })?
             .interleaved(entries.max(1) as usize);
         let outcome = session.search(&queries)?;
-        let checked = check(points, &queries, &outcome.neighbors, epsilon).map_err(AccuracyError::Neighbors)?;
+        let checked = check(points, &queries, &outcome.neighbors, epsilon).map_err(LabError::Neighbors)?;
         let share = |count: u64| count as f64 / queries.len() as f64;
         Ok(Found {
             setting,

@@ -1,10 +1,11 @@
 //! The sweep as one HTML file that needs nothing besides: charts, pictures beside the truth, the table.
 
-use super::AccuracyError;
-use super::chart::{FrontChart, Mark, escape};
 use super::choice::Rated;
 use super::sweep::{DIFFERENCE, FRAME};
 use super::table::{COLUMNS, cells, decibels};
+use crate::LabError;
+use crate::chart::escape;
+use crate::chart::front::{FrontChart, Mark};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use pointcore_tb::cache::file;
@@ -29,7 +30,7 @@ pub struct SweepPage<'a> {
 }
 
 /// A picture as the address of itself.
-fn embedded(path: &Path) -> Result<String, AccuracyError> {
+fn embedded(path: &Path) -> Result<String, LabError> {
     let bytes = std::fs::read(path).map_err(file("read", path))?;
     Ok("data:image/png;base64,".to_owned() + &STANDARD.encode(bytes))
 }
@@ -45,7 +46,7 @@ fn hint(rated: &Rated) -> String {
 
 impl SweepPage<'_> {
     /// Pictures by the point's place, those of the front first, as many as there is room for.
-    fn pictures(&self) -> Result<Vec<Value>, AccuracyError> {
+    fn pictures(&self) -> Result<Vec<Value>, LabError> {
         let mut order: Vec<usize> = (0..self.rated.len()).collect();
         order.sort_by_key(|&index| !self.rated[index].on_front);
         let mut pictures = vec![Value::Null; self.rated.len()];
@@ -90,7 +91,7 @@ impl SweepPage<'_> {
     ///
     /// # Errors
     /// A picture cannot be read.
-    pub fn html(&self) -> Result<String, AccuracyError> {
+    pub fn html(&self) -> Result<String, LabError> {
         let points: Vec<_> = self.rated.iter().zip(self.pictures()?).map(|(rated, pictures)| {
             json!({ "name": rated.measured.point.name, "hint": hint(rated), "psnr": decibels(rated.measured.figures.psnr_db), "pictures": pictures })
         }).collect();

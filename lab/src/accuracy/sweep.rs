@@ -7,7 +7,8 @@
 use super::figures::{PointEngine, PointFigures};
 use super::measure::{measure, reference};
 use super::point::{RenderMethod, SweepPoint};
-use super::{AccuracyError, read_result, write_result};
+use super::{read_result, write_result};
+use crate::LabError;
 use pointcore::picture::Picture;
 use pointcore::plan::Plan;
 use pointcore::scene::Scene;
@@ -76,7 +77,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 impl Scenes {
     /// The scene with more settings.
-    fn load(&self, settings: &[String]) -> Result<Arc<Loaded>, AccuracyError> {
+    fn load(&self, settings: &[String]) -> Result<Arc<Loaded>, LabError> {
         let all = [&self.settings[..], settings].concat();
         let mut loaded = locked(&self.loaded);
         if let Some(known) = loaded.get(&all) {
@@ -90,7 +91,7 @@ impl Scenes {
     }
 
     /// The scene of a point, and its hardware.
-    fn plan(&self, point: &SweepPoint) -> Result<(Arc<Loaded>, Plan), AccuracyError> {
+    fn plan(&self, point: &SweepPoint) -> Result<(Arc<Loaded>, Plan), LabError> {
         let is_hardware = |setting: &String| setting.starts_with("overrides.");
         let (hardware, picture): (Vec<_>, Vec<_>) = point.arguments().into_iter().partition(is_hardware);
         let loaded = self.load(&picture)?;
@@ -107,12 +108,7 @@ impl Sweep {
     ///
     /// # Errors
     /// The scene cannot be loaded.
-    pub fn open(
-        path: &Path,
-        settings: &[String],
-        folder: PathBuf,
-        hardware: PointEngine,
-    ) -> Result<Self, AccuracyError> {
+    pub fn open(path: &Path, settings: &[String], folder: PathBuf, hardware: PointEngine) -> Result<Self, LabError> {
         let scenes = Scenes { path: path.to_owned(), settings: settings.to_vec(), loaded: Mutex::default() };
         let truth = scenes.load(&TRUTH.map(str::to_owned))?;
         Ok(Self { scenes, cache: Cache::new(folder), hardware, truth, truth_picture: Mutex::default() })
@@ -121,7 +117,7 @@ impl Sweep {
     /// Makes points ready; of those that come to the same the first stays. Those that the scene or the hardware does not admit come second, with
     /// the reason.
     #[must_use]
-    pub fn plan(&self, points: Vec<SweepPoint>) -> (Vec<Planned>, Vec<(SweepPoint, AccuracyError)>) {
+    pub fn plan(&self, points: Vec<SweepPoint>) -> (Vec<Planned>, Vec<(SweepPoint, LabError)>) {
         let (mut planned, mut refused, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
         for point in points {
             match self.scenes.plan(&point) {
@@ -148,7 +144,7 @@ impl Sweep {
         key([SOURCES, &scene.digest, &self.truth.digest, &config, &method, engine.name()])
     }
 
-    fn read(planned: &Planned, folder: PathBuf) -> Result<MeasuredPoint, AccuracyError> {
+    fn read(planned: &Planned, folder: PathBuf) -> Result<MeasuredPoint, LabError> {
         Ok(MeasuredPoint { point: planned.point.clone(), figures: read_result(&folder)?, folder })
     }
 
@@ -156,7 +152,7 @@ impl Sweep {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn kept(&self, planned: &Planned) -> Result<Option<MeasuredPoint>, AccuracyError> {
+    pub fn kept(&self, planned: &Planned) -> Result<Option<MeasuredPoint>, LabError> {
         let engines = [PointEngine::Lockstep, self.hardware];
         let folder = engines.into_iter().find_map(|engine| self.cache.existing(&self.key(planned, engine)));
         folder.map(|folder| Self::read(planned, folder)).transpose()
@@ -166,7 +162,7 @@ impl Sweep {
     ///
     /// # Errors
     /// It cannot be rendered or kept.
-    pub fn measure(&self, planned: &Planned) -> Result<MeasuredPoint, AccuracyError> {
+    pub fn measure(&self, planned: &Planned) -> Result<MeasuredPoint, LabError> {
         let folder = self.cache.entry(&self.key(planned, self.hardware), |folder| {
             let Planned { point, scene, plan } = planned;
             let truth = self.truth();
@@ -189,9 +185,9 @@ impl Sweep {
     ///
     /// # Errors
     /// It cannot be written.
-    pub fn truth_folder(&self) -> Result<PathBuf, AccuracyError> {
+    pub fn truth_folder(&self) -> Result<PathBuf, LabError> {
         self.cache.entry(&key(["truth", SOURCES, &self.truth.digest]), |folder| {
-            Ok::<_, AccuracyError>(self.truth().save_png(&folder.join(FRAME))?)
+            Ok::<_, LabError>(self.truth().save_png(&folder.join(FRAME))?)
         })
     }
 
@@ -199,7 +195,7 @@ impl Sweep {
     ///
     /// # Errors
     /// The scene cannot be read.
-    pub fn scene_file(&self, point: &SweepPoint) -> Result<String, AccuracyError> {
+    pub fn scene_file(&self, point: &SweepPoint) -> Result<String, LabError> {
         let settings = [&self.scenes.settings[..], &point.arguments()].concat();
         Ok(Scene::text(&self.scenes.path, &settings)?)
     }

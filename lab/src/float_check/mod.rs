@@ -2,11 +2,12 @@
 
 mod operations;
 
+use crate::LabError;
 use crate::operands::FloatCases;
 use operations::{Operation, operations};
 use pointcore_contract::Format;
-use pointcore_tb::verilated::{BuildOptions, Builder, Optimization, VerilatedError, VerilatedModel, VerilogSource};
-use rtl::{ElaborationError, Module, elaborate};
+use pointcore_tb::verilated::{BuildOptions, Builder, Optimization, VerilatedModel, VerilogSource};
+use rtl::{Module, elaborate};
 use std::fmt;
 
 /// What became of one operator.
@@ -43,17 +44,6 @@ impl fmt::Display for OperatorReport {
     }
 }
 
-/// Why operators could not be compared.
-#[derive(Debug, thiserror::Error)]
-pub enum FloatCheckError {
-    /// The description has a fault.
-    #[error(transparent)]
-    Elaboration(#[from] ElaborationError),
-    /// The model could not be built or run.
-    #[error(transparent)]
-    Verilated(#[from] VerilatedError),
-}
-
 /// Whether the operators are held up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Enable {
@@ -82,7 +72,7 @@ pub fn check_format(
     enable: Enable,
     cases: u64,
     seed: u64,
-) -> Result<Vec<OperatorReport>, FloatCheckError> {
+) -> Result<Vec<OperatorReport>, LabError> {
     let operations = operations(format, stages);
     let design = elaborate(&top(format, &operations))?;
     let source = VerilogSource::from(&design);
@@ -116,7 +106,7 @@ fn compare(
     mut source: FloatCases,
     enable: Enable,
     cases: u64,
-) -> Result<Vec<OperatorReport>, FloatCheckError> {
+) -> Result<Vec<OperatorReport>, LabError> {
     let mut reports: Vec<OperatorReport> = operations
         .iter()
         .map(|operation| OperatorReport { operation: operation.name.clone(), cases: 0, mismatches: 0, first: None })

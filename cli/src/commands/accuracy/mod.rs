@@ -2,18 +2,16 @@
 
 mod neighbors;
 
-use super::{Failure, Figures, Output, choices, merge, scene_name, write};
-use pointcore::area::estimate::Estimator;
-use pointcore::configuration::read_text;
+use super::{Failure, Output, choices, merge, scene_name, write};
 use pointcore::search::PointSource;
-use pointcore_lab::accuracy::AccuracyError;
 use pointcore_lab::accuracy::choice::{Against, Decibels, Prefer, Rated, cheapest, most_accurate, rate};
+use pointcore_lab::accuracy::estimator;
 use pointcore_lab::accuracy::figures::PointEngine;
 use pointcore_lab::accuracy::page::SweepPage;
 use pointcore_lab::accuracy::point::{Knob, UnknownKnob, points};
 use pointcore_lab::accuracy::sweep::{MeasuredPoint, Planned, Sweep};
 use pointcore_lab::accuracy::table::{cells, document, legend, markdown};
-use pointcore_lab::synthesis::AreaRecord;
+use pointcore_lab::{Figures, LabError};
 use pointcore_tb::cache::Cache;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -120,14 +118,6 @@ fn report(count: usize, folder: &Path, output: Output) {
     output.print(&json!({ "points": count, "folder": folder }), &text);
 }
 
-/// What a record says of areas.
-pub fn estimator(path: &Path, cache: &Cache) -> Result<Estimator, Failure> {
-    if !path.exists() {
-        return Ok(Estimator::new(&[]));
-    }
-    Ok(pointcore_lab::accuracy::kept_estimator(&AreaRecord::load(path)?, &read_text(path)?, cache)?)
-}
-
 /// Does `work` on every item, several at a time; results are in the items' order.
 fn spread<T: Sync, R: Send>(items: &[T], jobs: u16, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let next = AtomicUsize::new(0);
@@ -162,7 +152,7 @@ fn measure(sweep: &Sweep, planned: &[Planned], jobs: u16) -> Result<Vec<Measured
         let measured = sweep.measure(point)?;
         let (name, psnr_db) = (&measured.point.name, measured.figures.psnr_db);
         eprintln!("{count} of {}: {name}: {psnr_db:.1} dB", planned.len());
-        Ok::<_, AccuracyError>(measured)
+        Ok::<_, LabError>(measured)
     });
     let (mut measured, mut failures) = (Vec::new(), Vec::new());
     for (planned, result) in planned.iter().zip(results) {

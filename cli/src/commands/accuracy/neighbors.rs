@@ -1,9 +1,10 @@
 //! `pointcore accuracy --neighbors POINTS`.
 
-use super::{Arguments, estimator, report, spread};
+use super::{Arguments, report, spread};
 use crate::commands::{Failure, Output, write};
 use pointcore::search::{PointSet, PointSource};
 use pointcore_contract::search::Config;
+use pointcore_lab::accuracy::estimator;
 use pointcore_lab::accuracy::neighbors::{NeighborSetting, Task, markdown, rank};
 use pointcore_tb::cache::Cache;
 use serde_json::json;

@@ -3,8 +3,9 @@
 mod progress;
 mod record;
 
-use super::{Failure, Figures, Output, choices, merge, scene_name};
+use super::{Failure, Output, choices, merge, scene_name};
 use pointcore::configuration::{parse, read_text};
+use pointcore_lab::Figures;
 use pointcore_lab::synthesis::{
     self, AreaRecord, Line, MeasuredUnit, Measurement, Revision, Style, Synthesizer, Target,
 };

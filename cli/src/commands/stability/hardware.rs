@@ -1,8 +1,9 @@
 //! Hard cases through the generated hardware, in lockstep with its model.
 
-use crate::commands::{Failure, Figures, progress};
+use crate::commands::{Failure, progress};
 use pointcore::generated::verilate;
 use pointcore::splat::{SplatCore, SplatRunner};
+use pointcore_lab::Figures;
 use pointcore_lab::stability::frames::{FRAME_SPLATS, config, frame};
 use pointcore_tb::lockstep::Stall;
 use pointcore_tb::verilated::Trace;

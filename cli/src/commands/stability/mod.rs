@@ -3,8 +3,9 @@
 mod hardware;
 mod page;
 
-use super::{Failure, Figures, Output, merge, progress, write};
+use super::{Failure, Output, merge, progress, write};
 use pointcore_contract::Format;
+use pointcore_lab::Figures;
 use pointcore_lab::stability::campaign::{self, Settings, Sums};
 use pointcore_lab::stability::check::Property;
 use pointcore_lab::stability::families::Family;

@@ -1,8 +1,9 @@
 //! What a stability run shows to people.
 
 use super::{failure_rate, samples_ratio};
-use crate::commands::{Failure, Figures, write};
-use pointcore_lab::plot::{Chart, Series};
+use crate::commands::{Failure, write};
+use pointcore_lab::Figures;
+use pointcore_lab::chart::lines::{LineChart, Series};
 use pointcore_lab::stability::campaign::{Cell, Example, Sums};
 use pointcore_lab::stability::check::Property;
 use pointcore_lab::stability::families::{Family, LEVELS};
@@ -45,7 +46,7 @@ fn charts(folder: &Path, sums: &Sums) -> Result<String, Failure> {
         let charts: [(&str, &str, Value); 2] =
             [("failures", "share of cases that fail", share_failed), ("bits", "correct bits of ρ²", correct_bits)];
         for (kind, y, value) in charts {
-            let chart = Chart {
+            let chart = LineChart {
                 title: format!("{}, {}: {y}", family.name(), sums.format),
                 x: "severity".to_owned(),
                 y: y.to_owned(),

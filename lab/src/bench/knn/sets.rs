@@ -1,7 +1,7 @@
 //! Point sets of all kinds against brute force, hardware in lockstep with its model.
 
-use super::{Cloud, FOUR_LANES, Figures, NEIGHBORS, SEED, Setting, search};
-use crate::commands::Failure;
+use super::{Cloud, FOUR_LANES, NEIGHBORS, SEED, Setting, search};
+use crate::{Figures, LabError};
 use pointcore::search::samples::{point_sets, queries_near};
 use pointcore::search::{PointSet, PointSource, SearchEngine, check};
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ const POINTS: usize = 20_000;
 const QUERIES: usize = 1000;
 
 /// Compares every distance; `files` are searched besides the procedural sets. The hardware is that of `scan`.
-pub fn figures(scan: &Cloud, files: &[PathBuf], figures: &mut Figures) -> Result<(), Failure> {
+pub fn figures(scan: &Cloud, files: &[PathBuf], figures: &mut Figures) -> Result<(), LabError> {
     let config = FOUR_LANES.config(scan.points.points().len().max(POINTS), NEIGHBORS);
     let mut random = fastrand::Rng::with_seed(SEED);
     let mut clouds = vec![(scan.name.clone(), scan.points.clone())];

@@ -4,8 +4,7 @@ mod page;
 mod reuse;
 mod sets;
 
-use super::Figures;
-use crate::commands::Failure;
+use crate::{Figures, LabError};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use page::{KnnPage, Line};
 use pointcore::search::{
@@ -41,7 +40,7 @@ struct Cloud {
 
 impl Cloud {
     /// The scan, or as large a procedural surface as the thesis measured.
-    fn new(scan: Option<&Path>) -> Result<Self, Failure> {
+    fn new(scan: Option<&Path>) -> Result<Self, LabError> {
         let source = scan.map_or(PointSource::Surface(100_000), |path| PointSource::File(path.to_owned()));
         let name =
             scan.and_then(Path::file_stem).map_or("surface".to_owned(), |stem| stem.to_string_lossy().into_owned());
@@ -103,7 +102,7 @@ impl<'a> Setting<'a> {
 }
 
 /// Searches among a cloud's points.
-fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run, Failure> {
+fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run, LabError> {
     let Setting { config, splitting, engine, reuse, runs } = setting;
     let tree = Tree::build(config, &cloud.points, splitting)?;
     let (statistics, beat_bytes) = (tree.statistics(), tree.beat_bytes());
@@ -131,7 +130,7 @@ fn search(cloud: &Cloud, setting: Setting<'_>, queries: &[Query]) -> Result<Run,
 }
 
 /// Every point as a query in random order, hardware in lockstep, every distance compared with brute force.
-fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
+fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let queries = cloud.queries(Order::Random, None, NEIGHBORS);
     for shape in [ONE_LANE, FOUR_LANES] {
         eprintln!("{}: {} lanes, {} queries in lockstep", cloud.name, shape.lanes, queries.len());
@@ -159,7 +158,7 @@ fn bound_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Re
 }
 
 /// Cycles a query with more and more threads.
-fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
+fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let queries = cloud.queries(Order::Random, Some(SAMPLE), NEIGHBORS);
     let counts = [1, 2, 4, 8, 16, 32];
     let mut lines = Vec::new();
@@ -186,7 +185,7 @@ fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> R
 }
 
 /// Cycles a query for more neighbors, in random and in coherent order.
-fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
+fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let counts = [8, 16, 32];
     let mut lines = Vec::new();
     for order in [Order::Random, Order::Morton] {
@@ -226,7 +225,10 @@ fn cpu_figures(cloud: &Cloud, figures: &mut Figures) {
 }
 
 /// Measures neighbor search among the points of a scan, or of a procedural surface; pictures and tables go to `folder`.
-pub fn figures(scan: Option<&Path>, models: &[PathBuf], folder: &Path, figures: &mut Figures) -> Result<(), Failure> {
+///
+/// # Errors
+/// The points cannot be loaded, a search fails, or the folder cannot be written.
+pub fn figures(scan: Option<&Path>, models: &[PathBuf], folder: &Path, figures: &mut Figures) -> Result<(), LabError> {
     let cloud = Cloud::new(scan)?;
     let mut page = KnnPage::new(folder, &cloud.source.to_string());
     bound_figures(&cloud, figures, &mut page)?;

@@ -1,8 +1,8 @@
 //! What leaving out effects saves, on every shipped scene.
 
-use super::Figures;
-use crate::commands::accuracy::estimator;
-use crate::commands::{Failure, load};
+use super::load;
+use crate::accuracy::estimator;
+use crate::{Figures, LabError};
 use pointcore::cost::{Costs, Cycles};
 use pointcore_tb::cache::Cache;
 use std::path::Path;
@@ -15,14 +15,17 @@ const SCAN_SCENE: &str = "igea";
 const RECORD: &str = "docs/area.json";
 
 /// Shares of cycles and look-up tables that planned hardware saves of hardware with everything in, both on the golden model.
-pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), Failure> {
+///
+/// # Errors
+/// A scene cannot be loaded, but that which needs a scan if none is given; or its frame does not come to its end.
+pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), LabError> {
     let estimator = estimator(Path::new(RECORD), &Cache::new(Cache::default_folder("accuracy")))?;
     for name in SCENES {
         let path = Path::new("scenes").join(name).with_extension("toml");
         let scan = scan.filter(|_| name == SCAN_SCENE);
         let setting = scan.map(|path| format!("object.0.path={}", path.display()));
         let (scene, plan) = match load(&path, setting.as_slice()) {
-            Err(Failure::Scene(error)) if name == SCAN_SCENE && scan.is_none() => {
+            Err(LabError::Scene(error)) if name == SCAN_SCENE && scan.is_none() => {
                 eprintln!("{} is left out: {error}", path.display());
                 continue;
             }

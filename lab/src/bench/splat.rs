@@ -1,7 +1,7 @@
 //! Figures of the renderer: frames, simulation speed, what planned hardware saves.
 
-use super::{Figures, median};
-use crate::commands::{Failure, load, scene_name};
+use super::{load, median};
+use crate::{Figures, LabError};
 use pointcore::area::count;
 use pointcore::generated::verilate;
 use pointcore::plan::Plan;
@@ -26,14 +26,17 @@ const STALL_SEEDS: std::ops::RangeInclusive<u64> = 1..=5;
 const STALL_SHARE: f64 = 0.3;
 
 /// Measures the shipped scenes; `scan` is the model of scenes/igea.toml.
-pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), Failure> {
+///
+/// # Errors
+/// A scene cannot be loaded, or hardware and model differ.
+pub fn figures(scan: Option<&Path>, figures: &mut Figures) -> Result<(), LabError> {
     let knot = Prepared::new(Path::new("scenes/knot.toml"), &[])?;
     speed_figures(&knot, figures)?;
     frame_figures(&knot, figures)?;
     let setting = scan.map(|path| format!("object.0.path={}", path.display()));
     match Prepared::new(Path::new("scenes/igea.toml"), setting.as_slice()) {
         Ok(igea) => frame_figures(&igea, figures)?,
-        Err(Failure::Scene(error)) if scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
+        Err(LabError::Scene(error)) if scan.is_none() => eprintln!("scenes/igea.toml is left out: {error}"),
         Err(failure) => return Err(failure),
     }
     saving_figures(&Prepared::new(Path::new("scenes/plane.toml"), &[])?, figures)
@@ -50,12 +53,13 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn new(path: &Path, settings: &[String]) -> Result<Self, Failure> {
+    fn new(path: &Path, settings: &[String]) -> Result<Self, LabError> {
         let (scene, plan) = load(path, settings)?;
-        Self::on(scene_name(path), scene, plan)
+        let name = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        Self::on(name, scene, plan)
     }
 
-    fn on(name: String, scene: Scene, plan: Plan) -> Result<Self, Failure> {
+    fn on(name: String, scene: Scene, plan: Plan) -> Result<Self, LabError> {
         let core = SplatCore::generate(&plan.config)?;
         let library = verilate(&core.design, Trace::Off)?;
         let frame = EncodedFrame::new(&scene, &plan);
@@ -63,7 +67,7 @@ impl Prepared {
     }
 
     /// The same frame on hardware with everything in.
-    fn with_everything(&self) -> Result<Self, Failure> {
+    fn with_everything(&self) -> Result<Self, LabError> {
         Self::on(self.name.clone(), self.scene.clone(), self.plan.with_everything())
     }
 
@@ -80,7 +84,7 @@ impl Prepared {
 }
 
 /// The frame of a scene: lockstep, golden and stalled hardware must give the same fragments.
-fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabError> {
     let Prepared { name, scene, plan, core, library, frame } = prepared;
     let free = prepared.runner(Stall::Never, 1);
     eprintln!("{name}: lockstep");
@@ -132,7 +136,7 @@ fn speed(outcome: &SplatOutcome) -> f64 {
 }
 
 /// Simulation speed beside a bare loop in C++ over the same model and the same inputs, alternating.
-fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabError> {
     let runner = SplatRunner { stop_after: Some(TIMED_CYCLES), ..prepared.runner(Stall::Never, 1) };
     let rows = runner.record(&prepared.library)?;
     let (mut bare_ratios, mut lockstep_ratios, mut speeds) = (Vec::new(), Vec::new(), Vec::new());
@@ -155,7 +159,7 @@ fn speed_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), Failu
 }
 
 /// What leaving out what a scene does not call for saves: simulation time, alternating with hardware that has everything in.
-fn saving_figures(planned: &Prepared, figures: &mut Figures) -> Result<(), Failure> {
+fn saving_figures(planned: &Prepared, figures: &mut Figures) -> Result<(), LabError> {
     let everything = planned.with_everything()?;
     let mut ratios = Vec::new();
     for repetition in 1..=REPETITIONS {

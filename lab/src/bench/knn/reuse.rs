@@ -1,8 +1,8 @@
 //! How many searches the coherent neighbor cache saves when points are sampled up (thesis 6.7.1, figures 6.13 to 6.15).
 
 use super::page::{KnnPage, Line};
-use super::{Cloud, FOUR_LANES, Figures, Setting, search};
-use crate::commands::Failure;
+use super::{Cloud, FOUR_LANES, Setting, search};
+use crate::{Figures, LabError};
 use pointcore::search::{Neighbor, Order, Query, Reuse, check};
 use pointcore_contract::search::Config;
 
@@ -45,13 +45,14 @@ fn queries(cloud: &Cloud, side: u32, k: u32, radii: Option<&[f32]>) -> Vec<Query
     queries
 }
 
-fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result<Saved, Failure> {
+fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result<Saved, LabError> {
     let searched = queries.first().map_or(0, |query| query.k + u32::from(query.radius.is_none()));
     let config = FOUR_LANES.config(cloud.points.points().len(), searched);
     let config = Config { neighbor_cache: entries as u32, threads: THREADS, ..config };
     let setting = Setting { reuse, runs: entries, ..Setting::golden(&config, FOUR_LANES.splitting) };
     let found = search(cloud, setting, queries)?;
-    let checked = check(&cloud.points, queries, &found.outcome.neighbors, reuse.epsilon).map_err(Failure::Neighbors)?;
+    let checked =
+        check(&cloud.points, queries, &found.outcome.neighbors, reuse.epsilon).map_err(LabError::Neighbors)?;
     let hits = found.outcome.counters.event("event_cache_hit");
     Ok(Saved {
         saved: hits as f64 / queries.len() as f64,
@@ -61,7 +62,7 @@ fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result
 }
 
 /// k nearest neighbors at rising tolerance.
-fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
+fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let queries = queries(cloud, 8, NEIGHBORS, None);
     let mut lines = Vec::new();
     for entries in [ENTRIES, FEW_ENTRIES] {
@@ -84,7 +85,7 @@ fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> 
 }
 
 /// The distance of each point's k-th neighbor: a ball of that radius holds as many, however dense the points are.
-fn radii(cloud: &Cloud) -> Result<Vec<f32>, Failure> {
+fn radii(cloud: &Cloud) -> Result<Vec<f32>, LabError> {
     let queries = cloud.queries(Order::File, Some(PATCHES), NEIGHBORS);
     let config = FOUR_LANES.config(cloud.points.points().len(), NEIGHBORS);
     let neighbors = search(cloud, Setting::golden(&config, FOUR_LANES.splitting), &queries)?.outcome.neighbors;
@@ -93,7 +94,7 @@ fn radii(cloud: &Cloud) -> Result<Vec<f32>, Failure> {
 }
 
 /// Ball queries in patterns of rising density.
-fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
+fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     let radii = radii(cloud)?;
     let mut lines = Vec::new();
     for entries in [ENTRIES, FEW_ENTRIES] {
@@ -113,7 +114,7 @@ fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Res
 }
 
 /// Both, with what the thesis reports beside them.
-pub fn figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), Failure> {
+pub fn figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Result<(), LabError> {
     nearest_figures(cloud, figures, page)?;
     page.paragraph("The thesis reports more than half of the searches saved at ε = 0.1, and few for exact neighbors (6.7.1, eight entries).");
     ball_figures(cloud, figures, page)?;

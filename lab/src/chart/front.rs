@@ -1,5 +1,6 @@
 //! Points over what they cost, as SVG: every one named, those that nothing betters joined by a line, settings on hovering.
 
+use super::{Axis, escape, number};
 use std::fmt::Write as _;
 
 /// Size in px.
@@ -8,16 +9,6 @@ const SIZE: [f64; 2] = [760.0, 460.0];
 const MARGINS: [f64; 4] = [56.0, 20.0, 34.0, 46.0];
 /// Width of a letter of a name, rather more than it takes, and its height.
 const LETTER: [f64; 2] = [6.0, 10.0];
-/// Room around the points, as a share of their range.
-const HEADROOM: f64 = 0.06;
-/// Lines of the grid, about.
-const GRID: f64 = 6.0;
-
-/// Steps of a logarithmic grid within a decade.
-const COARSE: &[f64] = &[1.0, 2.0, 5.0];
-/// Those where a chart spans less than a decade.
-const FINE: &[f64] = &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0];
-
 /// A point of a chart.
 pub struct Mark {
     /// Beside it.
@@ -44,55 +35,6 @@ pub struct FrontChart<'a> {
     pub y: &'a str,
     /// The points.
     pub marks: Vec<Mark>,
-}
-
-/// Text as it stands in HTML and SVG.
-#[must_use]
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-/// Where values lie on one axis.
-struct Axis {
-    low: f64,
-    high: f64,
-    from: f64,
-    to: f64,
-}
-
-impl Axis {
-    fn new(values: impl Iterator<Item = f64>, from: f64, to: f64) -> Self {
-        let (low, high) =
-            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-        // A single value gets some room, too.
-        let room = ((high - low) * HEADROOM).max(high.abs() * 1e-3).max(1e-6);
-        Self { low: low - room, high: high + room, from, to }
-    }
-
-    fn place(&self, value: f64) -> f64 {
-        self.from + (value - self.low) / (self.high - self.low) * (self.to - self.from)
-    }
-
-    /// Round numbers within.
-    fn ticks(&self) -> Vec<f64> {
-        let raw = (self.high - self.low) / GRID;
-        let magnitude = 10_f64.powf(raw.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * magnitude).into_iter().find(|step| *step >= raw);
-        let step = step.unwrap_or(raw);
-        let first = (self.low / step).ceil() as i64;
-        (first..).map(|index| index as f64 * step).take_while(|tick| *tick <= self.high).collect()
-    }
-
-    /// Numbers of one or two digits whose logarithms lie within.
-    fn decimal_ticks(&self) -> Vec<f64> {
-        let decades = self.low.floor() as i32..=self.high.ceil() as i32;
-        let candidates = |steps: &'static [f64]| {
-            let all = decades.clone().flat_map(|decade| steps.iter().map(move |step| step * 10_f64.powi(decade)));
-            all.filter(|tick| (self.low..=self.high).contains(&tick.log10())).collect::<Vec<_>>()
-        };
-        let coarse = candidates(COARSE);
-        if coarse.len() < 3 { candidates(FINE) } else { coarse }
-    }
 }
 
 /// Boxes that names may not cover.
@@ -213,12 +155,6 @@ impl FrontChart<'_> {
     }
 }
 
-/// A number without needless digits.
-fn number(value: f64) -> String {
-    let rounded = (value * 1e6).round() / 1e6;
-    if rounded.abs() >= 1e4 { format!("{}k", rounded / 1e3) } else { rounded.to_string() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -255,14 +191,5 @@ mod tests {
         assert_ne!(first, second);
         let [a, b] = [taken.0[0], taken.0[1]];
         assert!(a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1], "{a:?} {b:?}");
-    }
-
-    #[test]
-    fn ticks_are_round_and_within() {
-        let axis = Axis::new([0.3_f64, 2.1].into_iter(), 0.0, 100.0);
-        let ticks = axis.decimal_ticks();
-        assert!(ticks.contains(&2.0) && ticks.contains(&100.0), "{ticks:?}");
-        let linear = Axis::new([31.0, 84.0].into_iter(), 0.0, 100.0);
-        assert!(linear.ticks().iter().all(|tick| tick % 10.0 == 0.0), "{:?}", linear.ticks());
     }
 }

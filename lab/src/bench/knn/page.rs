@@ -1,10 +1,10 @@
 //! What the benchmark of the search core shows to people: charts, and tables with the thesis' own beside them.
 
-use crate::commands::{Failure, write};
+use crate::chart::lines::{LineChart, Series};
+use crate::{LabError, write};
 use pointcore::search::resources::{arithmetic, storage};
 use pointcore::search::{SearchCore, SearchReport};
 use pointcore_contract::search::Config;
-use pointcore_lab::plot::{Chart, Series};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -67,7 +67,7 @@ impl KnnPage {
         y: &str,
         categories: &[String],
         lines: Vec<Line>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), LabError> {
         _ = writeln!(
             self.text,
             "\n## {title}\n\n| {x} | {} |\n|---|{}",
@@ -82,10 +82,10 @@ impl KnnPage {
         _ = writeln!(self.text, "\n![{title}]({file}.svg)");
         let series = lines.into_iter().map(|Line { name, values }| Series { name, values }).collect();
         let [title, x, y] = [title, x, y].map(str::to_owned);
-        let chart = Chart { title, x, y, categories: categories.to_vec(), series };
+        let chart = LineChart { title, x, y, categories: categories.to_vec(), series };
         // The page so far: a run that is interrupted leaves what it has.
         write(&self.folder.join("README.md"), &self.text)?;
-        Ok(chart.save_svg(&self.folder.join(format!("{file}.svg")))?)
+        chart.save_svg(&self.folder.join(format!("{file}.svg")))
     }
 
     /// Text of its own.
@@ -94,7 +94,7 @@ impl KnnPage {
     }
 
     /// Storage and arithmetic units of a core as generated, beside thesis tables 6.3 and 6.2.
-    pub fn resources(&mut self, config: &Config) -> Result<(), Failure> {
+    pub fn resources(&mut self, config: &Config) -> Result<(), LabError> {
         let variants = [
             ("search on chip", config.clone()),
             ("with neighbor cache", Config { neighbor_cache: 8, neighbors: 32, lanes: 1, ..config.clone() }),
@@ -135,7 +135,7 @@ impl KnnPage {
     }
 
     /// Writes the page.
-    pub fn save(self) -> Result<(), Failure> {
+    pub fn save(self) -> Result<(), LabError> {
         write(&self.folder.join("README.md"), &self.text)
     }
 }

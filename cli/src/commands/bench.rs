@@ -1,18 +1,9 @@
 //! `pointcore bench`: the project's figures, merged into one flat JSON object.
 
-mod effects;
-mod knn;
-mod splat;
-
-use super::{Failure, Figures, Output, merge};
-use pointcore_contract::Format;
-use pointcore_lab::float_check::{Enable, Stages, check_format};
+use super::{Failure, Output, merge};
+use pointcore_lab::Figures;
+use pointcore_lab::bench::{effects, knn, operators, splat};
 use std::path::PathBuf;
-
-/// Operand triples for each operator and format.
-const OPERATOR_CASES: u64 = 1 << 20;
-/// Seed of the operands.
-const OPERATOR_SEED: u64 = 1;
 
 /// Arguments of `bench`.
 #[derive(clap::Args)]
@@ -45,24 +36,6 @@ enum Part {
     Operators,
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
-/// Operators of every format, hardware against golden.
-fn operator_figures(figures: &mut Figures) -> Result<(), Failure> {
-    for (name, format) in Format::NAMED {
-        eprintln!("operators: {name}");
-        for report in check_format(format, Stages::Default, Enable::Always, OPERATOR_CASES, OPERATOR_SEED)? {
-            let key = format!("fp.{}.{name}", report.operation);
-            figures.insert(format!("{key}.cases"), report.cases.into());
-            figures.insert(format!("{key}.mismatches"), report.mismatches.into());
-        }
-    }
-    Ok(())
-}
-
 /// Measures everything.
 pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     let mut figures = Figures::new();
@@ -79,7 +52,7 @@ pub fn run(arguments: &Arguments, output: Output) -> Result<(), Failure> {
         knn::figures(scan, &arguments.models, &folder, &mut figures)?;
     }
     if measures(Part::Operators) {
-        operator_figures(&mut figures)?;
+        operators::figures(&mut figures)?;
     }
 
     let merged = merge(&arguments.output, figures)?;
