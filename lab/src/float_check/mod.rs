@@ -4,6 +4,8 @@ mod operations;
 
 use crate::LabError;
 use crate::operands::FloatCases;
+pub use operations::Stages;
+
 use operations::{Operation, operations};
 use pointcore_contract::Format;
 use pointcore_tb::verilated::{BuildOptions, Builder, Optimization, VerilatedModel, VerilogSource};
@@ -51,15 +53,6 @@ pub enum Enable {
     Always,
     /// At random, half of the cycles, with other operands waiting.
     Random,
-}
-
-/// Pipeline registers of the operators under test.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stages {
-    /// Each operator's default.
-    Default,
-    /// This many, as far as an operator allows.
-    Fixed(u32),
 }
 
 /// Runs `cases` operand triples through every operator of `format`.

@@ -1,10 +1,18 @@
 //! The operators that are compared, each with its golden twin.
 
-use super::Stages;
 use pointcore_contract::{Fixed, Format, Signedness, TableShape};
 use pointcore_golden::float as golden;
 use pointcore_hdl::float::{self as hdl, Operator};
 use rtl::{Expr, cat};
+
+/// Pipeline registers of the operators under test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stages {
+    /// Each operator's default.
+    Default,
+    /// This many, as far as an operator allows.
+    Fixed(u32),
+}
 
 /// Fixed-point formats to convert from and to: plain, with all bits below the point, and with bits only far below it, where
 /// subnormal numbers of small formats count.

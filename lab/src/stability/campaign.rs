@@ -3,7 +3,8 @@
 use super::case::Case;
 use super::check::{BrokenProperty, Findings, Property, check};
 use super::compare::{MethodOutcome, compare};
-use super::families::{Family, LEVELS, case};
+use super::families::{LEVELS, case};
+use super::family::Family;
 use super::hardware::Units;
 use super::methods::Method;
 use super::shrink::shrink;

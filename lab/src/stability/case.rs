@@ -1,6 +1,6 @@
 //! One hard case: a splat in camera space, in a number format, with the camera that looks at it.
 
-use super::families::Family;
+use super::family::Family;
 use pointcore::number::encode;
 use pointcore_contract::Format;
 use pointcore_contract::splat::Feature;

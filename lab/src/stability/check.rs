@@ -3,7 +3,7 @@
 use super::case::{Case, IMAGE_EDGE_PX};
 use super::hardware::{Analysis, Fate, Units, crossing_clearance};
 use super::rounding::Bounded;
-use super::search::{InsideSearch, PixelArea, area, whole_image};
+use super::search::{InsideSearch, PixelArea, ROUGHLY, area, whole_image};
 use super::truth::{Side, Truth};
 use fastrand::Rng;
 use pointcore_contract::Format;
@@ -20,8 +20,6 @@ const MARGIN_PX: f64 = 1.0 / 256.0;
 pub const RIM: f64 = 1.0 / 8.0;
 /// Rounding of the f64 arithmetic around a bound.
 const SLACK: f64 = 1.0 + 1.0 / 1024.0;
-/// How well `ρ²` is known where only its side of [`RIM`] matters.
-pub const ROUGHLY: f64 = 1e-6;
 /// Units in the last place by which the kernel's table may be off.
 const KERNEL_UNITS: f64 = 2.0;
 /// The kernel's `γ` in every case.

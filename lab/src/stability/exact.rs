@@ -11,7 +11,7 @@
 //! computed with [`PRECISION_BITS`] bits.
 
 use super::case::Case;
-use super::truth::{Depths, Hit};
+use super::hit::{Depths, Hit};
 use dashu_float::FBig;
 use dashu_float::round::mode::Zero;
 use pointcore_contract::splat::Feature;

@@ -1,13 +1,13 @@
 //! Families of hard cases. Each takes a severity from 0, which is ordinary, to the limit of the number format.
 
 use super::case::{Case, IMAGE_EDGE_PX, Lens};
+use super::family::Family;
 use fastrand::Rng;
 use glam::DVec3;
 use pointcore::number::encode;
 use pointcore_contract::Format;
 use pointcore_contract::splat::Feature;
 use pointcore_contract::splat::records::Splat;
-use serde::Serialize;
 
 /// Severities.
 pub const LEVELS: u8 = 16;
@@ -15,85 +15,6 @@ pub const LEVELS: u8 = 16;
 const WORST: f64 = (LEVELS - 1) as f64;
 /// Farthest and nearest distance of a camera's view, by ratio.
 const REACH: f32 = 1000.0;
-
-/// What makes a case hard.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Family {
-    /// Nothing: ellipses of aspect up to four, turned anyhow, a few pixels wide. The severity does not matter.
-    Ordinary,
-    /// Tangents nearly parallel.
-    Parallel,
-    /// One tangent or both as good as zero.
-    Vanishing,
-    /// Tangents whose lengths differ by up to a million.
-    Ratio,
-    /// The eye nearly in the splat's plane.
-    EdgeOn,
-    /// The centre at the eye plane, or behind it.
-    Behind,
-    /// The splat's rim at the eye plane: an ellipse becomes a parabola, then a hyperbola.
-    Crossing,
-    /// The splat's rim at the near plane.
-    NearPlane,
-    /// Up to billions of times the size of the screen.
-    Huge,
-    /// Down to a billionth of a pixel.
-    Tiny,
-    /// Far off the axis and out of the view, the rim in it.
-    OffAxis,
-    /// Near the far plane of ever deeper views, where depths run together.
-    Depth,
-    /// Ordinary, but measured in units of 1e-30 to 1e30.
-    Magnitude,
-    /// Infinities, NaNs, subnormals, zeros of both signs, largest numbers, in ever more fields.
-    Odd,
-    /// Fields of random bits.
-    Noise,
-}
-
-impl Family {
-    /// All of them.
-    pub const ALL: [Self; 15] = [
-        Self::Ordinary,
-        Self::Parallel,
-        Self::Vanishing,
-        Self::Ratio,
-        Self::EdgeOn,
-        Self::Behind,
-        Self::Crossing,
-        Self::NearPlane,
-        Self::Huge,
-        Self::Tiny,
-        Self::OffAxis,
-        Self::Depth,
-        Self::Magnitude,
-        Self::Odd,
-        Self::Noise,
-    ];
-
-    /// Its name in files and keys.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Ordinary => "ordinary",
-            Self::Parallel => "parallel",
-            Self::Vanishing => "vanishing",
-            Self::Ratio => "ratio",
-            Self::EdgeOn => "edge_on",
-            Self::Behind => "behind",
-            Self::Crossing => "crossing",
-            Self::NearPlane => "near_plane",
-            Self::Huge => "huge",
-            Self::Tiny => "tiny",
-            Self::OffAxis => "off_axis",
-            Self::Depth => "depth",
-            Self::Magnitude => "magnitude",
-            Self::Odd => "odd",
-            Self::Noise => "noise",
-        }
-    }
-}
 
 /// A disc or ellipse while its family bends it.
 struct SplatShape {

@@ -1,7 +1,8 @@
 //! Hard cases as frames for the whole core.
 
 use super::case::{Case, Lens};
-use super::families::{Family, LEVELS, case};
+use super::families::{LEVELS, case};
+use super::family::Family;
 use pointcore::splat::EncodedFrame;
 use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::{Config, Feature, records};

@@ -1,7 +1,6 @@
 //! Samples of a splat that are not where the hardware looks for them.
 
 use super::case::IMAGE_EDGE_PX;
-use super::check::ROUGHLY;
 use super::hardware::Analysis;
 use super::truth::Truth;
 use fastrand::Rng;
@@ -11,6 +10,9 @@ use pointcore_contract::splat::records::SetupSplat;
 const LINES: u32 = 48;
 /// Samples tried anywhere.
 const ANYWHERE: usize = 24;
+
+/// How well `ρ²` is known where only its side of [`RIM`](super::check::RIM) matters.
+pub const ROUGHLY: f64 = 1e-6;
 
 /// A rectangle of pixels, inclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use super::exact::Exact;
+use super::hit::{Depths, Hit};
 use super::rounding::Bounded;
 use pointcore_contract::splat::{Division, Feature};
 use std::cell::OnceCell;
@@ -9,24 +10,6 @@ use std::ops::RangeInclusive;
 
 /// An f64 depth or distance with a smaller error than this stands for the true one: by far less than any bound of the hardware.
 const NEGLIGIBLE: f64 = 1.0 / (1_u64 << 38) as f64;
-
-/// Where a viewing ray meets a splat.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// `ρ² < 1`, before the eye.
-    pub is_inside: bool,
-    /// `ρ²`; infinite behind the eye.
-    pub squared_distance: f64,
-}
-
-/// Depths of a splat before clamping and truncation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Depths {
-    /// Of its centre.
-    pub center: f64,
-    /// The middle of its range, if it lies before the eye as a whole.
-    pub middle: f64,
-}
 
 /// On which side of a rectangle a line lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,8 +2,11 @@
 //!
 //! Every step's result is kept by the hash of all it depends on, so a long series that was interrupted goes on where it was.
 
+mod area;
 mod cells;
+mod error;
 mod record;
+mod revision;
 mod samples;
 mod steps;
 mod table;
@@ -12,15 +15,16 @@ mod timing;
 mod tools;
 mod units;
 
-pub use cells::DeviceArea;
-pub use record::{AreaEntry, AreaRecord, Revision, Stale};
+pub use area::DeviceArea;
+pub use error::SynthesisError;
+pub use record::{AreaEntry, AreaRecord, Stale};
+pub use revision::Revision;
 pub use steps::{State, Step, StepListener};
 pub use table::{Line, Style, table};
 pub use target::Target;
 pub use timing::Timing;
 pub use units::{GROUPS, Group, MeasuredUnit, Scope, all, known, standard};
 
-use pointcore::generated::GenerateError;
 use pointcore::package::shell::{self, Shelled};
 use pointcore_tb::cache::{Cache, FileError, file, key};
 use rayon::prelude::*;
@@ -30,66 +34,6 @@ use std::path::{Path, PathBuf};
 use steps::watched;
 use target::{Device, routing_settings};
 use tools::Tool;
-
-/// Why a unit could not be measured.
-#[derive(Debug, thiserror::Error)]
-pub enum SynthesisError {
-    /// A tool is not there or too old.
-    #[error(
-        "`{tool}` {needed} or newer is neither on the search path nor in target/tools; install it with `make setup-fpga`"
-    )]
-    Missing {
-        /// Its name.
-        tool: &'static str,
-        /// The oldest version that will do.
-        needed: &'static str,
-    },
-    /// A tool stopped.
-    #[error("{} failed on `{unit}`; its last lines:\n{output}", tool.display())]
-    Tool {
-        /// The program.
-        tool: PathBuf,
-        /// What it worked on.
-        unit: String,
-        /// What it said last.
-        output: String,
-    },
-    /// A tool's report could not be read.
-    #[error("the tools' report on `{unit}` is not as expected: {problem}")]
-    Report {
-        /// What was measured.
-        unit: String,
-        /// What is wrong.
-        problem: String,
-    },
-    /// The device has not enough of something.
-    #[error(
-        "`{unit}` takes {needed} {resource}, the {device} has {available}; choose a smaller configuration or another target"
-    )]
-    TooLarge {
-        /// What was measured.
-        unit: String,
-        /// What there is not enough of.
-        resource: &'static str,
-        /// The device.
-        device: &'static str,
-        /// How many the unit takes.
-        needed: u64,
-        /// How many the device has.
-        available: u64,
-    },
-    /// The hardware could not be generated.
-    #[error("the hardware of `{unit}` could not be generated: {source}")]
-    Generate {
-        /// What was to be measured.
-        unit: String,
-        /// The generator's fault.
-        source: GenerateError,
-    },
-    /// A file of the cache.
-    #[error(transparent)]
-    File(#[from] FileError),
-}
 
 /// A unit's area and clock.
 #[derive(Clone, Debug, Serialize)]

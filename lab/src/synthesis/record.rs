@@ -4,6 +4,7 @@
 //! An entry claims to be of the hardware as it is now, and is held to it by the hash of what it was measured of, unless it names the
 //! revision of the project that it was measured of. Hardware may so change faster than it is measured, and no table says what is not true.
 
+use super::revision::Revision;
 use super::{DeviceArea, Line, MeasuredUnit, Measurement, Style, Target, Timing, all, source_hash, table};
 use pointcore::configuration::{ConfigurationError, parse, read_text, wrong};
 use rayon::prelude::*;
@@ -43,37 +44,6 @@ pub struct AreaEntry {
     /// The frequency with every seed, in MHz.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fmax_mhz: Vec<f64>,
-}
-
-/// A revision of the project: a commit's short hash, or a date.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "String")]
-pub struct Revision(String);
-
-impl TryFrom<String> for Revision {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        let allowed = |c: char| c.is_ascii_alphanumeric() || ".-_".contains(c);
-        let is_name = !text.is_empty() && text.chars().all(allowed);
-        is_name.then(|| Self(text.clone())).ok_or_else(|| {
-            format!("`{text}` is no revision: expected a commit's short hash or a date, of letters, digits and .-_")
-        })
-    }
-}
-
-impl std::str::FromStr for Revision {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        text.to_owned().try_into()
-    }
-}
-
-impl std::fmt::Display for Revision {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
-    }
 }
 
 /// An entry that claims to be of the hardware as it is now, and is not.

@@ -1,6 +1,6 @@
 //! What a unit is synthesized for: devices and their tools' arguments.
 
-use super::cells::DeviceArea;
+use super::area::DeviceArea;
 use super::units::Scope;
 use pointcore::package::place_and_route::{self, Crowding};
 use pointcore::package::shell::Shelled;

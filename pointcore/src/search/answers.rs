@@ -1,7 +1,7 @@
 //! Results on their way back to the queries they belong to.
 
-use super::host::Work;
 use super::query::{Asked, Neighbor};
+use super::work::Work;
 use crate::number::decode;
 use pointcore_contract::search::records::{CachedQuery, CachedResult, Query, QueryResult};
 use pointcore_golden::search::leaf::squared_distance;

@@ -2,13 +2,13 @@
 
 use super::Tree;
 use super::answers::Answers;
-use super::memory::{MemorySettings, PointMemory, RequestSize};
-use super::query::{Asked, Neighbor};
-use super::reuse::{QueryKind, Reuse};
+use super::memory::{PointMemory, RequestSize};
+use super::query::Neighbor;
+use super::work::Work;
 use crate::generated::Progress;
+use pointcore_contract::search::ports;
 use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, TreeRecord, TreeWrite};
 use pointcore_contract::search::units::Events;
-use pointcore_contract::search::{Config, ports};
 use pointcore_contract::{Visit, Visitor, Word, Words, read, write};
 use pointcore_golden::search::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
@@ -63,23 +63,6 @@ pub enum End {
     Answered,
     /// Nothing has moved for too long.
     Stuck,
-}
-
-/// What a host works on.
-#[derive(Clone, Copy)]
-pub struct Work<'a> {
-    /// The hardware's configuration.
-    pub config: &'a Config,
-    /// The tree and its points.
-    pub tree: &'a Tree,
-    /// What to ask.
-    pub queries: &'a [Asked],
-    /// What the neighbor cache may answer, if there is one.
-    pub reuse: Reuse,
-    /// Of which kind all queries are, as the neighbor cache needs it.
-    pub kind: QueryKind,
-    /// How the memory answers.
-    pub memory: MemorySettings,
 }
 
 /// What a request to the memory asks for.

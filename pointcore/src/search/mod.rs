@@ -18,6 +18,7 @@ mod reuse;
 mod run;
 pub mod samples;
 mod session;
+mod work;
 
 pub use check::{Checked, WrongAnswer, check};
 pub use derive::config_for;

@@ -1,10 +1,10 @@
 //! A short search, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
 use super::generate::SearchCore;
-use super::host::Work;
 use super::reuse::QueryKind;
 use super::run::SearchRunner;
 use super::samples::queries_near;
+use super::work::Work;
 use super::{MemorySettings, PointSet, Reuse, SearchError, Splitting, Tree};
 use crate::recording::Recording;
 use fastrand::Rng;

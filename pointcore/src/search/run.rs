@@ -2,8 +2,9 @@
 
 use super::SearchError;
 use super::generate::SearchCore;
-use super::host::{End, SearchCounters, SearchHost, Work};
+use super::host::{End, SearchCounters, SearchHost};
 use super::query::Neighbor;
+use super::work::Work;
 use crate::generated::Progress;
 use crate::recording::Recording;
 use pointcore_contract::count;

@@ -1,12 +1,12 @@
 //! Neighbor search as a library: a tree, a core, queries in, neighbors out.
 
 use super::generate::SearchCore;
-use super::host::Work;
 use super::memory::MemorySettings;
 use super::order::interleaved;
 use super::query::{Query, check_alike};
 use super::reuse::{QueryKind, Reuse};
 use super::run::{SearchOutcome, SearchRunner};
+use super::work::Work;
 use super::{SearchError, Tree};
 use crate::generated::Progress;
 use crate::generated::verilate;

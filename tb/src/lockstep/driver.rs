@@ -7,12 +7,9 @@ use super::failure::{Cause, LockstepError, LockstepFailure, Waveform};
 use super::protocol::Protocol;
 use super::replay::Replay;
 use super::seed::SEED_VARIABLE;
-use super::stimulus::{Flow, Golden, Stimulus};
+use super::stimulus::{Flow, Golden, RESET_CYCLES, Stimulus};
 use super::stream::Streams;
 use crate::verilated::{Direction, Library, RESET, VerilatedError, VerilatedModel};
-
-/// Cycles of reset before a run; their outputs are not compared.
-pub const RESET_CYCLES: u64 = 2;
 
 /// Cycles after which a run is taken for stuck, unless another limit is set.
 const DEFAULT_LIMIT: u64 = 1_000_000;

@@ -16,11 +16,11 @@ mod stimulus;
 mod stream;
 mod testbench;
 
-pub use driver::{Lockstep, LockstepReport, RESET_CYCLES, Run};
+pub use driver::{Lockstep, LockstepReport, Run};
 pub use failure::{Cause, LockstepError, LockstepFailure, PortDifference, ProtocolViolation, Waveform};
 pub use fault::inject;
 pub use seed::{SEED_VARIABLE, seed, seeds};
 pub use stall::{Stall, Stalls};
-pub use stimulus::{Flow, Golden, Stimulus};
+pub use stimulus::{Flow, Golden, RESET_CYCLES, Stimulus};
 pub use stream::{StreamPorts, Streams};
 pub use testbench::{StreamTestbench, TestbenchError};

@@ -3,9 +3,8 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::driver::RESET_CYCLES;
 use super::failure::Waveform;
-use super::stimulus::{Flow, Stimulus};
+use super::stimulus::{Flow, RESET_CYCLES, Stimulus};
 use crate::cache::file;
 use crate::verilated::{Library, VerilatedError};
 

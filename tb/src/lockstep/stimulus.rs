@@ -1,5 +1,8 @@
 //! What drives the inputs, and what says how the outputs must be.
 
+/// Cycles of reset before a run; their outputs are not compared.
+pub const RESET_CYCLES: u64 = 2;
+
 /// A bit-exact model of a unit. Words are in the order of the hardware's ports, the clock left out.
 pub trait Golden {
     /// One cycle: writes the outputs of the present state, then takes the rising edge with `inputs`.

@@ -8,7 +8,7 @@ use pointcore_contract::Format;
 use pointcore_lab::Figures;
 use pointcore_lab::stability::campaign::{self, Settings, Sums};
 use pointcore_lab::stability::check::Property;
-use pointcore_lab::stability::families::Family;
+use pointcore_lab::stability::family::Family;
 use pointcore_lab::stability::methods::Method;
 use serde_json::{Value, json};
 use std::path::PathBuf;

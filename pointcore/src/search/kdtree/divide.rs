@@ -1,16 +1,9 @@
 //! The recursion that sorts points into leaves.
 
-use super::Splitting;
+use super::splitting::{Item, Splitting};
 
 /// Points below which dividing is not worth another thread.
 const PARALLEL_POINTS: usize = 4096;
-
-/// A point on its way to its leaf.
-#[derive(Clone, Copy, Debug)]
-pub struct Item {
-    pub point: [f32; 3],
-    pub index: u32,
-}
 
 /// A part of the tree; leaves come from left to right, as their points lie.
 #[derive(Clone, Copy, Debug)]

@@ -8,11 +8,12 @@ mod divide;
 mod records;
 mod splitting;
 
+use splitting::Item;
 pub use splitting::Splitting;
 
 use super::{PointSet, SearchError};
 use crate::number::encode;
-use divide::{Item, Part};
+use divide::Part;
 use pointcore_contract::Format;
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::Point;

@@ -1,7 +1,13 @@
 //! Where a node's points are divided.
 
-use super::divide::Item;
 use std::ops::RangeInclusive;
+
+/// A point on its way to its leaf.
+#[derive(Clone, Copy, Debug)]
+pub struct Item {
+    pub point: [f32; 3],
+    pub index: u32,
+}
 
 /// A way to divide the points of a node along their widest dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
