@@ -1,4 +1,10 @@
-//! Generators, hosts and drivers of both cores, from a scene or a point set to hardware and results.
+//! Hardware for point-based graphics, from a scene or a point set to Verilog, and from Verilog to results.
+//!
+//! - What is drawn or searched: [`scene`], [`search::PointSet`]; what is read of it: [`inspect`], [`picture`], [`shading`], [`color`].
+//! - Which hardware that calls for: [`plan`], [`cost`], [`area`]; as files, [`configuration`].
+//! - The renderer and the search core, generated, with the hosts around them, on hardware, on the model, or on both: [`splat`], [`search`],
+//!   and what both go through, [`generated`]. The words they take and give: [`number`], [`uniforms`].
+//! - What others build with: [`package`] and the [`recording`] in its test, [`bus`], [`vectors`].
 
 pub mod area;
 pub mod bus;

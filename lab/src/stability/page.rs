@@ -1,14 +1,13 @@
 //! What a stability run shows to people.
 
-use super::{failure_rate, samples_ratio};
-use crate::commands::{Failure, write};
-use pointcore_lab::Figures;
-use pointcore_lab::chart::lines::{LineChart, Series};
-use pointcore_lab::stability::campaign::{Cell, Example, Sums};
-use pointcore_lab::stability::check::Property;
-use pointcore_lab::stability::families::LEVELS;
-use pointcore_lab::stability::family::Family;
-use pointcore_lab::stability::methods::Method;
+use super::campaign::{Cell, Example, Sums};
+use super::check::Property;
+use super::families::LEVELS;
+use super::family::Family;
+use super::figures::{failure_rate, samples_ratio};
+use super::methods::Method;
+use crate::chart::lines::{LineChart, Series};
+use crate::{Figures, LabError, write};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -38,7 +37,7 @@ fn correct_bits(cell: &Cell, method: usize) -> Option<f64> {
     (sums.inside > 0).then(|| (-0.5 * (sums.squared_error / sums.inside as f64).log2()).clamp(0.0, BITS_MAX))
 }
 
-fn charts(folder: &Path, sums: &Sums) -> Result<String, Failure> {
+fn charts(folder: &Path, sums: &Sums) -> Result<String, LabError> {
     let mut text = String::new();
     for (family, cells) in Family::ALL.into_iter().zip(&sums.cells) {
         if family == Family::Ordinary || cells.iter().all(|cell| cell.compared == 0) {
@@ -144,7 +143,10 @@ fn bounds(text: &mut String, all: &[Sums]) {
 }
 
 /// Writes tables and charts; returns the tables.
-pub fn write_page(folder: &Path, all: &[Sums], figures: &Figures) -> Result<String, Failure> {
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_page(folder: &Path, all: &[Sums], figures: &Figures) -> Result<String, LabError> {
     let cases = &figures["stability.golden_cases"];
     let mut text = format!("# Numerical stability of the renderer's geometry, measured\n\nCases: {cases}\n");
     violations(&mut text, all);
