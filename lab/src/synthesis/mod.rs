@@ -20,7 +20,7 @@ pub use error::SynthesisError;
 pub use record::{AreaEntry, AreaRecord, Stale};
 pub use revision::Revision;
 pub use steps::{State, Step, StepListener};
-pub use table::{Line, Style, table};
+pub use table::{AreaLine, Style, table};
 pub use target::Target;
 pub use timing::Timing;
 pub use units::{GROUPS, Group, MeasuredUnit, Scope, all, known, standard};

@@ -5,7 +5,7 @@
 //! revision of the project that it was measured of. Hardware may so change faster than it is measured, and no table says what is not true.
 
 use super::revision::Revision;
-use super::{DeviceArea, Line, MeasuredUnit, Measurement, Style, Target, Timing, all, source_hash, table};
+use super::{AreaLine, DeviceArea, MeasuredUnit, Measurement, Style, Target, Timing, all, source_hash, table};
 use pointcore::configuration::{ConfigurationError, parse, read_text, wrong};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -218,7 +218,8 @@ impl AreaRecord {
             let target = target
                 .ok_or_else(|| format!("{place}: unknown target `{name}`: expected ecp5, ice40, xilinx7 or gates"))?;
             let entries = self.entries.iter().filter(|entry| entry.target == target);
-            let line = |entry: &AreaEntry| Line { measurement: entry.measurement(), revision: entry.revision.clone() };
+            let line =
+                |entry: &AreaEntry| AreaLine { measurement: entry.measurement(), revision: entry.revision.clone() };
             let lines_of_target: Vec<_> = entries.map(line).collect();
             written += &format!("\n{}\n{TABLE_END}\n", table(target, &lines_of_target, Style::Markdown));
             lines

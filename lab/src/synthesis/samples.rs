@@ -1,7 +1,7 @@
 //! What a record teaches an estimator of areas.
 
 use super::{AreaEntry, AreaRecord, DeviceArea, MeasuredUnit, Target};
-use pointcore::area::estimate::{Estimator, Sample};
+use pointcore::area::estimate::{AreaSample, Estimator};
 use pointcore::area::proxy::Proxy;
 use pointcore::configuration::{Configuration, ecp5, parse, read_text};
 use pointcore_contract::splat::Config;
@@ -25,10 +25,10 @@ fn renderer(entry: &AreaEntry) -> Option<Config> {
     }
 }
 
-fn sample(entry: &AreaEntry, unit: &MeasuredUnit) -> Option<Sample> {
+fn sample(entry: &AreaEntry, unit: &MeasuredUnit) -> Option<AreaSample> {
     let proxy = Proxy::of(&elaborate(&*unit.module().ok()?).ok()?);
     let mhz = entry.timing.as_ref().map(|timing| timing.fmax_mhz);
-    Some(Sample { proxy, lut4: lut4(&entry.area), mhz, renderer: renderer(entry) })
+    Some(AreaSample { proxy, lut4: lut4(&entry.area), mhz, renderer: renderer(entry) })
 }
 
 impl AreaRecord {

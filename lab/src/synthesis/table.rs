@@ -12,14 +12,14 @@ pub enum Style {
 }
 
 /// What a line of a table shows.
-pub struct Line {
+pub struct AreaLine {
     /// The figures.
     pub measurement: Measurement,
     /// The revision that they are of, where that is not the hardware as it is now.
     pub revision: Option<Revision>,
 }
 
-impl From<Measurement> for Line {
+impl From<Measurement> for AreaLine {
     fn from(measurement: Measurement) -> Self {
         Self { measurement, revision: None }
     }
@@ -61,7 +61,7 @@ const fn columns(target: Target) -> &'static [Column] {
 
 /// Writes measurements as a table. Where one is of an earlier revision, a last column says of which.
 #[must_use]
-pub fn table(target: Target, lines: &[Line], style: Style) -> String {
+pub fn table(target: Target, lines: &[AreaLine], style: Style) -> String {
     let timed = target.device().is_some();
     let is_mixed = lines.iter().any(|line| line.revision.is_some());
     let mut header = vec!["unit".to_owned()];

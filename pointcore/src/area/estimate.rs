@@ -37,7 +37,7 @@ pub struct Estimate {
 
 /// Hardware that was measured.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sample {
+pub struct AreaSample {
     /// What it holds.
     pub proxy: Proxy,
     /// Look-up tables with four inputs that it takes, those in the place of carry cells included.
@@ -78,9 +78,9 @@ pub struct Estimator {
 impl Estimator {
     /// Learns from hardware that was measured as it is now.
     #[must_use]
-    pub fn new(samples: &[Sample]) -> Self {
+    pub fn new(samples: &[AreaSample]) -> Self {
         let core =
-            |sample: &Sample| Some(Known { config: sample.renderer.clone()?, lut4: sample.lut4, mhz: sample.mhz });
+            |sample: &AreaSample| Some(Known { config: sample.renderer.clone()?, lut4: sample.lut4, mhz: sample.mhz });
         let cores = samples.iter().filter_map(core).collect();
         let rows = samples.iter().map(|sample| (sample.proxy.logic(), sample.lut4));
         let rows: Vec<_> = rows.filter(|(_, value)| *value > 0.0).collect();

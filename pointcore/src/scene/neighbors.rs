@@ -9,7 +9,7 @@ pub const SPACING_NEIGHBORS: usize = 11;
 
 /// A point's neighbor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Neighbor {
+pub struct NearPoint {
     /// Its index.
     pub index: u32,
     /// Its distance.
@@ -18,7 +18,7 @@ pub struct Neighbor {
 
 /// Finds the `count` nearest other points of each point (fewer if there are no more), nearest first.
 #[must_use]
-pub fn nearest(points: &[DVec3], count: usize) -> Vec<Vec<Neighbor>> {
+pub fn nearest(points: &[DVec3], count: usize) -> Vec<Vec<NearPoint>> {
     let coordinates: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
     let tree = ImmutableKdTree::<f64, 3>::new_from_slice(&coordinates);
     let wanted = std::num::NonZero::<usize>::MIN.saturating_add(count);
@@ -26,7 +26,7 @@ pub fn nearest(points: &[DVec3], count: usize) -> Vec<Vec<Neighbor>> {
         let found = tree.nearest_n::<SquaredEuclidean>(point, wanted);
         // Among coincident points the tree may leave out the point itself.
         let others = found.iter().filter(|neighbor| neighbor.item != index as u64).take(count);
-        others.map(|neighbor| Neighbor { index: neighbor.item as u32, distance: neighbor.distance.sqrt() }).collect()
+        others.map(|neighbor| NearPoint { index: neighbor.item as u32, distance: neighbor.distance.sqrt() }).collect()
     };
     coordinates.par_iter().enumerate().map(neighbors_of).collect()
 }
@@ -39,7 +39,7 @@ pub fn spacing(points: &[DVec3]) -> Result<Vec<f64>, String> {
     if points.len() < 2 {
         return Err("holds a single point, which has no spacing: give the radius as a number".to_owned());
     }
-    let mean = |neighbors: &Vec<Neighbor>| {
+    let mean = |neighbors: &Vec<NearPoint>| {
         neighbors.iter().map(|neighbor| neighbor.distance).sum::<f64>() / neighbors.len() as f64
     };
     let spacing: Vec<f64> = nearest(points, SPACING_NEIGHBORS).par_iter().map(mean).collect();

@@ -1,6 +1,6 @@
 //! Normals of points: from triangles, or estimated from neighbors and oriented consistently.
 
-use super::neighbors::{self, Neighbor};
+use super::neighbors::{self, NearPoint};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -65,7 +65,7 @@ pub fn estimate(points: &[DVec3]) -> Result<Vec<DVec3>, String> {
 
 /// The unit normal of the plane that a point and its neighbors spread around least, pointing to either side.
 #[must_use]
-pub fn fit(points: &[DVec3], index: usize, neighbors: &[Neighbor]) -> DVec3 {
+pub fn fit(points: &[DVec3], index: usize, neighbors: &[NearPoint]) -> DVec3 {
     let near: Vec<_> =
         neighbors.iter().map(|neighbor| points[neighbor.index as usize]).chain([points[index]]).collect();
     let mean = near.iter().sum::<DVec3>() / near.len() as f64;
@@ -131,7 +131,7 @@ impl Eq for Edge {}
 
 /// Flips normals along a minimum spanning tree (Prim's) of the symmetric neighborhood graph, so that orientation
 /// travels where the surface is flat and crosses sharp edges last.
-fn orient(points: &[DVec3], neighbors: &[Vec<Neighbor>], normals: &mut [DVec3]) {
+fn orient(points: &[DVec3], neighbors: &[Vec<NearPoint>], normals: &mut [DVec3]) {
     let mut adjacent: Vec<Vec<u32>> = vec![Vec::new(); points.len()];
     for (from, neighbors) in (0..).zip(neighbors) {
         for neighbor in neighbors {

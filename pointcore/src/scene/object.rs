@@ -181,7 +181,7 @@ fn shape_surface(object: &ObjectTable, color: [f32; 3]) -> Result<Surface, Probl
         None => vec![color; samples.len()],
         Some((checks, other)) => {
             let checks = DVec2::new(f64::from(checks[0]), f64::from(checks[1]));
-            let odd = |sample: &shapes::Sample| (sample.parameters * checks).floor().element_sum() % 2.0 != 0.0;
+            let odd = |sample: &shapes::SurfaceSample| (sample.parameters * checks).floor().element_sum() % 2.0 != 0.0;
             samples.iter().map(|sample| if odd(sample) { linear(other) } else { color }).collect()
         }
     };

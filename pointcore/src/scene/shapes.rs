@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 /// A sample of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub struct SurfaceSample {
     /// Where it lies.
     pub point: DVec3,
     /// Outward unit normal.
@@ -23,7 +23,7 @@ fn lattice(index: usize, count: usize) -> DVec2 {
 }
 
 /// A sphere around the origin, from pole to pole along y; equal areas of it get equally many points.
-pub fn sphere(count: usize, radius: f64) -> Vec<Sample> {
+pub fn sphere(count: usize, radius: f64) -> Vec<SurfaceSample> {
     let sample = |index| {
         let parameters = lattice(index, count);
         let y = 1.0 - 2.0 * parameters.x;
@@ -32,7 +32,7 @@ pub fn sphere(count: usize, radius: f64) -> Vec<Sample> {
         let normal = DVec3::new(around * cos, y, around * sin);
         // The map's first coordinate is the latitude, for checks of equal height.
         let parameters = DVec2::new(y.acos() / PI, parameters.y);
-        Sample { point: radius * normal, normal, parameters }
+        SurfaceSample { point: radius * normal, normal, parameters }
     };
     (0..count).map(sample).collect()
 }
@@ -67,14 +67,14 @@ impl Tube {
     }
 
     /// Samples the tube evenly along and around its center line.
-    pub fn sample(&self, count: usize) -> Vec<Sample> {
+    pub fn sample(&self, count: usize) -> Vec<SurfaceSample> {
         let arc_length = self.arc_lengths();
         let sample = |index| {
             let parameters = lattice(index, count);
             let (center, tangent, first) = self.center_line(parameter_at(&arc_length, parameters.x));
             let (sin, cos) = (TAU * parameters.y).sin_cos();
             let normal = cos * first + sin * tangent.cross(first);
-            Sample { point: center + self.tube_radius * normal, normal, parameters }
+            SurfaceSample { point: center + self.tube_radius * normal, normal, parameters }
         };
         (0..count).map(sample).collect()
     }
@@ -112,13 +112,13 @@ pub fn trefoil(count: usize) -> Vec<DVec3> {
 
 /// A square of the xz plane around the origin that faces y, row by row. Of `count` points, the largest square number
 /// is used.
-pub fn plane(count: usize, size: f64) -> Vec<Sample> {
+pub fn plane(count: usize, size: f64) -> Vec<SurfaceSample> {
     let side = count.isqrt();
     let sample = |index| {
         let cell = DVec2::new((index % side) as f64, (index / side) as f64);
         let parameters = (cell + 0.5) / side as f64;
         let place = size * (parameters - 0.5);
-        Sample { point: DVec3::new(place.x, 0.0, place.y), normal: DVec3::Y, parameters }
+        SurfaceSample { point: DVec3::new(place.x, 0.0, place.y), normal: DVec3::Y, parameters }
     };
     (0..side * side).map(sample).collect()
 }

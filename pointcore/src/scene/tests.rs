@@ -1,4 +1,4 @@
-use super::shapes::{Sample, Tube, plane, sphere};
+use super::shapes::{SurfaceSample, Tube, plane, sphere};
 use super::*;
 use glam::DVec2;
 use pointcore_golden::reference::{Footprint, Frame, Mapping, Projection, render};
@@ -169,7 +169,7 @@ fn bad_scenes_are_named_with_their_key() {
 }
 
 /// Asserts that samples are spread evenly: no spacing deviates from the mean by more than `factor`.
-fn assert_even(samples: &[Sample], factor: f64) {
+fn assert_even(samples: &[SurfaceSample], factor: f64) {
     let points: Vec<_> = samples.iter().map(|sample| sample.point).collect();
     let spacing = neighbors::spacing(&points).expect("the points are distinct");
     let mean = spacing.iter().sum::<f64>() / spacing.len() as f64;
@@ -195,7 +195,7 @@ fn shapes_are_even_and_their_normals_exact() {
     }
 
     let torus = Tube { outer_radius: 2.0, knot_radius: 0.0, tube_radius: 0.5, windings: [1, 0] };
-    for Sample { point, .. } in torus.sample(1000) {
+    for SurfaceSample { point, .. } in torus.sample(1000) {
         let from_circle = DVec2::new(DVec2::new(point.x, point.y).length() - 2.0, point.z);
         assert!((from_circle.length() - 0.5).abs() < 1e-9);
     }

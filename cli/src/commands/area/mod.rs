@@ -7,7 +7,7 @@ use super::{Failure, Output, choices, merge, scene_name};
 use pointcore::configuration::{parse, read_text};
 use pointcore_lab::Figures;
 use pointcore_lab::synthesis::{
-    self, AreaRecord, Line, MeasuredUnit, Measurement, Revision, Style, Synthesizer, Target,
+    self, AreaLine, AreaRecord, MeasuredUnit, Measurement, Revision, Style, Synthesizer, Target,
 };
 use progress::Display;
 use rayon::prelude::*;
@@ -183,7 +183,7 @@ fn measure(arguments: &Arguments, output: Output) -> Result<(), Failure> {
     if !measurements.is_empty() {
         let style = if arguments.markdown { Style::Markdown } else { Style::Plain };
         let document = json!({ "target": arguments.target.name(), "units": measurements });
-        let lines: Vec<_> = measurements.into_iter().map(Line::from).collect();
+        let lines: Vec<_> = measurements.into_iter().map(AreaLine::from).collect();
         output.print(&document, &synthesis::table(arguments.target, &lines, style));
     }
     let last = failures.pop();

@@ -6,7 +6,7 @@ mod sets;
 
 use crate::{Figures, LabError};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
-use page::{KnnPage, Line};
+use page::{KnnLine, KnnPage};
 use pointcore::search::{
     MemorySettings, Order, PointSet, PointSource, Query, Reuse, SearchEngine, SearchOutcome, SearchReport, SearchRun,
     Session, Splitting, Tree, check,
@@ -163,7 +163,7 @@ fn thread_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> R
     let counts = [1, 2, 4, 8, 16, 32];
     let mut lines = Vec::new();
     for (shape, name) in [(ONE_LANE, "one lane"), (FOUR_LANES, "four lanes")] {
-        let mut line = Line::new(name);
+        let mut line = KnnLine::new(name);
         for threads in counts {
             eprintln!("{}: {name}, {threads} threads", cloud.name);
             let config = Config { threads, ..shape.config(cloud.points.points().len(), NEIGHBORS) };
@@ -189,7 +189,7 @@ fn order_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Re
     let counts = [8, 16, 32];
     let mut lines = Vec::new();
     for order in [Order::Random, Order::Morton] {
-        let mut line = Line::new(&order.to_string());
+        let mut line = KnnLine::new(&order.to_string());
         for k in counts {
             eprintln!("{}: {order} order, k = {k}", cloud.name);
             let queries = cloud.queries(order, Some(SAMPLE), k);

@@ -12,12 +12,12 @@ use std::path::{Path, PathBuf};
 const PROTOTYPE_CYCLES: f64 = 140.0;
 
 /// Values of one kind over the categories of a chart.
-pub struct Line {
+pub struct KnnLine {
     name: String,
     values: Vec<Option<f64>>,
 }
 
-impl Line {
+impl KnnLine {
     /// A line without values.
     pub fn new(name: &str) -> Self {
         Self { name: name.to_owned(), values: Vec::new() }
@@ -66,7 +66,7 @@ impl KnnPage {
         x: &str,
         y: &str,
         categories: &[String],
-        lines: Vec<Line>,
+        lines: Vec<KnnLine>,
     ) -> Result<(), LabError> {
         _ = writeln!(
             self.text,
@@ -74,13 +74,13 @@ impl KnnPage {
             categories.join(" | "),
             "---|".repeat(categories.len())
         );
-        for Line { name, values } in &lines {
+        for KnnLine { name, values } in &lines {
             let cell = |value: &Option<f64>| value.map_or(String::new(), |value| format!("{value:.3}"));
             let cells: Vec<_> = values.iter().map(cell).collect();
             _ = writeln!(self.text, "| {name} | {} |", cells.join(" | "));
         }
         _ = writeln!(self.text, "\n![{title}]({file}.svg)");
-        let series = lines.into_iter().map(|Line { name, values }| Series { name, values }).collect();
+        let series = lines.into_iter().map(|KnnLine { name, values }| Series { name, values }).collect();
         let [title, x, y] = [title, x, y].map(str::to_owned);
         let chart = LineChart { title, x, y, categories: categories.to_vec(), series };
         // The page so far: a run that is interrupted leaves what it has.

@@ -1,6 +1,6 @@
 //! How many searches the coherent neighbor cache saves when points are sampled up (thesis 6.7.1, figures 6.13 to 6.15).
 
-use super::page::{KnnPage, Line};
+use super::page::{KnnLine, KnnPage};
 use super::{Cloud, FOUR_LANES, Setting, search};
 use crate::{Figures, LabError};
 use pointcore::search::{Neighbor, Order, Query, Reuse, check};
@@ -66,7 +66,7 @@ fn nearest_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> 
     let queries = queries(cloud, 8, NEIGHBORS, None);
     let mut lines = Vec::new();
     for entries in [ENTRIES, FEW_ENTRIES] {
-        let mut line = Line::new(&format!("{entries} entries"));
+        let mut line = KnnLine::new(&format!("{entries} entries"));
         for (epsilon, name) in EPSILONS {
             eprintln!("{}: 8×8, k = {NEIGHBORS}, ε = {epsilon}, {entries} entries", cloud.name);
             let found = run(cloud, &queries, entries, Reuse { epsilon, ..Reuse::default() })?;
@@ -98,7 +98,7 @@ fn ball_figures(cloud: &Cloud, figures: &mut Figures, page: &mut KnnPage) -> Res
     let radii = radii(cloud)?;
     let mut lines = Vec::new();
     for entries in [ENTRIES, FEW_ENTRIES] {
-        let mut line = Line::new(&format!("{entries} entries"));
+        let mut line = KnnLine::new(&format!("{entries} entries"));
         for side in SIDES {
             eprintln!("{}: balls, {side}×{side}, {entries} entries", cloud.name);
             let reuse = Reuse { epsilon: 0.0, alpha: ALPHA };
