@@ -7,41 +7,8 @@ use std::path::{Path, PathBuf};
 /// Folders of `hdl/src` and `golden/src` whose files are units.
 const CORES: &[&str] = &["stream", "splat", "search", "bus"];
 
-/// Files of `hdl/src` in those folders and in `float` that are no units but serve several.
-const HELPERS: &[&str] = &[
-    "bus/beats",
-    "bus/buffer",
-    "bus/splat",
-    "bus/search",
-    "bus/counters",
-    "bus/spread",
-    "bus/tests",
-    "bus/wiring",
-    "splat/blend",
-    "splat/division",
-    "splat/fixed_distance",
-    "splat/fixed_footprint",
-    "splat/heap_links",
-    "splat/heap_order",
-    "splat/heap_stage",
-    "splat/tile_directory",
-    "splat/tile_moves",
-    "search/coordinates",
-    "search/head_queue",
-    "search/nodes",
-    "search/queue_readout",
-    "search/queue_row",
-    "search/radii",
-    "search/sets",
-    "float/delay",
-    "float/newton",
-    "float/operand",
-    "float/pipe",
-    "float/product",
-    "float/round",
-    "float/shift",
-    "float/table",
-];
+/// Folders of a core that hold no unit: what several units share, and the cores behind their buses.
+const SHARED: &[&str] = &["parts", "cores"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -78,7 +45,7 @@ fn units(core: &str) -> Vec<String> {
         None => (place != Path::new("mod")).then(|| place.to_string_lossy().into_owned()),
         Some((unit, file)) => (file == "mod").then(|| unit.to_owned()),
     });
-    units.filter(|unit| !HELPERS.contains(&format!("{core}/{unit}").as_str())).collect()
+    units.filter(|unit| !SHARED.contains(&unit.as_str())).collect()
 }
 
 fn read(path: &Path) -> String {
@@ -126,13 +93,6 @@ fn every_operator_has_hardware_a_model_and_a_comparison() {
         }
     }
     assert!(missing.is_empty(), "missing:\n{}", missing.join("\n"));
-}
-
-#[test]
-fn every_helper_exists() {
-    for helper in HELPERS {
-        assert!(root().join(format!("hdl/src/{helper}.rs")).is_file(), "{helper} is gone");
-    }
 }
 
 #[test]

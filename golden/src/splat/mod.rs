@@ -18,9 +18,7 @@ pub mod transform;
 pub mod uniforms;
 pub mod weighting;
 
-mod division;
-mod fixed_distance;
-mod fixed_footprint;
+mod parts;
 
 pub use accumulator::Accumulator;
 pub use depth_test::DepthTest;

@@ -3,7 +3,7 @@
 //! One reciprocal in the geometry format; attributes are converted to it and back.
 
 use super::attribute::Arithmetic;
-use super::division::recip;
+use super::parts::division::recip;
 use crate::datapath::Datapath;
 use crate::number::Number;
 use crate::unit::Model;

@@ -8,7 +8,8 @@ use pointcore_contract::bus::registers::{self as map, Kind, Register};
 use pointcore_contract::splat::Field;
 use pointcore_contract::splat::config::TILE_PIXELS;
 use pointcore_contract::{search, splat};
-use pointcore_hdl::bus::{buffer, packet_in, packet_out, reader, registers, window, writer};
+use pointcore_hdl::bus::cores::buffer;
+use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
 
 /// Bytes of the record in C, and from one to the next in memory.
 const BYTES: u32 = 12;

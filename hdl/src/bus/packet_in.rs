@@ -8,7 +8,7 @@ use pointcore_contract::bus::packets::FieldRange;
 use pointcore_contract::bus::ports::has_end;
 use pointcore_contract::splat::Field;
 
-use super::beats::Beats;
+use super::parts::beats::Beats;
 use super::stream_out;
 use crate::stream::skid;
 use crate::units::records::event_out;

@@ -3,8 +3,8 @@
 
 use pointcore_contract::splat::Field;
 
-use super::beats::Beats;
-use super::spread::spread;
+use super::parts::beats::Beats;
+use super::parts::spread::spread;
 use crate::units::records::{Record, event_out, stream_in};
 use rtl::{Module, bit};
 

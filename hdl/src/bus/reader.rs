@@ -9,7 +9,7 @@ use pointcore_contract::bus::{Layout, ports};
 use pointcore_contract::splat::Field;
 use pointcore_contract::splat::config::index_bits;
 
-use super::beats::Beats;
+use super::parts::beats::Beats;
 use super::{ADDRESS_BITS, INCREMENTING, LENGTH_BITS, RESPONSE_BITS, size_of, stream_out};
 use crate::stream::{fifo, skid};
 use crate::units::records::event_out;

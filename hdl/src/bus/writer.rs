@@ -5,9 +5,9 @@ use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::config::{ID_BITS, WRITES_MAX};
 use pointcore_contract::splat::Field;
 
-use super::beats::Beats;
+use super::parts::beats::Beats;
+use super::parts::spread::spread;
 use super::reader::address_out;
-use super::spread::spread;
 use super::{ADDRESS_BITS, LENGTH_BITS, RESPONSE_BITS};
 use crate::stream::skid;
 use crate::units::records::{Record, event_out, stream_in};

@@ -1,6 +1,6 @@
 //! Which instance of its class carries out each operation.
 
-use super::delay::stages;
+use super::cost::stages;
 use super::graph::{Graph, ValueId};
 use super::plan::{Plan, Timing};
 use super::schedule::Schedule;

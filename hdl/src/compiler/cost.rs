@@ -1,4 +1,4 @@
-//! How much of a clock cycle an operation takes that has no registers inside.
+//! How much of a clock cycle an operation takes that has no registers inside, and what it takes to hold a value.
 //!
 //! One level is half a 4-input look-up table with its wiring: a coarse measure, which only has to keep chains short.
 
@@ -19,6 +19,10 @@ const CARRY_BITS_PER_LEVEL: u32 = 16;
 /// Ratio of inputs in a tree of gates, as a power of two.
 const TREE_RADIX_LOG2: u32 = 2;
 
+/// Shortest chain that becomes a memory. A bit of one costs an FPGA about 1½ look-up tables (ECP5: 16 words of 4 bits take
+/// 6) and the registered read, so below this length there is little left to save.
+pub(super) const MEMORY_STAGES: u32 = 5;
+
 /// Levels of a combinational operation, whose operands have type `operand`. Wiring and sign bits cost nothing.
 pub(super) fn levels(node: &Node, operand: Type) -> u32 {
     let carry = CARRY_BASE_LEVELS + operand.width() / CARRY_BITS_PER_LEVEL;
@@ -36,4 +40,9 @@ pub(super) fn levels(node: &Node, operand: Type) -> u32 {
 /// Levels of a choice among so many.
 pub(super) const fn choice_levels(ways: u32) -> u32 {
     GATE_LEVELS * ways.next_power_of_two().ilog2()
+}
+
+/// Registers that hold a value for so many cycles.
+pub(super) const fn stages(cycles: u32, initiation_interval: u32) -> u32 {
+    cycles.div_ceil(initiation_interval)
 }

@@ -5,6 +5,7 @@
 //! and more becomes a circular buffer, and chains of equal length and phase share one: it costs a pointer instead of a
 //! flip-flop a bit and cycle.
 
+use super::cost::{MEMORY_STAGES, stages};
 use super::emitter::Emitter;
 use super::graph::{Graph, ValueId};
 use super::plan::Plan;
@@ -12,16 +13,8 @@ use super::schedule::Schedule;
 use rtl::{Expr, Memory, address_width, cat};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Shortest chain that becomes a memory. A bit of one costs an FPGA about 1½ look-up tables (ECP5: 16 words of 4 bits take
-/// 6) and the registered read, so below this length there is little left to save.
-pub(super) const MEMORY_STAGES: u32 = 5;
 /// Deepest delay kept in look-up tables; deeper ones take block memory.
 const DISTRIBUTED_DEPTH: u32 = 64;
-
-/// Registers that hold a value for so many cycles.
-pub(super) const fn stages(cycles: u32, initiation_interval: u32) -> u32 {
-    cycles.div_ceil(initiation_interval)
-}
 
 /// Memories are shared by chains that load in the same phase and are equally long.
 type LineKey = (u32, u32);

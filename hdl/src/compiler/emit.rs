@@ -4,7 +4,8 @@
 //! tokens is never looked at.
 
 use super::bind::{Unit, bind};
-use super::delay::{Delays, stages};
+use super::cost::stages;
+use super::delay::Delays;
 use super::emitter::Emitter;
 use super::graph::{Graph, ValueId};
 use super::lower::combinational;

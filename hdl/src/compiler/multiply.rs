@@ -2,9 +2,9 @@
 //! parts and the sum of a product that takes several of them.
 
 use super::types::Type;
-use crate::float::delay;
-use crate::float::pipe::{Operator, Pipe};
-use crate::float::product::{product, product_delays};
+use crate::float::parts::delay;
+use crate::float::parts::pipe::{Operator, Pipe};
+use crate::float::parts::product::{product, product_delays};
 use rtl::Expr;
 
 /// Segments: the operands' way to their registers, then those of the product.

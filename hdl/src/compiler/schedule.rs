@@ -5,8 +5,7 @@
 //! going through the operations by urgency and taking the first free cycle always succeeds. Afterwards operations move
 //! within their slack to where fewer registers are needed.
 
-use super::cost::CYCLE_LEVELS;
-use super::delay::{MEMORY_STAGES, stages};
+use super::cost::{CYCLE_LEVELS, MEMORY_STAGES, stages};
 use super::graph::Graph;
 use super::plan::{Plan, Timing};
 

@@ -3,11 +3,11 @@
 //! Single path: the operand of smaller magnitude is aligned to the larger one with guard, round and sticky bit, the sum's
 //! leading one brought to the top.
 
-use super::delay;
-use super::operand::{Operand, exponent_width, precision};
-use super::pipe::{self, Carried, Operator, Pipe};
-use super::round::{Raw, Special, Underflow, round, round_delays};
-use super::shift::{add_or_subtract, keep_sticky, shift_out_zeros, shift_out_zeros_delays, shift_right_sticky};
+use super::parts::delay;
+use super::parts::operand::{Operand, exponent_width, precision};
+use super::parts::pipe::{self, Carried, Operator, Pipe};
+use super::parts::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::shift::{add_or_subtract, keep_sticky, shift_out_zeros, shift_out_zeros_delays, shift_right_sticky};
 use pointcore_contract::{Format, Subnormals};
 use rtl::{Expr, cat, lit};
 

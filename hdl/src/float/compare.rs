@@ -1,8 +1,8 @@
 //! Comparisons; the result is one bit, 0 if an operand is NaN.
 
-use super::delay;
-use super::operand::{flushed, is_nan, order, order_delay, width};
-use super::pipe::{self, Operator, Pipe};
+use super::parts::delay;
+use super::parts::operand::{flushed, is_nan, order, order_delay, width};
+use super::parts::pipe::{self, Operator, Pipe};
 use pointcore_contract::Format;
 
 /// Pipeline registers by default.

@@ -1,10 +1,10 @@
 //! Conversion between formats.
 
-use super::delay;
-use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision, signed, signed_width};
-use super::pipe::{self, Operator, Pipe};
-use super::round::{Raw, Special, Underflow, round, round_delays};
-use super::shift::keep_sticky;
+use super::parts::delay;
+use super::parts::operand::{Operand, exponent_width, normalize, normalize_delays, precision, signed, signed_width};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::shift::keep_sticky;
 use pointcore_contract::{Format, Subnormals};
 
 /// Pipeline registers by default.

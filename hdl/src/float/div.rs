@@ -4,11 +4,11 @@
 //! quotient of two significands lies in (1/2, 2): `p + 2` digits hold the result, the bit below it, and one more that
 //! the last remainder joins in the sticky bit.
 
-use super::delay;
-use super::operand::{Normalized, Operand, exponent_width, normalize, normalize_delays, precision};
-use super::pipe::{self, Operator, Pipe};
-use super::round::{CarriedSpecial, Raw, Special, Underflow, round, round_delays};
-use super::shift::keep_sticky;
+use super::parts::delay;
+use super::parts::operand::{Normalized, Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::round::{CarriedSpecial, Raw, Special, Underflow, round, round_delays};
+use super::parts::shift::keep_sticky;
 use pointcore_contract::Format;
 use rtl::{bit, cat, lit};
 

@@ -1,13 +1,13 @@
 //! Table of the error function over [0, 4].
 
-use super::table::sample;
+use super::parts::table::sample;
 use pointcore_contract::TableShape;
 use std::f64::consts::PI;
 
 /// Upper end of the argument; beyond, erf differs from 1 by less than 2^−25.
 const END: f64 = 4.0;
 
-/// Samples of `erf(4·t)` for [`table::module`](super::table::module).
+/// Samples of `erf(4·t)` for [`table::module`](super::parts::table::module).
 #[must_use]
 pub fn samples(shape: TableShape) -> Vec<u64> {
     sample(shape, |t| erf(END * t))

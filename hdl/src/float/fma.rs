@@ -5,11 +5,11 @@
 //! bits, then guard, round and sticky bit. Subnormal factors need no normalizing: the sum's leading one is found anyway.
 
 use super::add::{Sum, normalize_sum, normalize_sum_delays, stop};
-use super::delay;
-use super::operand::{Operand, exponent_width, precision, signed};
-use super::pipe::{self, Operator, Pipe};
-use super::product::{product, product_delays};
-use super::shift::{add_or_subtract, shift_right_sticky};
+use super::parts::delay;
+use super::parts::operand::{Operand, exponent_width, precision, signed};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::product::{product, product_delays};
+use super::parts::shift::{add_or_subtract, shift_right_sticky};
 use pointcore_contract::{Format, Subnormals};
 use rtl::{cat, lit};
 

@@ -1,10 +1,10 @@
 //! Conversion from fixed point, correctly rounded.
 
-use super::delay;
-use super::operand::{precision, signed, signed_width};
-use super::pipe::{self, Operator, Pipe};
-use super::round::{Raw, Special, Underflow, round, round_delays};
-use super::shift::{keep_sticky, leading_zeros};
+use super::parts::delay;
+use super::parts::operand::{precision, signed, signed_width};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::shift::{keep_sticky, leading_zeros};
 use pointcore_contract::{Fixed, Format, Signedness};
 use rtl::bit;
 

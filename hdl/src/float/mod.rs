@@ -29,18 +29,12 @@ pub mod recip_newton;
 pub mod rsqrt;
 pub mod rsqrt_newton;
 pub mod sqrt;
-pub mod table;
 pub mod to_fixed;
 
-pub(crate) mod delay;
-mod newton;
-mod operand;
-pub(crate) mod pipe;
-pub(crate) mod product;
-mod round;
-mod shift;
+pub(crate) mod parts;
 
-pub use pipe::Operator;
+pub use parts::pipe::Operator;
+pub use parts::table;
 
 #[cfg(test)]
 mod tests {

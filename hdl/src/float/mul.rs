@@ -2,12 +2,12 @@
 //!
 //! Cuts lie on both sides of the raw product, so that it maps to hardware multipliers with registers around them.
 
-use super::delay;
-use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
-use super::pipe::{self, Operator, Pipe};
-use super::product::{product, product_delays};
-use super::round::{Raw, Special, Underflow, round, round_delays};
-use super::shift::keep_sticky;
+use super::parts::delay;
+use super::parts::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::product::{product, product_delays};
+use super::parts::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::shift::keep_sticky;
 use pointcore_contract::Format;
 use rtl::lit;
 

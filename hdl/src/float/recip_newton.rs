@@ -1,12 +1,14 @@
 //! Reciprocal by table and Newton steps `y ← y · (2 − m·y)`: no divider, and not always correctly rounded.
 
-use super::delay;
 use super::div::recip_special;
-use super::newton::{INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction};
-use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
-use super::pipe::{self, Operator, Pipe};
-use super::product::{product, product_delays};
-use super::round::{Underflow, round_delays};
+use super::parts::delay;
+use super::parts::newton::{
+    INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction,
+};
+use super::parts::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::product::{product, product_delays};
+use super::parts::round::{Underflow, round_delays};
 use pointcore_contract::Format;
 use rtl::lit;
 

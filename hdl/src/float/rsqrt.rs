@@ -9,10 +9,10 @@
 //! Both are exact with `p − 1 + j` fraction bits. Except for `m = 1` the root has no finite expansion, so the sticky bit
 //! is constant one; for `m = 1` all digits are ones and rounding gives the exact result.
 
-use super::delay;
-use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
-use super::pipe::{self, Operator, Pipe};
-use super::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::delay;
+use super::parts::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::round::{Raw, Special, Underflow, round, round_delays};
 use super::sqrt::even_exponent;
 use pointcore_contract::Format;
 use rtl::{bit, cat, lit};

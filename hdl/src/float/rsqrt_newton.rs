@@ -1,12 +1,14 @@
 //! Reciprocal square root by table and Newton steps `y ← y · (3 − m·y²)/2`: no digit recurrence, and not always correctly
 //! rounded.
 
-use super::delay;
-use super::newton::{INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction};
-use super::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
-use super::pipe::{self, Operator, Pipe};
-use super::product::{product, product_delays};
-use super::round::{Underflow, round_delays};
+use super::parts::delay;
+use super::parts::newton::{
+    INDEX_BITS, SEED_FRACTION, finish, floor, fraction_bits, iterate_fraction, steps, top_fraction,
+};
+use super::parts::operand::{Operand, exponent_width, normalize, normalize_delays, precision};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::product::{product, product_delays};
+use super::parts::round::{Underflow, round_delays};
 use super::rsqrt::rsqrt_special;
 use super::sqrt::even_exponent;
 use pointcore_contract::Format;

@@ -4,10 +4,10 @@
 //! remainder is at most twice the root; a digit is whether four times the remainder and the next two bits of the
 //! radicand reach four times the root and one. The remainder left after `p + 1` digits is the sticky bit.
 
-use super::delay;
-use super::operand::{Normalized, Operand, normalize, normalize_delays, precision};
-use super::pipe::{self, Operator, Pipe};
-use super::round::{Raw, Special, Underflow, round, round_delays};
+use super::parts::delay;
+use super::parts::operand::{Normalized, Operand, normalize, normalize_delays, precision};
+use super::parts::pipe::{self, Operator, Pipe};
+use super::parts::round::{Raw, Special, Underflow, round, round_delays};
 use pointcore_contract::Format;
 use rtl::{Expr, bit, cat, lit};
 

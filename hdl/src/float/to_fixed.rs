@@ -1,9 +1,9 @@
 //! Conversion to fixed point: toward zero, saturating, NaN to zero.
 
-use super::delay;
 use super::from_fixed::fixed_parameters;
-use super::operand::{Normalized, Operand, normalize, normalize_delays, precision, signed, signed_width};
-use super::pipe::{self, Operator, Pipe};
+use super::parts::delay;
+use super::parts::operand::{Normalized, Operand, normalize, normalize_delays, precision, signed, signed_width};
+use super::parts::pipe::{self, Operator, Pipe};
 use pointcore_contract::{Fixed, Format, Signedness, Subnormals};
 use rtl::lit;
 

@@ -4,7 +4,7 @@
 use pointcore_contract::search::{Config, records};
 use pointcore_contract::splat::Field;
 
-use super::coordinates::{AXES, coordinates};
+use super::parts::coordinates::{AXES, coordinates};
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
 use crate::units::datapath::{Inputs, dot};
 use crate::units::records::{Record, pulse_in, queue_in, queue_out};

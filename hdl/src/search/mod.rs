@@ -13,13 +13,7 @@ pub mod top;
 pub mod traversal;
 pub mod tree_cache;
 
-mod coordinates;
-mod head_queue;
-mod nodes;
-mod queue_readout;
-mod queue_row;
-mod radii;
-mod sets;
+mod parts;
 
 #[cfg(test)]
 mod tests {

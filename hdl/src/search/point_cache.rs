@@ -8,7 +8,7 @@ use pointcore_contract::search::{Config, records};
 use pointcore_contract::splat::Field;
 use pointcore_contract::splat::config::index_bits;
 
-use super::sets::{contains, decode};
+use super::parts::sets::{contains, decode};
 use crate::stream::skid;
 use crate::units::records::{Record, event_out, layout, queue_out, stream_in, width};
 use rtl::{Expr, Memory, Module, Reg, Stream, cat, lit};

@@ -5,7 +5,7 @@ use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{Descent, Thread};
 use pointcore_contract::search::units::recursion::PORTS;
 
-use super::radii::radii;
+use super::parts::radii::radii;
 use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
 use crate::units::wires::Bundle;
 use rtl::Module;

@@ -7,8 +7,8 @@ use pointcore_contract::search::Config;
 use pointcore_contract::search::records::Candidates;
 use pointcore_contract::search::units::sieve::PORTS;
 
-use super::radii::radii;
-use super::sets::set;
+use super::parts::radii::radii;
+use super::parts::sets::set;
 use crate::stream::fifo;
 use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, held};
 use crate::units::wires::{Bundle, Wires, layout};

@@ -4,7 +4,7 @@
 use pointcore_contract::search::{Config, records};
 use pointcore_contract::splat::config::index_bits;
 
-use super::sets::decode;
+use super::parts::sets::decode;
 use crate::units::records::{Record, pulse_in, width};
 use rtl::{Module, address_width, bit, cat};
 

@@ -4,7 +4,7 @@
 use pointcore_contract::search::{Config, records};
 use pointcore_contract::splat::config::index_bits;
 
-use super::sets::{decode, index_of, lowest, set};
+use super::parts::sets::{decode, index_of, lowest, set};
 use crate::units::records::{Record, event_out, pulse_in, queue_out, registered_pulse_out, stream_in};
 use rtl::{Expr, Module, Reg, lit};
 

@@ -14,15 +14,7 @@ pub mod top;
 pub mod transform;
 pub mod weighting;
 
-mod blend;
-mod division;
-mod fixed_distance;
-mod fixed_footprint;
-mod heap_links;
-mod heap_order;
-mod heap_stage;
-mod tile_directory;
-mod tile_moves;
+mod parts;
 
 #[cfg(test)]
 mod tests {

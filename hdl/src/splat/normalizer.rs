@@ -1,6 +1,6 @@
 //! Normalization (thesis eq. 5.13); golden twin: `pointcore_golden::splat::normalizer`.
 
-use super::division::recip;
+use super::parts::division::recip;
 use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
 use crate::units::datapath::Inputs;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE, WEIGHT_BITS};

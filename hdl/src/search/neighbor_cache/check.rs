@@ -8,7 +8,7 @@ use super::deliver::Answer;
 use super::lru::{Chosen, Entries, VERSION_BITS};
 use super::tickets::Tickets;
 use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
-use crate::search::head_queue::HeadQueue;
+use crate::search::parts::head_queue::HeadQueue;
 use crate::units::datapath::{Inputs, dot, uniform};
 use crate::units::records::{Record, event_out, queue_in, queue_out};
 use rtl::{Expr, Module, Stream, lit};

@@ -9,7 +9,7 @@ use pointcore_contract::search::Config;
 use pointcore_contract::splat::config::index_bits;
 
 use super::deliver;
-use crate::search::sets::{contains, decode, index_of, set};
+use crate::search::parts::sets::{contains, decode, index_of, set};
 use rtl::{Expr, Module, Reg, bit, lit};
 
 /// Bits of a version: far more neighborhoods than an entry is given to while a comparison with it is under way.

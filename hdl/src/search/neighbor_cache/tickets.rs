@@ -4,7 +4,7 @@ use pointcore_contract::search::{Config, records};
 use pointcore_contract::splat::config::index_bits;
 
 use super::check::Check;
-use crate::search::sets::{decode, index_of, lowest};
+use crate::search::parts::sets::{decode, index_of, lowest};
 use crate::units::records::{Record, width};
 use rtl::{Expr, Memory, Module, Reg, address_width};
 

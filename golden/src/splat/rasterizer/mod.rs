@@ -1,0 +1,326 @@
+//! Rasterizer: intersects the viewing ray of every pixel in a copy's bounds with the splat's plane (thesis 5.4.2, table 5.2).
+//!
+//! A pixel a cycle, in the rasterizer's format, floating or fixed point; samples outside the splat are dropped, but for a copy's last. Depth band and
+//! attributes wait in a queue beside the datapath and meet each of their samples at its end.
+
+mod fixed_distance;
+
+use super::parts::division::squared_ratio;
+use crate::datapath::Datapath;
+use crate::float::{Table, kernel_table};
+use crate::number::Number;
+use crate::stream::Fifo;
+use crate::unit::Model;
+use fixed_distance::Distance;
+use pointcore_contract::splat::config::{COPY_QUEUE_DEPTH, DEPTH_BITS, TILE_SIZE};
+use pointcore_contract::splat::records::{Attributes, Band, DepthPlane, Footprint, PlacedCopy, Sample, SamplePlace};
+use pointcore_contract::splat::units::RasterizerEvents;
+pub use pointcore_contract::splat::units::rasterizer::{In, Out};
+use pointcore_contract::splat::{Config, Division, Feature, RasterFormat};
+use pointcore_contract::{Format, Sampling};
+use std::sync::Arc;
+
+const SIZE: u16 = TILE_SIZE as u16;
+
+/// The copy under rasterization and its next pixel, in tile coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Scan {
+    placed: PlacedCopy,
+    column: u16,
+    row: u16,
+}
+
+impl Scan {
+    fn new(placed: PlacedCopy) -> Self {
+        Self { placed, column: placed.copy.bounds.left, row: placed.copy.bounds.top }
+    }
+
+    fn is_last(&self) -> bool {
+        let copy = &self.placed.copy;
+        copy.end || (self.column == copy.bounds.right && self.row == copy.bounds.bottom)
+    }
+
+    fn step(&mut self) {
+        let bounds = &self.placed.copy.bounds;
+        if self.column == bounds.right {
+            (self.column, self.row) = (bounds.left, self.row + 1);
+        } else {
+            self.column += 1;
+        }
+    }
+}
+
+/// The rasterizer.
+#[derive(Clone, Debug)]
+pub struct Rasterizer {
+    format: Format,
+    /// In fixed point, in the place of a format.
+    fixed: Option<Distance>,
+    sampling: Sampling,
+    eye_plane: Feature,
+    division: Division,
+    has_depth_plane: bool,
+    has_screen_filter: bool,
+    tile_column_bits: u32,
+    kernel: Arc<Table>,
+    /// Bits of `ρ²` that the kernel sees.
+    kernel_bits: u32,
+    scan: Option<Scan>,
+    copies: Fifo<(Band, Attributes)>,
+    /// Samples, with their depth band where their splat has none.
+    datapath: Datapath<(SamplePlace, Option<Band>)>,
+    events: RasterizerEvents,
+}
+
+impl Rasterizer {
+    /// The unit with a pipeline of `latency` stages.
+    #[must_use]
+    pub fn new(config: &Config, latency: u32) -> Self {
+        let kernel_bits = config.kernel_index_bits + config.kernel_fraction_bits;
+        let (format, fixed) = match config.raster_format() {
+            RasterFormat::Float(format) => (format, None),
+            RasterFormat::Fixed(coefficient) => {
+                let (eye_plane, screen_filter) = (config.eye_plane, config.screen_filter);
+                (config.geometry, Some(Distance { coefficient, kernel_bits, eye_plane, screen_filter }))
+            }
+        };
+        Self {
+            format,
+            fixed,
+            sampling: config.sampling,
+            eye_plane: config.eye_plane,
+            division: config.division,
+            has_depth_plane: config.has_depth_plane(),
+            has_screen_filter: config.screen_filter.is_on(),
+            tile_column_bits: config.tile_column_bits(),
+            kernel: Arc::new(kernel_table(config.kernel_gamma, config.kernel_table())),
+            kernel_bits,
+            scan: None,
+            copies: Fifo::new(COPY_QUEUE_DEPTH as usize),
+            datapath: Datapath::new(latency, 1),
+            events: RasterizerEvents::default(),
+        }
+    }
+
+    fn in_ready(&self) -> bool {
+        self.datapath.in_ready() && self.scan.as_ref().is_none_or(Scan::is_last) && self.copies.in_ready()
+    }
+
+    /// The sample at the scan's pixel; `None` if it lies outside the splat and nothing hangs on it.
+    fn sample(&self, scan: &Scan, filter_scale: u32) -> Option<(SamplePlace, Option<Band>)> {
+        let PlacedCopy { copy, slot } = &scan.placed;
+        if copy.end {
+            return Some((SamplePlace { end: true, ..SamplePlace::default() }, None));
+        }
+        let [tile_column, tile_row] =
+            [copy.tile & ((1 << self.tile_column_bits) - 1), copy.tile >> self.tile_column_bits];
+        let place = |tile: u32, local: u16| tile * TILE_SIZE + u32::from(local);
+        let [column, row] = [place(tile_column, scan.column), place(tile_row, scan.row)];
+        let squared = self.squared_distance(&copy.footprint, [column, row], filter_scale);
+        let inside = Self::is_inside(squared);
+        let last = scan.is_last();
+        (inside || last).then(|| {
+            let place = SamplePlace {
+                end: false,
+                last,
+                inside,
+                slot: *slot,
+                pixel: (scan.row * SIZE + scan.column) as u8,
+                weight: self.weight(squared),
+            };
+            let has_plane = self.has_depth_plane;
+            (place, has_plane.then(|| self.depth_band(&copy.footprint, [column, row])))
+        })
+    }
+
+    /// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
+    fn depth_band(&self, footprint: &Footprint, sample: [u32; 2]) -> Band {
+        let number = |bits| Number::new(self.format, bits);
+        let DepthPlane { center, slope, range, epsilon } = footprint.plane;
+        let [x, y] = self.offset(footprint, sample);
+        let [near, far] = range.map(number);
+        let depth = (number(center) + x * number(slope[0]) + y * number(slope[1])).max(near).min(far);
+        let fixed = |depth: Number| depth.max(number(0)).to_fixed(DEPTH_BITS, DEPTH_BITS) as u32;
+        Band { depth: fixed(depth), low: fixed(depth - number(epsilon)), high: fixed(depth + number(epsilon)) }
+    }
+
+    /// From the splat's projected centre to a sample, px.
+    fn offset(&self, footprint: &Footprint, sample: [u32; 2]) -> [Number; 2] {
+        let [x, y] = self.sample_position(sample);
+        let [center_x, center_y] = footprint.center.map(|bits| Number::new(self.format, bits));
+        [x - center_x, y - center_y]
+    }
+
+    /// Whether a sample at `ρ²` lies inside its splat; a NaN does not.
+    #[must_use]
+    pub fn is_inside(squared: Number) -> bool {
+        squared.is_below(squared.of(1.0))
+    }
+
+    /// Kernel weight at `ρ²`.
+    #[must_use]
+    pub fn weight(&self, squared: Number) -> u16 {
+        self.kernel.interpolate(squared.to_fixed(self.kernel_bits, self.kernel_bits)) as u16
+    }
+
+    /// `ρ²` at the sample of a pixel, given by column and row of the image; in fixed point its leading bits, infinite outside.
+    #[must_use]
+    pub fn squared_distance(&self, footprint: &Footprint, pixel: [u32; 2], filter_scale: u32) -> Number {
+        if let Some(fixed) = &self.fixed {
+            return fixed.squared(footprint, self.sample_eighths(pixel), filter_scale);
+        }
+        let number = |bits| Number::new(self.format, bits);
+        let [x, y] = self.offset(footprint, pixel);
+        let [ax, ay] = [footprint.ax, footprint.ay].map(number);
+        let [bx, by] = [footprint.bx, footprint.by].map(number);
+        let [mx, my] = [footprint.mx, footprint.my].map(number);
+        let delta = number(footprint.delta);
+
+        let determinant = delta + x * mx + y * my;
+        let is_behind = determinant.is_negative() != delta.is_negative();
+        let on_splat = if is_behind && self.eye_plane.is_on() {
+            number(self.format.infinity() as u32)
+        } else {
+            squared_ratio(self.division, [x * ay - y * ax, x * by - y * bx], determinant)
+        };
+        if self.has_screen_filter { on_splat.min((x * x + y * y) * number(filter_scale)) } else { on_splat }
+    }
+
+    /// Where the sample of a column and a row lies, px.
+    fn sample_position(&self, sample: [u32; 2]) -> [Number; 2] {
+        const POSITION_BITS: u32 = 16;
+        const FRACTION_BITS: u32 = 3;
+        let eighths = self.sample_eighths(sample);
+        eighths.map(|place| Number::from_fixed(self.format, u64::from(place), POSITION_BITS, FRACTION_BITS))
+    }
+
+    /// The same in eighths of a pixel.
+    fn sample_eighths(&self, [column, row]: [u32; 2]) -> [u32; 2] {
+        match self.sampling {
+            Sampling::Center => [column * 8 + 4, row * 8 + 4],
+            Sampling::Flipquad => {
+                let pixel = column / 2;
+                let is_even = (pixel + row) % 2 == 0;
+                match (column % 2 == 1, is_even) {
+                    (false, true) => [pixel * 8, row * 8 + 5],
+                    (false, false) => [pixel * 8, row * 8 + 3],
+                    (true, true) => [pixel * 8 + 3, row * 8],
+                    (true, false) => [pixel * 8 + 5, row * 8],
+                }
+            }
+        }
+    }
+}
+
+impl Model for Rasterizer {
+    type Config = Config;
+    type In = In;
+    type Out = Out;
+
+    fn outputs(&self) -> Out {
+        let out = self.datapath.out().map(|&(place, own_band)| {
+            let (band, attributes) = self.copies.out().copied().unwrap_or_default();
+            Sample { place, band: own_band.unwrap_or(band), attributes }
+        });
+        Out { in_ready: self.in_ready(), out, events: self.events }
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        let advances = self.datapath.in_ready();
+        let busy = self.scan.is_some();
+        let taken = inputs.input.filter(|_| self.in_ready());
+        let sample = self.scan.as_ref().filter(|_| advances).and_then(|scan| self.sample(scan, inputs.filter_scale));
+        self.events = RasterizerEvents {
+            sample: advances && self.scan.as_ref().is_some_and(|scan| !scan.placed.copy.end),
+            starved: advances && !busy,
+            blocked: busy && !advances,
+        };
+        if advances {
+            match &mut self.scan {
+                Some(scan) if !scan.is_last() => scan.step(),
+                scan => *scan = taken.map(Scan::new),
+            }
+        }
+        let left = self.datapath.step(sample, inputs.out_ready);
+        let copy = taken
+            .filter(|placed| !placed.copy.end)
+            .map(|PlacedCopy { copy, .. }| (copy.footprint.band, copy.attributes));
+        self.copies.step(copy, left.is_some_and(|(place, _)| place.last));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pointcore_contract::FragmentDepth;
+    use pointcore_contract::splat::records::{SplatCopy, TileRectangle};
+
+    fn bits(number: f32) -> u32 {
+        number.to_bits()
+    }
+
+    /// A disc of 3 px radius that faces the eye, in tile (1, 1) of the default image, about the tile's fourth pixel's corner.
+    fn disc(slot: u8) -> PlacedCopy {
+        let footprint = Footprint {
+            center: [bits(12.0); 2],
+            ax: bits(3.0),
+            by: bits(3.0),
+            delta: bits(9.0),
+            band: Band { depth: u32::from(slot), low: 1, high: 2 },
+            ..Footprint::default()
+        };
+        let bounds = TileRectangle { left: 1, right: 6, top: 1, bottom: 6 };
+        PlacedCopy { copy: SplatCopy { footprint, bounds, tile: 1 << 5 | 1, ..SplatCopy::default() }, slot }
+    }
+
+    #[test]
+    fn a_sample_has_the_depth_of_its_plane_within_the_range() {
+        let unit = Rasterizer::new(&Config { depth: FragmentDepth::Plane, ..Config::default() }, 4);
+        let plane = DepthPlane {
+            center: bits(0.5),
+            slope: [bits(0.125), bits(-0.0625)],
+            range: [bits(0.25), bits(0.75)],
+            epsilon: bits(0.125),
+        };
+        let footprint = Footprint { center: [bits(4.5); 2], plane, ..Footprint::default() };
+        let depth_at = |column, row| {
+            let Band { depth, low, high } = unit.depth_band(&footprint, [column, row]);
+            [depth, low, high].map(|depth| f64::from(depth) / f64::from(1 << DEPTH_BITS))
+        };
+        assert_eq!(depth_at(4, 4), [0.5, 0.375, 0.625]);
+        assert_eq!(depth_at(5, 6), [0.5, 0.375, 0.625]);
+        assert_eq!(depth_at(5, 4), [0.625, 0.5, 0.75]);
+        assert_eq!(depth_at(7, 4), [0.75, 0.625, 0.875], "not beyond its far end");
+        assert_eq!(depth_at(0, 4), [0.25, 0.125, 0.375], "not before its near end");
+    }
+
+    #[test]
+    fn samples_cover_the_disc_and_the_last_closes_it() {
+        let mut unit = Rasterizer::new(&Config::default(), 4);
+        let mut copies = (0..4).map(disc).collect::<Vec<_>>().into_iter();
+        let mut input = copies.next();
+        let mut samples = Vec::new();
+        let mut evaluated = 0;
+        for _ in 0..4 * 36 + 12 {
+            let out = unit.outputs();
+            samples.extend(out.out);
+            evaluated += u32::from(out.events.sample);
+            unit.clock(&In { input, out_ready: true, filter_scale: bits(1.0) });
+            if out.in_ready {
+                input = copies.next();
+            }
+        }
+        assert_eq!(evaluated, 4 * 36, "a sample a cycle, without a gap between copies");
+        for (slot, samples) in (0..).zip(samples.chunk_by(|a, _| !a.place.last)) {
+            let (last, inside) = samples.split_last().expect("a chunk is not empty");
+            assert!(!last.place.inside && last.place.pixel == 6 * 8 + 6, "the corner lies outside");
+            assert_eq!(inside.len(), 32, "6 by 6 pixels without the corners");
+            for sample in inside {
+                let [x, y] = [sample.place.pixel % 8, sample.place.pixel / 8].map(|i| f64::from(i) - 3.5);
+                let weight = (-2.0 * (x * x + y * y) / 9.0).exp() * 65535.0;
+                assert!(sample.place.inside && (f64::from(sample.place.weight) - weight).abs() < 3.0);
+                assert_eq!((sample.place.slot, sample.band.depth), (slot, u32::from(slot)));
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! What several units of the bus share.
+
+pub(crate) mod beats;
+pub(crate) mod spread;

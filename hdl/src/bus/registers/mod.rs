@@ -1,0 +1,304 @@
+//! AXI4-Lite slave with the registers of a core (`docs/interfaces.md`); golden twin: `pointcore_golden::bus::registers`.
+//!
+//! Address and data of a write wait for each other in registers and are judged together; every effect shows a cycle later.
+
+mod counters;
+
+use pointcore_contract::bus::config::REGISTER_ADDRESS_BITS;
+use pointcore_contract::bus::ports::{self, ERROR_INPUTS, ErrorSources};
+use pointcore_contract::bus::registers::ERRORS;
+use pointcore_contract::bus::{Access, Kind, Register, When};
+
+use super::{OKAY, REGISTER_BITS, REGISTER_BYTES, SLAVE_ERROR};
+use crate::units::records::event_out;
+use counters::{Counter, counters};
+use rtl::{Expr, Module, Reg, Wire, address_width, bit, cat, lit};
+
+/// Bits of a byte's place in its register.
+const BYTE_BITS: u32 = REGISTER_BYTES.ilog2();
+const BYTE_ADDRESS_BITS: u32 = REGISTER_ADDRESS_BITS;
+/// Bits of a register's number.
+const WORD_BITS: u32 = BYTE_ADDRESS_BITS - BYTE_BITS;
+/// Bits of a counter's number among the registers: counters lie in the first 128 bytes.
+const COUNTER_WORD_BITS: u32 = 5;
+
+/// A register that holds what is written.
+struct Stored<'a> {
+    register: &'a Register,
+    bits: Reg,
+}
+
+impl<'a> Stored<'a> {
+    fn new(m: &mut Module, register: &'a Register) -> Self {
+        let kept = register.width - zero_bits(register);
+        Self { register, bits: m.reg_reset(&format!("{}_bits", register.name), kept, 0) }
+    }
+
+    /// The register's value, with the bits that are always zero.
+    fn value(&self) -> Expr {
+        match zero_bits(self.register) {
+            0 => self.bits.expr(),
+            zeros => cat([*self.bits, lit(zeros, 0)]),
+        }
+    }
+}
+
+/// Low bits that are zero in every value of a register.
+fn zero_bits(register: &Register) -> u32 {
+    match register.kind {
+        Kind::Setting { multiple } => multiple.ilog2(),
+        _ => 0,
+    }
+}
+
+/// Whether one of several conditions holds.
+fn any(conditions: &[Expr]) -> Expr {
+    conditions.iter().fold(bit(false), |any, condition| any | *condition)
+}
+
+/// Whether a register is one of the counters.
+const fn is_counter(register: &Register) -> bool {
+    matches!(register.kind, Kind::Errors | Kind::Run)
+}
+
+/// A register's number.
+fn word_of(register: &Register) -> u128 {
+    (register.address >> BYTE_BITS).into()
+}
+
+/// The number of the register that holds a byte.
+fn word_in(address: Expr) -> Expr {
+    address.bits(BYTE_ADDRESS_BITS - 1, BYTE_BITS)
+}
+
+/// The unit for a map; ports as in `contract::bus::ports::registers`.
+#[must_use]
+pub fn module(map: &[Register], sources: ErrorSources) -> Module {
+    let mut m = Module::new("bus_registers", "Registers of a core.");
+    m.parameter("registers", map.len());
+    let write = Write::new(&mut m);
+    let finished = m.input("finished", 1);
+    let occupied = m.input("occupied", 1);
+    let busy = m.reg_reset("busy", 1, 0);
+    let is_stored = |register: &&Register| register.access() == Access::ReadWrite;
+    let stored: Vec<Stored> = map.iter().filter(is_stored).map(|register| Stored::new(&mut m, register)).collect();
+    let [refused_access, refused_busy] = write.judge(&mut m, map, &stored, *busy, occupied);
+    for Stored { register, bits } in &stored {
+        let value = write.data.bits(register.width - 1, zero_bits(register));
+        m.next_if(*bits, write.accepted & write.chooses(register), value);
+    }
+    let control = map.iter().find(|register| register.kind == Kind::Control).expect("every map has `control`");
+    let commands = m.wire("commands", write.accepted & write.chooses(control));
+    let [start, core_reset, clear_errors] = ["start", "core_reset", "clear_errors"].map(|name| m.reg_reset(name, 1, 0));
+    for (number, pulse) in (0..).zip([start, core_reset, clear_errors]) {
+        m.next(pulse, commands & write.data.bit(number));
+    }
+    let starts = m.wire("starts", commands & write.data.bit(0));
+    m.next(busy, starts | (busy & !finished));
+    let done = m.reg_reset("done", 1, 0);
+    m.next(done, !starts & (done | (busy & finished)));
+    m.output("busy", busy);
+    m.output("start", start);
+    m.output("core_reset", core_reset);
+    uniform_out(&mut m, map, &write);
+
+    let read = Read::new(&mut m, map);
+    let own = [vec![refused_access, read.refused], vec![refused_busy], vec![], vec![], vec![]];
+    let mut errors: [Vec<Expr>; ERRORS.len()] = own;
+    for ((name, count), errors) in ERROR_INPUTS.into_iter().zip(sources).zip(&mut errors[1..]) {
+        if count > 0 {
+            let elsewhere = m.input(name, count);
+            errors.extend((0..count).map(|source| elsewhere.bit(source)));
+        }
+    }
+    let error = m.reg_reset("error", 1, 0);
+    m.next(error, any(&errors.concat()) | (error & !clear_errors));
+    let [taken, sent] = ["packet_taken", "packet_sent"].map(|name| m.input(name, 1));
+    let events = ports::events(map).into_iter().map(|name| m.input(name, 1)).collect::<Vec<_>>();
+    let in_run = [bit(true), taken, sent].into_iter().chain(events);
+    let in_run = in_run.map(|event| Counter { sources: vec![event & busy], clear: start.expr() });
+    let errors = errors.into_iter().map(|sources| Counter { sources, clear: clear_errors.expr() });
+    let counted: Vec<Counter> = errors.chain(in_run).collect();
+
+    let status = cat([error, done, busy]);
+    read.answer(&mut m, map, &counted, |register| match register.kind {
+        Kind::Identity(value) => Some(lit(REGISTER_BITS, value.into())),
+        Kind::Status => Some(status),
+        _ => stored.iter().find(|stored| stored.register == register).map(Stored::value),
+    });
+    for stored in &stored {
+        match stored.register.kind {
+            Kind::InterruptEnable => event_out(&mut m, "irq", done & stored.bits),
+            _ => m.output(&stored.register.name, stored.value()),
+        }
+    }
+    m
+}
+
+/// The write channels: an address and its data wait in registers until both are there.
+struct Write {
+    judges: Expr,
+    /// The register's number.
+    word: Expr,
+    /// The access is to a whole aligned register.
+    is_whole: Expr,
+    data: Expr,
+    /// The access is carried out.
+    accepted: Wire,
+}
+
+impl Write {
+    fn new(m: &mut Module) -> Self {
+        let [has_address, has_data, bvalid] =
+            ["has_address", "has_data", "s_axil_bvalid"].map(|name| m.reg_reset(name, 1, 0));
+        let judges = m.wire("judges", has_address & (has_data & !bvalid));
+        let awvalid = m.input("s_axil_awvalid", 1);
+        m.output("s_axil_awready", !has_address);
+        let awaddr = m.input("s_axil_awaddr", BYTE_ADDRESS_BITS);
+        m.next(has_address, has_address.mux(!judges, awvalid));
+        let address = m.reg("write_address", BYTE_ADDRESS_BITS);
+        m.next_if(address, !has_address, awaddr);
+        let wvalid = m.input("s_axil_wvalid", 1);
+        m.output("s_axil_wready", !has_data);
+        let wdata = m.input("s_axil_wdata", REGISTER_BITS);
+        let wstrb = m.input("s_axil_wstrb", REGISTER_BYTES);
+        m.next(has_data, has_data.mux(!judges, wvalid));
+        let data = m.reg("write_data", REGISTER_BITS);
+        m.next_if(data, !has_data, wdata);
+        let strobes = m.reg("write_strobes", 1);
+        m.next_if(strobes, !has_data, wstrb.all());
+
+        let accepted = m.forward("write_accepted", 1);
+        m.output("s_axil_bvalid", bvalid);
+        let bready = m.input("s_axil_bready", 1);
+        m.next(bvalid, judges | (bvalid & !bready));
+        let is_okay = m.reg("write_is_okay", 1);
+        m.next_if(is_okay, judges, accepted);
+        m.output("s_axil_bresp", is_okay.mux(OKAY.expr(), SLAVE_ERROR.expr()));
+        let is_whole = strobes & address.trunc(BYTE_BITS).is_zero();
+        let word = word_in(*address);
+        Self { judges, word, is_whole, data: data.expr(), accepted }
+    }
+
+    /// Whether the access is to a register, if it is to a whole one.
+    fn chooses(&self, register: &Register) -> Expr {
+        self.word.eq_lit(word_of(register))
+    }
+
+    /// Whether the access is to a uniform, if it is to a whole register; uniforms lie side by side.
+    fn chooses_uniform(&self, map: &[Register]) -> Expr {
+        let mut words = map.iter().filter(|register| register.kind == Kind::Uniform).map(word_of);
+        let Some(first) = words.next() else { return bit(false) };
+        let last = words.next_back().unwrap_or(first);
+        self.word.ge_lit(first) & !self.word.gt(lit(WORD_BITS, last))
+    }
+
+    /// Accepts the access or not; returns whether it is refused for what it is, and because a run is under way.
+    fn judge(&self, m: &mut Module, map: &[Register], stored: &[Stored], busy: Expr, occupied: Expr) -> [Expr; 2] {
+        let uniform = self.chooses_uniform(map);
+        let writable = |register: &&Register| register.access() != Access::Read && register.kind != Kind::Uniform;
+        let writable: Vec<&Register> = map.iter().filter(writable).collect();
+        let known = writable.iter().map(|register| self.chooses(register)).chain([uniform]);
+        let shaped = m.wire("shaped", self.is_whole & any(&known.collect::<Vec<_>>()));
+        let [start, reset] = [0, 1].map(|number| self.data.bit(number));
+        let idle_only = writable.iter().filter(|register| register.when() == When::Idle).map(|register| {
+            let chosen = self.chooses(register);
+            if register.kind == Kind::Control { chosen & (start | reset) } else { chosen }
+        });
+        let idle_only = m.wire("idle_only", any(&idle_only.chain([uniform]).collect::<Vec<_>>()));
+        let control = map.iter().filter(|register| register.kind == Kind::Control);
+        let starts = any(&control.map(|register| self.chooses(register) & start).collect::<Vec<_>>());
+        let starts = m.wire("wants_start", starts);
+        let blocked = m.wire("blocked", (idle_only & busy) | (starts & occupied));
+        let senseless = stored.iter().map(|Stored { register, bits }| match (register.kind, zero_bits(register)) {
+            (Kind::Queries, _) => starts & bits.is_zero(),
+            (_, 0) => bit(false),
+            (_, zeros) => self.chooses(register) & self.data.trunc(zeros).any(),
+        });
+        let senseless = m.wire("senseless", any(&senseless.collect::<Vec<_>>()));
+        m.drive(self.accepted, self.judges & (shaped & !(blocked | senseless)));
+        let refused_access = self.judges & (!shaped | (!blocked & senseless));
+        let refused_busy = self.judges & (shaped & blocked);
+        [m.wire("refused_write", refused_access), m.wire("refused_busy", refused_busy)]
+    }
+}
+
+/// Hands writes of uniforms to the core, whose addresses begin at zero.
+fn uniform_out(m: &mut Module, map: &[Register], write: &Write) {
+    let Some((address_bits, data_bits)) = ports::uniforms(map) else { return };
+    let valid = m.reg_reset("uniform_valid", 1, 0);
+    m.next(valid, write.accepted & write.chooses_uniform(map));
+    let address = m.reg("uniform_address", address_bits);
+    m.next(address, write.word.trunc(address_bits));
+    let data = m.reg("uniform_data", data_bits);
+    m.next(data, write.data.trunc(data_bits));
+    m.output("uniform_valid", valid);
+    m.output("uniform_address", address);
+    m.output("uniform_data", data);
+}
+
+/// The read channels: an address waits in a register until its value is there.
+struct Read {
+    has_address: Reg,
+    address: Reg,
+    /// The access is to a counter, if it is to a whole register, and to which.
+    is_counter: Expr,
+    counter: Expr,
+    /// The access is refused, in the cycle in which it is.
+    refused: Expr,
+}
+
+impl Read {
+    fn new(m: &mut Module, map: &[Register]) -> Self {
+        let has_address = m.reg_reset("has_read_address", 1, 0);
+        let address = m.reg("read_address", BYTE_ADDRESS_BITS);
+        let word = word_in(*address);
+        let counters: Vec<&Register> = map.iter().filter(|register| is_counter(register)).collect();
+        let index_bits = address_width(counters.len() as u32);
+        // Of every number a counter may have: whether it is one's, and which.
+        let mut table = vec![0; 1 << COUNTER_WORD_BITS];
+        for (index, register) in counters.into_iter().enumerate() {
+            table[word_of(register) as usize] = 1 << index_bits | index as u128;
+        }
+        let found = m.lookup("found", &table, index_bits + 1, word.trunc(COUNTER_WORD_BITS));
+        let is_low = word.bits(WORD_BITS - 1, COUNTER_WORD_BITS).is_zero();
+        let is_counted = m.wire("reads_counter", found.msb() & is_low);
+        let others = map.iter().filter(|register| register.access() != Access::Write && !is_counter(register));
+        let known = others.map(|register| word.eq_lit(word_of(register))).chain([is_counted]);
+        let shaped = address.trunc(BYTE_BITS).is_zero() & any(&known.collect::<Vec<_>>());
+        let refused = m.wire("refused_read", has_address & !shaped);
+        Self { has_address, address, is_counter: is_counted, counter: found.trunc(index_bits), refused }
+    }
+
+    /// Answers with the values of the registers, of which `value` knows all but the counters.
+    fn answer(self, m: &mut Module, map: &[Register], counted: &[Counter], value: impl Fn(&Register) -> Option<Expr>) {
+        let word = word_in(*self.address);
+        let asks = m.wire("asks", self.has_address & (self.is_counter & !self.refused));
+        let answer = counters(m, counted, asks, self.counter);
+
+        let rvalid = m.reg_reset("s_axil_rvalid", 1, 0);
+        let arvalid = m.input("s_axil_arvalid", 1);
+        let arready = m.wire("read_ready", !(self.has_address | rvalid));
+        m.output("s_axil_arready", arready);
+        let araddr = m.input("s_axil_araddr", BYTE_ADDRESS_BITS);
+        m.next_if(self.address, arready, araddr);
+        let answers = m.wire("answers", self.has_address & (!asks | answer.valid));
+        m.next(self.has_address, (arready & arvalid) | (self.has_address & !answers));
+        m.output("s_axil_rvalid", rvalid);
+        let rready = m.input("s_axil_rready", 1);
+        m.next(rvalid, answers | (rvalid & !rready));
+
+        let others = map.iter().filter_map(|register| {
+            let value = value(register)?.zext(REGISTER_BITS);
+            Some(word.eq_lit(word_of(register)).repeat(REGISTER_BITS) & value)
+        });
+        let others = others.fold(lit(REGISTER_BITS, 0), |all, value| all | value);
+        let shown = asks.mux(answer.value, others & (!self.refused).repeat(REGISTER_BITS));
+        let rdata = m.reg("s_axil_rdata", REGISTER_BITS);
+        m.next_if(rdata, answers, shown);
+        m.output("s_axil_rdata", rdata);
+        let is_error = m.reg("read_is_error", 1);
+        m.next_if(is_error, answers, self.refused);
+        m.output("s_axil_rresp", is_error.mux(SLAVE_ERROR.expr(), OKAY.expr()));
+    }
+}

@@ -1,0 +1,104 @@
+//! Readout of the priority queues: a finished thread's row, sent neighbor by neighbor.
+
+use pointcore_contract::search::{Config, records};
+
+use super::row::{entries, row_bits};
+use crate::search::parts::sets::contains;
+use crate::units::records::{Record, registered_pulse_out};
+use rtl::{Expr, Module, Reg, Stream, address_width, lit};
+
+/// Idle, *fetch* or *send*.
+pub(super) struct Readout {
+    /// It is idle and a thread has finished, whose row is read; no other is in this cycle.
+    pub reads: Expr,
+    starts: Expr,
+    fetching: Reg,
+    sending: Reg,
+    idle: Reg,
+    from_working: Reg,
+    from_nothing: Reg,
+    thread: Reg,
+}
+
+/// Whose row is where.
+pub(super) struct Whose {
+    pub fresh: Expr,
+    pub owned: Expr,
+    pub owner: Expr,
+    /// The owner's row is written back in this cycle.
+    pub displaced: Expr,
+}
+
+/// Where a thread's row may be.
+pub(super) struct Rows {
+    pub initial: Expr,
+    pub working: Expr,
+    pub stored: Expr,
+}
+
+impl Readout {
+    /// Takes a finished thread when idle, unless its row is written back in this cycle.
+    pub fn new(m: &mut Module, config: &Config, finish: &Stream, rows: &Whose) -> Self {
+        let [fetching, sending] = ["fetching", "sending"].map(|name| m.reg_reset(name, 1, 0));
+        // Not `sending`, which is where the results leave: beats ask whether a row is read.
+        let idle = m.reg_reset("readout_idle", 1, 1);
+        let reads = m.wire("readout_reads", finish.valid & idle);
+        let finished = finish.field("thread");
+        let owns = m.wire("finished_owns", rows.owned & rows.owner.eq(finished));
+        let starts = m.wire("readout_starts", reads & !(rows.displaced & owns));
+        m.ready(finish, starts);
+        m.next(fetching, starts);
+        let thread = m.reg("readout_thread", config.thread_bits());
+        m.next_if(thread, starts, finished);
+        // Where the row is does not change while it is fetched: its search is over, and it is not displaced.
+        let from_working = m.reg("fetch_from_working", 1);
+        m.next(from_working, owns);
+        let from_nothing = m.reg("fetch_from_nothing", 1);
+        m.next(from_nothing, contains(rows.fresh, finished));
+        let owns_now = rows.owned & rows.owner.eq(thread);
+        m.assert("a_fetched_row_stays_where_it_is", !fetching | from_working.eq(owns_now));
+        m.assert("a_fetched_row_stays_fresh", !fetching | from_nothing.eq(contains(rows.fresh, thread)));
+        Self { reads, starts, fetching, sending, idle, from_working, from_nothing, thread }
+    }
+
+    /// Fetches the row from where it is and sends it.
+    pub fn send(self, m: &mut Module, config: &Config, rows: &Rows, query: &Record) {
+        let Self { starts, fetching, sending, idle, from_working, from_nothing, thread, .. } = self;
+        let fetched = from_nothing.mux(rows.initial, from_working.mux(rows.working, rows.stored));
+        let row = m.reg("sent_row", row_bits(config));
+        m.next_if(row, fetching, fetched);
+        let number = m.reg("sent_number", config.index_bits);
+        m.next_if(number, fetching, query.get("number"));
+        let released = Record::new(&records::thread_only(config), |_| thread.expr());
+        registered_pulse_out(m, "released", fetching, &released);
+
+        let neighbors = config.neighbors;
+        let rank_bits = config.rank_bits();
+        let position = m.reg("position", rank_bits);
+        let next_position = m.wire("next_position", position.add_lit(1));
+        let transfer = m.forward("result_transfer", 1);
+        let first = lit(rank_bits, neighbors as u128) - query.get("k");
+        m.next_if(position, fetching | transfer, fetching.mux(first, next_position));
+
+        let words = entries(config, *row);
+        let entry_bits = address_width(neighbors);
+        let at = |position: Expr, field: &str| {
+            let values: Vec<_> = words.iter().map(|entry| entry.get(field)).collect();
+            position.trunc(entry_bits).pick(values)
+        };
+        let at_end = position.eq_lit(neighbors as u128 - 1);
+        let last = m.wire("last_result", at_end | !at(next_position, "found"));
+        let result = Record::new(&records::result(config), |name| match name {
+            "number" => number.expr(),
+            "last" => last,
+            field => at(*position, field),
+        });
+        let fields = records::result(config).into_iter().map(|(name, _)| (result.get(&name), name));
+        let ready = m.stream_out("result", sending, fields.map(|(value, name)| (name, value)));
+        m.drive(transfer, sending & ready);
+        let ends = m.wire("result_ends", transfer & last);
+        m.next(sending, fetching | (sending & !ends));
+        m.next(idle, (idle & !starts) | ends);
+        m.assert("idle_when_neither", idle.eq(!(fetching | sending)));
+    }
+}

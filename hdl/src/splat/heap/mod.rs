@@ -1,0 +1,126 @@
+//! Pipelined heap that orders splat copies by tile (thesis 5.5.2, eq. 5.14), an operation every second or fourth cycle; golden twin:
+//! `pointcore_golden::splat::heap`.
+//!
+//! This module decides what enters the heap and what leaves it; `stage` is two levels. An insertion walks
+//! down to where there is room, a removal pulls the first child up level by level, and a replacement is a removal whose
+//! hole the new entry may fill.
+
+mod links;
+mod order;
+mod stage;
+
+use pointcore_contract::splat::{Config, Field};
+
+use crate::units::records::{Record, queue_out, stream_in};
+use links::{Pace, Place};
+use order::EntryFormat;
+use rtl::{Expr, Instance, Module, bit, cat, lit};
+use stage::RISE;
+
+/// The unit; ports as in `contract::splat::ports::heap`.
+#[must_use]
+pub fn module(config: &Config) -> Module {
+    numbered(config, config.sequence_bits())
+}
+
+/// The unit with arrival numbers of so many bits.
+#[must_use]
+pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
+    let format = EntryFormat::new(config, sequence_bits);
+    let levels = config.heap_levels;
+    let mut m = Module::new("splat_heap", "Pipelined heap that orders splat copies by tile, then by arrival.");
+    m.parameter("levels", levels);
+    m.parameter("interval", config.heap_interval);
+    m.parameter("sequence_bits", format.sequence);
+    let fields: [Field; 2] = [("tile".into(), config.tile_bits()), ("pointer".into(), config.heap_levels)];
+    let input = stream_in(&mut m, "in", &fields);
+    let out = queue_out(&mut m, "out", &fields);
+
+    // Operations begin every second tick, when the upper levels of the stages look; after reset at once.
+    let pace = Pace::new(&mut m, config);
+    let lower = pace.lower(&mut m);
+    let begins = m.wire("begins", pace.at_end(!lower));
+    let stages = stages(&mut m, config, format);
+    let root = m.out(stages[0], "root");
+
+    let count = m.reg_reset("count", levels, 0);
+    let arrival = m.reg_reset("arrival", format.sequence, 0);
+    let alive = ["alive_even", "alive_odd"].map(|name| m.reg_reset(name, levels, 0));
+    // Counters change when an operation begins: what they say is known a cycle later, in time for the next.
+    let mut known = |name: &str, now: Expr| {
+        let register = m.reg_reset(name, 1, 0);
+        m.next(register, now);
+        register
+    };
+    let occupied = known("occupied", count.any());
+    let full = known("full", count.all());
+    let own_epoch_alive = arrival.msb().mux(alive[1].any(), alive[0].any());
+    let starts_epoch = arrival.trunc(format.sequence - 1).is_zero();
+    let blocked = known("fresh_epoch_blocked", starts_epoch & own_epoch_alive);
+    let pop = m.wire("pop", begins & (occupied & out.room));
+    let ready = m.wire("ready", (begins & !blocked) & (!full | pop));
+    m.ready(&input, ready);
+    let push = m.wire("push", ready & input.valid);
+    m.next_if(count, push ^ pop, push.mux(count.add_lit(1), count.sub_lit(1)));
+    m.next_if(arrival, push, arrival.add_lit(1));
+    for (epoch, alive) in alive.iter().enumerate() {
+        let is_of = |number: Expr| number.eq_lit(epoch as u128);
+        let (comes, goes) = (push & is_of(arrival.msb()), pop & is_of(format.epoch(root)));
+        m.next_if(*alive, comes ^ goes, comes.mux(alive.add_lit(1), alive.sub_lit(1)));
+    }
+
+    // The sweep of a newcomer is settled a tick later, when the current tile is known.
+    let current = m.reg_reset("current", format.tile, 0);
+    m.next_if(current, pop, format.tile(root));
+    let sweep = m.reg_reset("sweep", 1, 0);
+    m.next_if(sweep, pop, root.msb());
+    let last_epoch = m.reg("last_epoch", 1);
+    m.next_if(last_epoch, push, arrival.msb());
+    let newcomer_tile = m.reg("newcomer_tile", format.tile);
+    pace.next(&mut m, newcomer_tile, input.field("tile"));
+    let newcomer_sweep = m.wire("newcomer_sweep", sweep ^ newcomer_tile.lt(current));
+    m.connect(stages[0], "newcomer_sweep", newcomer_sweep);
+
+    let newcomer = cat([bit(false), input.field("tile"), *arrival, input.field("pointer")]);
+    let step = Record::new(&Place::new(config, format, 0).step(), |name| match name {
+        "valid" => push | pop,
+        "hole" => pop,
+        "carry" => push,
+        "left_exists" => bit(false),
+        "right_exists" => occupied.expr(),
+        "entry" => newcomer,
+        // It has none.
+        "rival" => lit(format.key_width(), 0),
+        // The root is the right child of nothing, and every step comes by it.
+        _ => bit(true),
+    });
+    step.connect(&mut m, stages[0], "step_");
+    for stage in &stages {
+        m.connect(*stage, "sweep", sweep);
+        m.connect(*stage, "last_epoch", last_epoch);
+    }
+
+    m.output("empty", !(count.any() | out.holds));
+    out.push(&mut m, pop, |name| if name == "tile" { format.tile(root) } else { format.pointer(root) });
+    m
+}
+
+/// Places the stages one below the other and connects neighbors.
+fn stages(m: &mut Module, config: &Config, format: EntryFormat) -> Vec<Instance> {
+    let step_fields = Place::new(config, format, 0).step();
+    let instances: Vec<_> = (0..config.heap_levels)
+        .step_by(2)
+        .map(|level| m.instance(&format!("stage_{level}"), stage::module(config, format, level)))
+        .collect();
+    for pair in instances.windows(2) {
+        let step = Record::new(&step_fields, |name| m.out(pair[0], &format!("below_{name}")));
+        step.connect(m, pair[1], "step_");
+        let row = m.out(pair[0], "below_row");
+        m.connect(pair[1], "step_row", row);
+        for name in RISE {
+            let risen = m.out(pair[1], &format!("rise_{name}"));
+            m.connect(pair[0], &format!("below_rise_{name}"), risen);
+        }
+    }
+    instances
+}

@@ -1,0 +1,3 @@
+//! What several units of the renderer share.
+
+pub(crate) mod division;

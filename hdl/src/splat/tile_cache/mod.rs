@@ -1,0 +1,162 @@
+//! Control of the multi-tile cache (thesis 5.5.3): places copies in tile slots, exchanges tiles with the reconstruction
+//! buffer and sends the finished frame; golden twin: `pointcore_golden::splat::tile_cache`.
+
+mod directory;
+mod moves;
+mod state;
+
+use pointcore_contract::splat::records::PIXEL_BITS;
+use pointcore_contract::splat::{Config, Field, records};
+
+use crate::units::records::{Head, QueueOut, Record, half_in, half_out, queue_out, stream_in};
+use directory::{Changes, Directory, Hit, Lookup};
+use moves::{exchange, fill_ports, push_pixels};
+use rtl::{Expr, Module, lit};
+use state::{Mode, State};
+
+/// What happens to the copy at the head.
+struct Placement {
+    send: Expr,
+    send_end: Expr,
+    start: Expr,
+}
+
+/// Sends the head with its slot on a hit, starts a job on a miss.
+fn place(m: &mut Module, state: &State, directory: &Directory, head: &Head, out: QueueOut) -> Placement {
+    let ready = m.wire("head_waits", state.is(Mode::Run) & head.valid);
+    let end = head.record.get("end");
+    let send_end = m.wire("send_end", ready & (end & out.room));
+    let copy = ready & !end;
+    let send = m.wire("send", copy & (directory.copy.found & (out.room & directory.has_room)));
+    let start = m.wire("start", copy & (!directory.copy.found & (state.no_job() & directory.next_idle)));
+    let sent = send | send_end;
+    head.leaves_at_half_rate(m, sent);
+    out.push(m, sent, |name| if name == "slot" { directory.copy.slot } else { head.record.get(name) });
+    Placement { send, send_end, start }
+}
+
+/// Steps through the modes; returns the cycles in which the frame starts to be sent and in which it is closed.
+fn sequence(
+    m: &mut Module,
+    state: &State,
+    placement: &Placement,
+    touched: Expr,
+    sent: &Hit,
+    room: Expr,
+) -> (Expr, Expr) {
+    let mode = |mode: Mode| lit(state.mode.width(), mode as u128);
+    let finish = m.wire("finish", state.is(Mode::Wait) & (state.frame_ended & state.no_job()));
+    let close = m.wire("close", state.is(Mode::Close) & room);
+    let slot_sent = state.is(Mode::FromSlot) & (state.all_drained() & !state.holds_pixels());
+    let memory_sent = state.is(Mode::FromMemory) & state.all_drained();
+    let skipped = state.is(Mode::Check) & !touched;
+    let next_tile = m.wire("next_tile", slot_sent | memory_sent | skipped);
+    let clear = state.is(Mode::Clear);
+    let last = m.wire("last_code", state.code.all());
+    m.next_if(state.code, clear | next_tile, state.code.add_lit(1));
+    m.next(state.code_read, state.is(Mode::Look) & !state.code_read);
+
+    let source = sent.found.mux(mode(Mode::FromSlot), mode(Mode::FromMemory));
+    let following = last.mux(mode(Mode::Close), mode(Mode::Look));
+    let changes = [
+        ((clear & last) | close, mode(Mode::Run)),
+        (placement.send_end, mode(Mode::Wait)),
+        (finish, mode(Mode::Look)),
+        (state.is(Mode::Look) & state.code_read, mode(Mode::Check)),
+        (next_tile, following),
+        (state.is(Mode::Check), source),
+    ];
+    let next = changes.iter().rev().fold(state.mode.expr(), |next, (when, mode)| when.mux(*mode, next));
+    m.next(state.mode, next);
+    (finish, close)
+}
+
+/// Keeps what the job, or the tile that is sent, is about.
+fn follow_job(
+    m: &mut Module,
+    state: &State,
+    [start, done]: [Expr; 2],
+    touched: Expr,
+    directory: &Directory,
+    tile: Expr,
+) {
+    m.next(state.looking, start);
+    m.next(state.looked, state.looking);
+    m.next_if(state.moving, state.looked | done, state.looked);
+    m.next_if(state.load, state.looked, touched);
+    m.next_if(state.evict, start, directory.next_resident);
+    m.next_if(state.evict_tile, start, directory.next_tile);
+    let check = state.is(Mode::Check);
+    m.next_if(state.slot, start | check, check.mux(directory.sent.slot, directory.next_slot()));
+    m.next_if(state.tile, start | check, check.mux(state.code, tile));
+}
+
+fn with_place(config: &Config, pixel: Vec<Field>) -> Vec<Field> {
+    let place = [("tile".to_owned(), config.tile_bits()), ("pixel".to_owned(), PIXEL_BITS)];
+    place.into_iter().chain(pixel).collect()
+}
+
+/// The unit; ports as in `contract::splat::ports::tile_cache`.
+#[must_use]
+pub fn module(config: &Config) -> Module {
+    let (tile_bits, slot_bits) = (config.tile_bits(), config.slot_bits());
+    let pixel_fields = records::pixel(config);
+    let mut m =
+        Module::new("splat_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
+    m.parameter("slots", config.tile_slots);
+    let queued = half_in(&mut m, "in", &records::copy(config));
+    let head = Head::new(&mut m, &queued);
+    let tile = head.record.get("tile");
+    let out = half_out(&mut m, "out", &records::placed_copy(config));
+    let state = State::new(&mut m, config);
+    let read_ready = m.stream_out("read", state.read_valid, [("tile", state.tile)]);
+    let data = stream_in(&mut m, "data", &pixel_fields);
+    let write = queue_out(&mut m, "write", &with_place(config, pixel_fields.clone()));
+    let pixel = queue_out(&mut m, "pixel", &records::finished_pixel(config));
+
+    let directory = Directory::new(&mut m, config);
+    m.output("slot_ready", directory.ready());
+    let retire = m.input("retire_valid", 1);
+    let retire_slot = m.input("retire_slot", slot_bits);
+    let frame_end = m.input("frame_end", 1);
+
+    let touched_tiles = m.memory_unordered("touched_tiles", 1 << tile_bits, 1);
+    let look_at = state.is(Mode::Look).mux(state.code, tile);
+    let stored = m.read(touched_tiles, "stored_touched", look_at);
+    let touched = m.reg("touched", 1);
+    m.next(touched, stored);
+    let check = state.is(Mode::Check);
+    let touch = state.looked | (state.is(Mode::Clear) | (check & touched));
+    m.write(touched_tiles, touch, state.looked.mux(state.tile, state.code), state.looked);
+
+    let placement = place(&mut m, &state, &directory, &head, out);
+    let fill_valid = m.reg_reset("fill_valid", 1, 0);
+    let moves = exchange(&mut m, &state, &data, &write, &pixel, fill_valid);
+    let (finish, close) = sequence(&mut m, &state, &placement, *touched, &directory.sent, pixel.room);
+    m.next_if(state.frame_ended, frame_end | finish, frame_end);
+    follow_job(&mut m, &state, [placement.start, moves.done], *touched, &directory, tile);
+    let raise_read = touched & (state.looked | (check & !directory.sent.found));
+    m.next_if(state.read_valid, raise_read | read_ready, raise_read);
+
+    let arriving = Record::from(&data);
+    fill_ports(&mut m, &state, moves.fill, fill_valid, &arriving, &pixel_fields);
+    m.output("drain_enable", moves.step);
+    m.output("drain_slot", state.slot);
+    m.output("drain_pixel", state.drained.trunc(PIXEL_BITS));
+    let held = Record::input(&mut m, "drain_", &pixel_fields);
+    push_pixels(&mut m, &state, &moves, close, &held, &arriving, [write, pixel]);
+
+    let changes = Changes {
+        allocate: placement.start,
+        enter: placement.send,
+        retire,
+        retire_slot,
+        filled: moves.done,
+        filled_slot: *state.slot,
+        close: finish,
+        clear: close,
+    };
+    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.get("tile"), code: *state.code };
+    directory.update(&mut m, &lookup, &changes);
+    m
+}
