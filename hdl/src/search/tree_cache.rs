@@ -40,6 +40,28 @@ fn holds(config: &Config, line: &Record, address: Expr) -> Expr {
     }
 }
 
+/// The line of a record that comes from the memory.
+fn filled(config: &Config, filling: &Record) -> Record {
+    let address = filling.get("address");
+    let [node, leaf] = [records::node(config), records::bucket(config)].map(|fields| filling.only(&fields).pack());
+    Record::new(&line_fields(config), |name| match name {
+        "valid" => bit(true),
+        "tag" => tag_of(config, address),
+        _ => {
+            let bits = node.width().max(leaf.width());
+            address.msb().mux(leaf.zext(bits), node.zext(bits))
+        }
+    })
+}
+
+/// What is looked up: a leaf where there is one, else a node.
+fn sought(config: &Config, leaf: &Stream, node: &Stream) -> Record {
+    Record::new(&records::lookup(config), |name| match name {
+        "thread" => leaf.valid.mux(leaf.field("thread"), node.field("thread")),
+        _ => leaf.valid.mux(cat([bit(true), leaf.field("leaf")]), node.field("node")),
+    })
+}
+
 /// A stream that comes in through a queue as long as everything that can be under way.
 fn long_queue_in(m: &mut Module, name: &str, depth: u32, fields: &[Field]) -> Stream {
     let ports = stream_in(m, name, fields);
@@ -76,15 +98,7 @@ pub fn module(config: &Config) -> Module {
     let fills_record = m.wire("fills_record", fills & !fill_is_leaf);
     let filling = Record::from(&fill);
     let lines = m.memory("lines", config.tree_cache, width(&line_fields));
-    let [node_word, leaf_word] = [&node_fields, &leaf_fields].map(|fields| filling.only(fields).pack());
-    let filled = Record::new(&line_fields, |name| match name {
-        "valid" => bit(true),
-        "tag" => tag_of(config, fill_address),
-        _ => {
-            let bits = node_word.width().max(leaf_word.width());
-            fill_is_leaf.mux(leaf_word.zext(bits), node_word.zext(bits))
-        }
-    });
+    let filled = filled(config, &filling);
     let written = cleared.mux(line_of(config, fill_address), cleared_lines.trunc(line_bits(config)));
     let nothing = Record::zeros(&line_fields);
     m.write(lines, fills | !cleared, written, filled.mux(cleared, &nothing).pack());
@@ -96,11 +110,7 @@ pub fn module(config: &Config) -> Module {
     m.next_if(c_valid, advance, b_valid);
     m.ready(&leaf, advance & cleared);
     m.ready(&node, advance & (cleared & !leaf.valid));
-    let sought = leaf.valid.mux(cat([bit(true), leaf.field("leaf")]), node.field("node"));
-    let sought = Record::new(&records::lookup(config), |name| match name {
-        "thread" => leaf.valid.mux(leaf.field("thread"), node.field("thread")),
-        _ => sought,
-    });
+    let sought = sought(config, &leaf, &node);
     let b = sought.register(&mut m, "b_", advance);
     let c = b.register(&mut m, "c_", advance);
     let [b_is_leaf, c_is_leaf] = ["b_is_leaf", "c_is_leaf"].map(|name| m.reg(name, 1));

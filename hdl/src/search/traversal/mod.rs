@@ -16,7 +16,7 @@ use crate::float::compare;
 use crate::units::datapath::Inputs;
 use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out};
 use nodes::{Nodes, Place, Token};
-use rtl::{Expr, Module, bit, cat};
+use rtl::{Expr, Instance, Module, bit, cat};
 
 /// What `t2` sends through the path datapath: a leaf that is reached, or a path not taken with what its distance follows
 /// from.
@@ -50,6 +50,17 @@ fn leaf_number(node: Expr) -> Expr {
         zeros.mux(node << step, node)
     });
     shifted.trunc(depth)
+}
+
+/// What leaves the datapath is always taken: a path not taken, or a leaf that is reached.
+fn show(m: &mut Module, config: &Config, path: Instance) {
+    let out = m.stream_from(path, "out");
+    m.ready(&out, bit(true));
+    let (is_leaf, passed) = (out.field("is_leaf"), Record::from(&out));
+    let thread_only = records::thread_only(config);
+    let push_fields = [thread_only.clone(), records::path(config)].concat();
+    pulse_out(m, "push", out.valid & !is_leaf, &passed.only(&push_fields));
+    pulse_out(m, "reached", out.valid & is_leaf, &passed.only(&thread_only));
 }
 
 /// The unit; ports as in `contract::search::ports::traversal`.
@@ -93,11 +104,7 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let reaches = m.wire("reaches", v.valid & at_leaf);
     let proceeds = m.wire("proceeds", nodes_room & (!reaches | leaf.room));
     m.drive(advance, accepts & proceeds);
-    let number = leaf_number(*v.node);
-    leaf.push(&mut m, advance & reaches, |name| match name {
-        "thread" => v.thread.expr(),
-        _ => number,
-    });
+    leaf.push(&mut m, advance & reaches, |name| if name == "thread" { v.thread.expr() } else { leaf_number(*v.node) });
     event_out(&mut m, "event_node", advance & v.valid);
     let descends = m.wire("descends", v.valid & !at_leaf);
     let resumes = m.wire("resumes", resume.valid & !descends);
@@ -137,13 +144,6 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     m.connect(path, "in_valid", s.valid & proceeds);
     step.connect(&mut m, path, "in_");
 
-    // What leaves the datapath is always taken.
-    let out = m.stream_from(path, "out");
-    m.ready(&out, bit(true));
-    let (is_leaf, passed) = (out.field("is_leaf"), Record::from(&out));
-    let thread_only = records::thread_only(config);
-    let push_fields = [thread_only.clone(), records::path(config)].concat();
-    pulse_out(&mut m, "push", out.valid & !is_leaf, &passed.only(&push_fields));
-    pulse_out(&mut m, "reached", out.valid & is_leaf, &passed.only(&thread_only));
+    show(&mut m, config, path);
     Ok(Datapath { module: m, manifest })
 }

@@ -121,6 +121,63 @@ impl Frame<'_> {
     }
 }
 
+/// Depth of a splat: at its center, over the splat, and the band that counts as its surface.
+struct Depth {
+    zero: Value,
+    one: Value,
+    /// What depth changes with `u_z`.
+    b: Value,
+    center: Value,
+    /// Middle and half of what the splat spans.
+    spread: [Value; 2],
+    /// The splat lies wholly beyond the near plane.
+    beyond_near: Value,
+    /// Middle of the band, and half of it.
+    middle: Value,
+    epsilon: Value,
+}
+
+impl Depth {
+    fn new(frame: &Frame, q: Value, one: Value) -> Self {
+        let b = frame.uniform("depth_b") * frame.r;
+        let center = frame.uniform("depth_a") + b;
+        let spread_middle = center + b * (q * frame.f);
+        let spread_half = b.abs() * (frame.sqrt(q) * frame.f);
+        let zero = frame.constant(0.0);
+        let beyond_near = zero.le(spread_middle - spread_half);
+        let beyond_near = frame.whole.map_or(beyond_near, |whole| whole & beyond_near).named("beyond_near");
+        let middle = beyond_near.mux(spread_middle, center);
+        let half = beyond_near.mux(spread_half, b.abs().min(one));
+        let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");
+        Self { zero, one, b, center, spread: [spread_middle, spread_half], beyond_near, middle, epsilon }
+    }
+
+    /// One depth for all fragments.
+    fn band(&self) -> [(&'static str, Value); 3] {
+        let fixed = |depth: Value| depth.max(self.zero).to_fixed(DEPTH);
+        let Self { middle, epsilon, .. } = *self;
+        [("depth", fixed(middle)), ("depth_low", fixed(middle - epsilon)), ("depth_high", fixed(middle + epsilon))]
+    }
+
+    /// A plane, by its slopes along both axes of the image.
+    fn plane(
+        &self,
+        slope: impl Fn(Value) -> Value,
+        [mx, my]: [Value; 2],
+        coefficient: impl Fn(Value) -> Value,
+    ) -> [(&'static str, Value); 6] {
+        let [middle, half] = self.spread;
+        [
+            ("depth_center", coefficient(self.center)),
+            ("depth_x", coefficient(slope(mx))),
+            ("depth_y", coefficient(slope(my))),
+            ("depth_near", coefficient(self.beyond_near.mux(middle - half, self.zero))),
+            ("depth_far", coefficient(self.beyond_near.mux(middle + half, self.one))),
+            ("epsilon", coefficient(self.epsilon)),
+        ]
+    }
+}
+
 /// Whether so little is left of a difference that it is the rounding of its terms, by exponents: where much cancels, both
 /// terms have the same one.
 fn cancelled(program: &Program, format: Format, difference: Value, term: Value) -> Value {
@@ -161,18 +218,8 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let mx = beta * y.a - alpha * y.b;
     let my = alpha * x.b - beta * x.a;
 
-    let b = frame.uniform("depth_b") * r;
-    let center_depth = frame.uniform("depth_a") + b;
-    let spread_depth = center_depth + b * (q * f);
-    let spread_half = b.abs() * (frame.sqrt(q) * f);
-    let zero = program.float(format, 0.0);
-    let beyond_near = zero.le(spread_depth - spread_half);
-    let beyond_near = whole.map_or(beyond_near, |whole| whole & beyond_near).named("beyond_near");
-    let depth = beyond_near.mux(spread_depth, center_depth);
-    let half = beyond_near.mux(spread_half, b.abs().min(one));
-    let epsilon = half * frame.uniform("epsilon_scale") + frame.uniform("epsilon_bias");
-
-    let mut visible = center_depth.le(one) & x.occupied & y.occupied;
+    let depth = Depth::new(&frame, q, one);
+    let mut visible = depth.center.le(one) & x.occupied & y.occupied;
     if config.culling.is_on() {
         let negative = delta.bits(format.width() - 1, format.width() - 1);
         visible = visible & (edge_on | (negative ^ (x.mirrored ^ y.mirrored)));
@@ -212,21 +259,10 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     };
     computed.extend([("left", x.first), ("right", x.last), ("top", y.first), ("bottom", y.last)]);
     computed.extend(match config.depth {
-        FragmentDepth::Center => {
-            let fixed = |depth: Value| depth.max(zero).to_fixed(DEPTH);
-            vec![("depth", fixed(depth)), ("depth_low", fixed(depth - epsilon)), ("depth_high", fixed(depth + epsilon))]
-        }
+        FragmentDepth::Center => depth.band().to_vec(),
         FragmentDepth::Plane => {
-            let scale = b * recip(config.division, delta);
-            let slope = |m: Value| coefficient(edge_on.mux(zero, scale * m));
-            vec![
-                ("depth_center", coefficient(center_depth)),
-                ("depth_x", slope(mx)),
-                ("depth_y", slope(my)),
-                ("depth_near", coefficient(beyond_near.mux(spread_depth - spread_half, zero))),
-                ("depth_far", coefficient(beyond_near.mux(spread_depth + spread_half, one))),
-                ("epsilon", coefficient(epsilon)),
-            ]
+            let scale = depth.b * recip(config.division, delta);
+            depth.plane(|m| edge_on.mux(depth.zero, scale * m), [mx, my], coefficient).to_vec()
         }
     });
     splat.output(&program, &records::setup(config), &computed);
