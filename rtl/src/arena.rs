@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::rc::Rc;
 
-use super::expression::{Node, Primitive};
+use super::expression::{Mistake, Node, Primitive};
 
 /// The entries of one kind, by numbers that are never given twice.
 struct Shelf<T> {
@@ -62,7 +62,8 @@ pub(super) fn node(number: u64) -> Rc<Node> {
             NOTHING => "there is no expression in this place",
             _ => "the expression was made for modules that are gone",
         };
-        Rc::new(Node { operation: Primitive::Poison(message.into()), width: 1, operands: [].into(), tainted: true })
+        let mistake = Mistake { message: message.into(), place: None };
+        Rc::new(Node { operation: Primitive::Poison(mistake), width: 1, operands: [].into(), tainted: true })
     })
 }
 

@@ -72,7 +72,7 @@ impl<'a> Graph<'a> {
         graph.follow();
         graph.hardware_nodes = graph.nodes.len();
         graph.need = Need::Assertions;
-        module.assertions.iter().for_each(|(_, condition)| graph.root(*condition));
+        module.assertions.iter().for_each(|assertion| graph.root(assertion.condition));
         graph.follow();
         graph
     }

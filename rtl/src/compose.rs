@@ -88,7 +88,7 @@ impl Writer<'_> {
                 let when_false = self.operand(operands[2], |shape| simple(shape) || shape == Shape::Conditional);
                 (format!("{condition} ? {when_true} : {when_false}"), Shape::Conditional)
             }
-            Primitive::Poison(message) => unreachable!("a module with poison is not written: {message}"),
+            Primitive::Poison(mistake) => unreachable!("a module with poison is not written: {}", mistake.message),
         }
     }
 

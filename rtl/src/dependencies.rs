@@ -12,8 +12,8 @@ pub(super) type Reach = BTreeMap<usize, BTreeSet<usize>>;
 /// The combinational dependencies of one module.
 pub(super) struct Dependencies {
     pub reach: Reach,
-    /// Loops, each as the names along it.
-    pub loops: Vec<String>,
+    /// Loops, each as the names along it, and a signal of it.
+    pub loops: Vec<(String, usize)>,
 }
 
 /// Calls `visit` for every distinct node below `root`, operands first.
@@ -72,7 +72,7 @@ struct Search<'a> {
     /// The inputs that reach a signal, once it has been visited.
     inputs: Vec<Option<BTreeSet<usize>>>,
     path: Vec<usize>,
-    loops: Vec<String>,
+    loops: Vec<(String, usize)>,
 }
 
 impl Search<'_> {
@@ -84,7 +84,7 @@ impl Search<'_> {
             let around = self.path[start..].iter().chain([&signal]);
             // The path runs from reader to driver; a loop reads better along the flow.
             let names: Vec<&str> = around.rev().map(|&index| &*self.module.signals[index].name).collect();
-            self.loops.push(names.join(" -> "));
+            self.loops.push((names.join(" -> "), signal));
             return BTreeSet::new();
         }
         let mut inputs = BTreeSet::new();

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use super::canonical::{Graph, Need};
 use super::expression::{Expr, Primitive};
 use super::memory::{Content, Store, Style};
-use super::module::{Module, PortDeclaration, Source};
+use super::module::{Assertion, Module, PortDeclaration, Source};
 use super::text::{braced, literal, range};
 use super::writer::Writer;
 
@@ -56,7 +56,7 @@ pub(super) fn body(graph: &Graph, children_have_state: &[bool]) -> (Body, bool) 
 /// Signals that an output port of their own name shows.
 fn port_signals(module: &Module) -> HashSet<usize> {
     let shown = module.ports.iter().filter_map(|port| match port {
-        PortDeclaration::Output { name, value } => shown_signal(name, *value),
+        PortDeclaration::Output { name, value, .. } => shown_signal(name, *value),
         PortDeclaration::Input(_) => None,
     });
     shown.collect()
@@ -154,7 +154,7 @@ impl Emitter<'_> {
     fn output_assignments(&mut self) -> String {
         let mut out = String::new();
         for port in &self.module.ports {
-            let PortDeclaration::Output { name, value } = port else { continue };
+            let PortDeclaration::Output { name, value, .. } = port else { continue };
             match shown_signal(name, *value) {
                 Some(signal) => self.writer.define(signal),
                 None => {
@@ -201,7 +201,7 @@ impl Emitter<'_> {
         let state = self.state_declarations(Need::Assertions);
         let clocked = self.writer.clocked(Need::Assertions);
         let mut checks = String::from("always @(posedge clk) begin\n    if (!rst) begin\n");
-        for (name, condition) in &self.module.assertions {
+        for Assertion { name, condition, .. } in &self.module.assertions {
             let condition = self.writer.expression(*condition);
             let _ = writeln!(checks, "        if (!({condition})) begin");
             let _ = writeln!(checks, "`ifdef FORMAL\n            {name}: assert (0);\n`else");

@@ -1,6 +1,7 @@
 //! What elaboration can find wrong with a design.
 
 use std::fmt;
+use std::panic::Location;
 
 use thiserror::Error;
 
@@ -18,10 +19,15 @@ impl fmt::Display for ElaborationError {
     }
 }
 
-/// One fault and the module it is in.
+/// A line of the program that describes the hardware.
+pub(super) type Place = &'static Location<'static>;
+
+/// One fault, the line that made it and the module it is in.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{path}: {kind}")]
+#[error("{}:{}: {path}: {kind}", place.file(), place.line())]
 pub struct Fault {
+    /// Where the description has what is wrong: the expression, or the declaration of what is not driven.
+    pub place: &'static Location<'static>,
     /// Instance names from the top's unit name down, joined by `/`.
     pub path: String,
     /// What is wrong.

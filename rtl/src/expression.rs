@@ -5,9 +5,11 @@
 
 use std::fmt;
 use std::marker::PhantomData;
+use std::panic::Location;
 use std::rc::Rc;
 
 use super::arena;
+use super::error::Place;
 use super::simplify::simplify;
 
 /// An expression of a known width.
@@ -32,6 +34,14 @@ pub(super) struct SignalRef {
     pub index: usize,
     /// Its name, for messages.
     pub name: Rc<str>,
+}
+
+/// An error in an expression.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Mistake {
+    pub message: Rc<str>,
+    /// Where it was made; none where that is forgotten.
+    pub place: Option<Place>,
 }
 
 /// What a node computes from its operands. The node's width completes the description.
@@ -67,7 +77,7 @@ pub(super) enum Primitive {
     /// `operands[0] ? operands[1] : operands[2]`.
     Mux,
     /// An error that was made while building.
-    Poison(Rc<str>),
+    Poison(Mistake),
 }
 
 /// What an expression stands for.
@@ -80,6 +90,7 @@ pub(super) struct Node {
 }
 
 impl Node {
+    #[track_caller]
     pub fn new(operation: Primitive, width: u32, operands: impl Into<Box<[Expr]>>) -> Self {
         let operands = operands.into();
         let tainted = matches!(operation, Primitive::Poison(_)) || operands.iter().any(|operand| operand.is_tainted());
@@ -101,6 +112,7 @@ impl Default for Expr {
 
 impl Expr {
     /// A node in its simplest form.
+    #[track_caller]
     pub(super) fn build(operation: Primitive, width: u32, operands: impl Into<Box<[Self]>>) -> Self {
         let node = Node::new(operation, width, operands);
         let simpler = if node.tainted { None } else { simplify(&node) };
@@ -108,8 +120,10 @@ impl Expr {
     }
 
     /// The mark of an error, with the width that was probably meant.
+    #[track_caller]
     pub(super) fn poison(width: u32, message: String) -> Self {
-        Node::new(Primitive::Poison(message.into()), width.max(1), []).keep()
+        let mistake = Mistake { message: message.into(), place: Some(Location::caller()) };
+        Node::new(Primitive::Poison(mistake), width.max(1), []).keep()
     }
 
     /// What it stands for.
@@ -180,6 +194,7 @@ fn write_short(expr: Expr, depth: usize, f: &mut fmt::Formatter<'_>) -> fmt::Res
 
 /// A constant of `width` bits.
 #[must_use]
+#[track_caller]
 pub fn lit(width: u32, value: u128) -> Expr {
     if width == 0 {
         return Expr::poison(1, format!("literal {value} has no bits"));
@@ -192,12 +207,14 @@ pub fn lit(width: u32, value: u128) -> Expr {
 
 /// A constant bit.
 #[must_use]
+#[track_caller]
 pub fn bit(value: bool) -> Expr {
     lit(1, u128::from(value))
 }
 
 /// The parts side by side, most significant first.
 #[must_use]
+#[track_caller]
 pub fn cat(parts: impl IntoIterator<Item = impl Into<Expr>>) -> Expr {
     let parts: Box<[Expr]> = parts.into_iter().map(Into::into).collect();
     if parts.is_empty() {
@@ -210,6 +227,7 @@ pub fn cat(parts: impl IntoIterator<Item = impl Into<Expr>>) -> Expr {
 impl Expr {
     /// The entry that this index picks; an index past the end picks the last.
     #[must_use]
+    #[track_caller]
     pub fn pick(self, entries: impl IntoIterator<Item = impl Into<Self>>) -> Self {
         let entries: Vec<Self> = entries.into_iter().map(Into::into).collect();
         let Some(last) = entries.last() else {
@@ -227,6 +245,7 @@ impl Expr {
     }
 
     /// A tree of two-way choices over the lowest `bits` bits of the index.
+    #[track_caller]
     fn pick_by(self, bits: u32, entries: &[Self]) -> Self {
         if entries.len() == 1 || bits == 0 {
             return entries[0];

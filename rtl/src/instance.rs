@@ -1,9 +1,10 @@
 //! Modules inside modules.
 
+use std::panic::Location;
 use std::rc::Rc;
 
 use super::arena::Name;
-use super::error::FaultKind;
+use super::error::{FaultKind, Place};
 use super::expression::Expr;
 use super::module::{Module, PortDeclaration, Source};
 
@@ -26,6 +27,7 @@ impl Instance {
 /// What a module holds for a child.
 pub(super) struct Child {
     pub name: String,
+    pub place: Place,
     pub module: Rc<Module>,
     /// What resets it, where that is not its parent's reset.
     pub reset: Option<Expr>,
@@ -48,23 +50,29 @@ impl PortDeclaration {
     pub(super) fn shape<'a>(&'a self, module: &'a Module) -> (&'a str, u32) {
         match self {
             Self::Input(signal) => (&module.signals[*signal].name, module.signals[*signal].reference.width()),
-            Self::Output { name, value } => (name, value.width()),
+            Self::Output { name, value, .. } => (name, value.width()),
         }
     }
 }
 
 impl Module {
     /// Places a child; its `clk` and `rst` are connected by themselves.
+    #[track_caller]
     pub fn instance(&mut self, name: &str, module: impl Into<Rc<Module>>) -> Instance {
         self.claim(name);
         let module = module.into();
-        let outputs = (0..module.ports.len()).map(|port| self.child_output(name, &module, port)).collect();
+        let mut outputs = vec![];
+        for port in 0..module.ports.len() {
+            outputs.push(self.child_output(name, &module, port));
+        }
         let inputs = module.ports.iter().map(|_| None).collect();
-        self.children.push(Child { name: name.into(), module, reset: None, inputs, outputs });
+        let place = Location::caller();
+        self.children.push(Child { name: name.into(), place, module, reset: None, inputs, outputs });
         Instance { module: self.identity, index: self.children.len() - 1, name: Name::new(name) }
     }
 
     /// The signal `<instance>_<port>`, where the port is an output.
+    #[track_caller]
     fn child_output(&mut self, name: &str, child: &Module, port: usize) -> Option<usize> {
         let declaration = &child.ports[port];
         if matches!(declaration, PortDeclaration::Input(_)) {
@@ -76,6 +84,7 @@ impl Module {
     }
 
     /// Drives an input of a child.
+    #[track_caller]
     pub fn connect(&mut self, instance: Instance, port: &str, value: impl Into<Expr>) {
         let value = value.into();
         let Some(index) = self.child_port(instance, port, "input") else { return };
@@ -85,24 +94,26 @@ impl Module {
         self.check_width(&name, width, value);
         match &mut self.children[instance.index].inputs[index] {
             slot @ None => *slot = Some(value),
-            Some(_) => self.faults.push(FaultKind::DoublyDriven(name)),
+            Some(_) => self.fault(FaultKind::DoublyDriven(name)),
         }
     }
 
     /// Resets a child by a condition of its own, which holds wherever the parent's reset does.
+    #[track_caller]
     pub fn reset_by(&mut self, instance: Instance, condition: impl Into<Expr>) {
         if instance.module != self.identity {
-            self.faults.push(FaultKind::ForeignHandle(instance.name()));
+            self.fault(FaultKind::ForeignHandle(instance.name()));
             return;
         }
         let condition = self.rst() | condition.into().as_condition("reset");
         match &mut self.children[instance.index].reset {
             slot @ None => *slot = Some(condition),
-            Some(_) => self.faults.push(FaultKind::DoublyDriven(format!("{}.rst", instance.name()))),
+            Some(_) => self.fault(FaultKind::DoublyDriven(format!("{}.rst", instance.name()))),
         }
     }
 
     /// An output of a child.
+    #[track_caller]
     pub fn out(&mut self, instance: Instance, port: &str) -> Expr {
         let index = self.child_port(instance, port, "output");
         let signal = index.and_then(|index| self.children[instance.index].outputs[index]);
@@ -121,9 +132,10 @@ impl Module {
     }
 
     /// A port of a child, of the wanted direction; a fault where there is none.
+    #[track_caller]
     fn child_port(&mut self, instance: Instance, port: &str, direction: &'static str) -> Option<usize> {
         if instance.module != self.identity {
-            self.faults.push(FaultKind::ForeignHandle(instance.name()));
+            self.fault(FaultKind::ForeignHandle(instance.name()));
             return None;
         }
         let child = &self.children[instance.index];
@@ -133,7 +145,7 @@ impl Module {
         });
         if found.is_none() {
             let (instance, unit) = (instance.name(), child.module.unit.clone());
-            self.faults.push(FaultKind::UnknownPort { instance, unit, direction, port: port.into() });
+            self.fault(FaultKind::UnknownPort { instance, unit, direction, port: port.into() });
         }
         found
     }

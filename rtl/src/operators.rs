@@ -7,6 +7,7 @@ use super::module::{Reg, Wire};
 
 impl Expr {
     /// Two operands of one width.
+    #[track_caller]
     fn same_width(self, symbol: &str, operation: Primitive, width: u32, other: Expr) -> Expr {
         if self.width() != other.width() && !self.is_tainted() && !other.is_tainted() {
             let message =
@@ -17,6 +18,7 @@ impl Expr {
     }
 
     /// A condition of one bit is needed here.
+    #[track_caller]
     pub(super) fn as_condition(self, what: &str) -> Expr {
         if self.width() == 1 || self.is_tainted() {
             return self;
@@ -26,6 +28,7 @@ impl Expr {
 
     /// Two's complement product, as wide as both operands together.
     #[must_use]
+    #[track_caller]
     pub fn mul_signed(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         let width = self.width() + other.width();
@@ -34,6 +37,7 @@ impl Expr {
 
     /// Sum with its carry: one bit wider than the operands.
     #[must_use]
+    #[track_caller]
     pub fn add_carry(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         let width = self.width() + 1;
@@ -42,6 +46,7 @@ impl Expr {
 
     /// Equal.
     #[must_use]
+    #[track_caller]
     pub fn eq(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         self.same_width("==", Primitive::Equal, 1, other)
@@ -49,6 +54,7 @@ impl Expr {
 
     /// Not equal.
     #[must_use]
+    #[track_caller]
     pub fn ne(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         self.same_width("!=", Primitive::NotEqual, 1, other)
@@ -56,6 +62,7 @@ impl Expr {
 
     /// Unsigned less.
     #[must_use]
+    #[track_caller]
     pub fn lt(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         self.same_width("<", Primitive::Less, 1, other)
@@ -63,6 +70,7 @@ impl Expr {
 
     /// Unsigned less or equal.
     #[must_use]
+    #[track_caller]
     pub fn le(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         self.same_width("<=", Primitive::LessOrEqual, 1, other)
@@ -70,6 +78,7 @@ impl Expr {
 
     /// Unsigned greater.
     #[must_use]
+    #[track_caller]
     pub fn gt(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         other.lt(self)
@@ -77,6 +86,7 @@ impl Expr {
 
     /// Unsigned greater or equal.
     #[must_use]
+    #[track_caller]
     pub fn ge(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         other.le(self)
@@ -84,6 +94,7 @@ impl Expr {
 
     /// Two's complement less.
     #[must_use]
+    #[track_caller]
     pub fn lt_signed(self, other: impl Into<Expr>) -> Expr {
         let other = other.into();
         self.same_width("<", Primitive::LessSigned, 1, other)
@@ -91,34 +102,40 @@ impl Expr {
 
     /// Equal to a constant.
     #[must_use]
+    #[track_caller]
     pub fn eq_lit(self, value: u128) -> Expr {
         self.eq(lit(self.width(), value))
     }
 
     /// Plus a constant; wraps.
     #[must_use]
+    #[track_caller]
     pub fn add_lit(self, value: u128) -> Expr {
         self + lit(self.width(), value)
     }
 
     /// Minus a constant; wraps.
     #[must_use]
+    #[track_caller]
     pub fn sub_lit(self, value: u128) -> Expr {
         self - lit(self.width(), value)
     }
 
     /// Unsigned less than a constant.
     #[must_use]
+    #[track_caller]
     pub fn lt_lit(self, value: u128) -> Expr {
         self.lt(lit(self.width(), value))
     }
 
     /// Unsigned greater than or equal to a constant.
     #[must_use]
+    #[track_caller]
     pub fn ge_lit(self, value: u128) -> Expr {
         self.ge(lit(self.width(), value))
     }
 
+    #[track_caller]
     fn shift(self, operation: Primitive, amount: u32) -> Expr {
         if amount >= self.width() {
             return lit(self.width(), 0);
@@ -129,6 +146,7 @@ impl Expr {
 
     /// Shifted right by a constant, copies of the sign from the left, same width.
     #[must_use]
+    #[track_caller]
     pub fn sar(self, amount: u32) -> Expr {
         let kept = amount.min(self.width() - 1);
         self.bits(self.width() - 1, kept).sext(self.width())
@@ -136,6 +154,7 @@ impl Expr {
 
     /// Shifted left by a variable amount, zeros from the right, same width.
     #[must_use]
+    #[track_caller]
     pub fn shl_by(self, amount: impl Into<Expr>) -> Expr {
         let amount = amount.into();
         Expr::build(Primitive::ShiftLeft, self.width(), [self, amount])
@@ -143,6 +162,7 @@ impl Expr {
 
     /// Shifted right by a variable amount, zeros from the left, same width.
     #[must_use]
+    #[track_caller]
     pub fn shr_by(self, amount: impl Into<Expr>) -> Expr {
         let amount = amount.into();
         Expr::build(Primitive::ShiftRight, self.width(), [self, amount])
@@ -150,6 +170,7 @@ impl Expr {
 
     /// Bits `high` down to `low`, both included.
     #[must_use]
+    #[track_caller]
     pub fn bits(self, high: u32, low: u32) -> Expr {
         if high < low || high >= self.width() {
             let width = high.saturating_sub(low) + 1;
@@ -160,18 +181,21 @@ impl Expr {
 
     /// One bit.
     #[must_use]
+    #[track_caller]
     pub fn bit(self, index: u32) -> Expr {
         self.bits(index, index)
     }
 
     /// The most significant bit.
     #[must_use]
+    #[track_caller]
     pub fn msb(self) -> Expr {
         self.bit(self.width() - 1)
     }
 
     /// Extended with zeros to `width` bits.
     #[must_use]
+    #[track_caller]
     pub fn zext(self, width: u32) -> Expr {
         if width <= self.width() {
             return self.unextended("zero-extension", width);
@@ -181,6 +205,7 @@ impl Expr {
 
     /// Extended with copies of the sign to `width` bits.
     #[must_use]
+    #[track_caller]
     pub fn sext(self, width: u32) -> Expr {
         if width <= self.width() {
             return self.unextended("sign-extension", width);
@@ -188,6 +213,7 @@ impl Expr {
         cat([self.msb().repeat(width - self.width()), self])
     }
 
+    #[track_caller]
     fn unextended(self, what: &str, width: u32) -> Expr {
         if width == self.width() {
             return self;
@@ -197,6 +223,7 @@ impl Expr {
 
     /// The lowest `width` bits.
     #[must_use]
+    #[track_caller]
     pub fn trunc(self, width: u32) -> Expr {
         if width == 0 || width > self.width() {
             return Expr::poison(width, format!("truncation of `{self}` from {} to {width} bits", self.width()));
@@ -206,30 +233,35 @@ impl Expr {
 
     /// Zero-extended or truncated to `width` bits.
     #[must_use]
+    #[track_caller]
     pub fn resize(self, width: u32) -> Expr {
         if width < self.width() { self.trunc(width) } else { self.zext(width) }
     }
 
     /// Some bit is set.
     #[must_use]
+    #[track_caller]
     pub fn any(self) -> Expr {
         Expr::build(Primitive::Any, 1, [self])
     }
 
     /// Every bit is set.
     #[must_use]
+    #[track_caller]
     pub fn all(self) -> Expr {
         Expr::build(Primitive::All, 1, [self])
     }
 
     /// No bit is set.
     #[must_use]
+    #[track_caller]
     pub fn is_zero(self) -> Expr {
         self.eq_lit(0)
     }
 
     /// `count` copies side by side.
     #[must_use]
+    #[track_caller]
     pub fn repeat(self, count: u32) -> Expr {
         if count == 0 {
             return Expr::poison(1, format!("`{self}` repeated no times"));
@@ -239,6 +271,7 @@ impl Expr {
 
     /// `when_true` where this bit is set, else `when_false`.
     #[must_use]
+    #[track_caller]
     pub fn mux(self, when_true: impl Into<Expr>, when_false: impl Into<Expr>) -> Expr {
         let (when_true, when_false) = (when_true.into(), when_false.into());
         let (width, other) = (when_true.width(), when_false.width());
@@ -253,15 +286,16 @@ impl Expr {
 
 /// A binary operator of the language for every mix of expressions, registers and wires.
 macro_rules! binary_operator {
-    ($trait:ident, $method:ident, $build:expr) => {
-        binary_operator!($trait, $method, $build; Expr, Reg, Wire);
+    ($trait:ident, $method:ident, |$a:ident, $b:ident| $build:expr) => {
+        binary_operator!($trait, $method, |$a, $b| $build; Expr, Reg, Wire);
     };
-    ($trait:ident, $method:ident, $build:expr; $($left:ty),+) => {$(
+    ($trait:ident, $method:ident, |$a:ident, $b:ident| $build:expr; $($left:ty),+) => {$(
         impl<R: Into<Expr>> ops::$trait<R> for $left {
             type Output = Expr;
+            #[track_caller]
             fn $method(self, right: R) -> Expr {
-                let build: fn(Expr, Expr) -> Expr = $build;
-                build(self.into(), right.into())
+                let ($a, $b): (Expr, Expr) = (self.into(), right.into());
+                $build
             }
         }
     )+};
@@ -279,6 +313,7 @@ macro_rules! shift_operator {
     ($trait:ident, $method:ident, $primitive:ident; $($left:ty),+) => {$(
         impl ops::$trait<u32> for $left {
             type Output = Expr;
+            #[track_caller]
             fn $method(self, amount: u32) -> Expr {
                 Expr::from(self).shift(Primitive::$primitive, amount)
             }
@@ -293,6 +328,7 @@ macro_rules! not_operator {
     ($($operand:ty),+) => {$(
         impl ops::Not for $operand {
             type Output = Expr;
+            #[track_caller]
             fn not(self) -> Expr {
                 let operand = Expr::from(self);
                 Expr::build(Primitive::Not, operand.width(), [operand])

@@ -21,6 +21,7 @@ pub type StreamIn = Stream;
 impl Stream {
     /// A field by its name.
     #[must_use]
+    #[track_caller]
     pub fn field(&self, name: &str) -> Expr {
         match self.fields.iter().find(|(field, _)| field == name) {
             Some((_, value)) => *value,
@@ -30,6 +31,7 @@ impl Stream {
 
     /// The item moves in this cycle.
     #[must_use]
+    #[track_caller]
     pub fn transfer(&self) -> Expr {
         self.valid & self.ready
     }
@@ -37,23 +39,27 @@ impl Stream {
 
 impl Module {
     /// Declares the ports of a stream that comes in.
+    #[track_caller]
     pub fn stream_in(&mut self, name: &str, layout: &[(impl AsRef<str>, u32)]) -> StreamIn {
         let valid = self.input(&format!("{name}_valid"), 1);
         let ready = self.forward(&format!("{name}_ready"), 1);
         self.output(&format!("{name}_ready"), ready);
-        let fields = layout.iter().map(|(field, width)| {
+        let mut fields = vec![];
+        for (field, width) in layout {
             let field = field.as_ref();
-            (field.to_string(), self.input(&format!("{name}_{field}"), *width))
-        });
-        Stream { valid, fields: fields.collect(), ready }
+            fields.push((field.to_string(), self.input(&format!("{name}_{field}"), *width)));
+        }
+        Stream { valid, fields, ready }
     }
 
     /// Answers a stream, once.
+    #[track_caller]
     pub fn ready(&mut self, stream: &Stream, ready: impl Into<Expr>) {
         self.drive(stream.ready, ready);
     }
 
     /// Declares and drives the ports of a stream that goes out; returns the consumer's `ready`.
+    #[track_caller]
     pub fn stream_out(
         &mut self,
         name: &str,
@@ -69,6 +75,7 @@ impl Module {
     }
 
     /// Leads an inner stream out through ports.
+    #[track_caller]
     pub fn stream_export(&mut self, name: &str, stream: &Stream) {
         let fields = stream.fields.iter().map(|(field, value)| (field, *value));
         let ready = self.stream_out(name, stream.valid, fields);
@@ -76,21 +83,22 @@ impl Module {
     }
 
     /// The stream that a child puts out at ports `<port>_…`.
+    #[track_caller]
     pub fn stream_from(&mut self, instance: Instance, port: &str) -> Stream {
         let prefix = format!("{port}_");
         let valid = self.out(instance, &format!("{prefix}valid"));
-        let fields = self.output_fields(instance, &prefix);
-        let fields = fields.into_iter().map(|field| {
+        let mut fields = vec![];
+        for field in self.output_fields(instance, &prefix) {
             let value = self.out(instance, &format!("{prefix}{field}"));
-            (field, value)
-        });
-        let fields = fields.collect();
+            fields.push((field, value));
+        }
         let ready = self.forward(&format!("{}_{prefix}ready", instance.name()), 1);
         self.connect(instance, &format!("{prefix}ready"), ready);
         Stream { valid, fields, ready }
     }
 
     /// Feeds a child's ports `<port>_…` from a stream, field by field.
+    #[track_caller]
     pub fn stream_into(&mut self, instance: Instance, port: &str, stream: &Stream) {
         self.connect(instance, &format!("{port}_valid"), stream.valid);
         for (field, value) in &stream.fields {
@@ -101,6 +109,7 @@ impl Module {
     }
 
     /// Leads a stream from a port of one child to a port of another.
+    #[track_caller]
     pub fn pipe(&mut self, (from, out): (Instance, &str), (to, input): (Instance, &str)) {
         let stream = self.stream_from(from, out);
         self.stream_into(to, input, &stream);

@@ -11,21 +11,25 @@ pub(crate) struct Record(Vec<(String, Expr)>);
 
 impl Record {
     /// Asks for each field's value by its name.
+    #[track_caller]
     pub fn new(fields: &[Field], mut value: impl FnMut(&str) -> Expr) -> Self {
         Self(fields.iter().map(|(name, _)| (name.clone(), value(name))).collect())
     }
 
     /// Input ports `<prefix><field>`.
+    #[track_caller]
     pub fn input(m: &mut Module, prefix: &str, fields: &[Field]) -> Self {
         Self(fields.iter().map(|(name, width)| (name.clone(), m.input(&format!("{prefix}{name}"), *width))).collect())
     }
 
     /// All bits zero.
+    #[track_caller]
     pub fn zeros(fields: &[Field]) -> Self {
         Self(fields.iter().map(|(name, width)| (name.clone(), lit(*width, 0))).collect())
     }
 
     /// The fields of a word that [`Record::pack`] made, the first field on top.
+    #[track_caller]
     pub fn unpack(fields: &[Field], word: impl Into<Expr>) -> Self {
         let word = word.into();
         let mut top = word.width();
@@ -37,28 +41,33 @@ impl Record {
     }
 
     /// All fields side by side, the first on top.
+    #[track_caller]
     pub fn pack(&self) -> Expr {
         cat(self.0.iter().map(|(_, value)| *value))
     }
 
     /// A field by its name, which must be one of the record's.
+    #[track_caller]
     pub fn get(&self, name: &str) -> Expr {
         let field = self.0.iter().find(|(field, _)| field == name);
         field.map(|(_, value)| *value).expect("units ask for fields of their own records")
     }
 
     /// Those of the values that `fields` names.
+    #[track_caller]
     pub fn only(&self, fields: &[Field]) -> Self {
         Self::new(fields, |name| self.get(name))
     }
 
     /// These fields, each where `selector` is set, else the other's.
+    #[track_caller]
     pub fn mux(&self, selector: impl Into<Expr>, other: &Self) -> Self {
         let selector = selector.into();
         Self(self.0.iter().map(|(name, value)| (name.clone(), selector.mux(*value, other.get(name)))).collect())
     }
 
     /// Registers `<prefix><field>` that take the values at clock edges where `enable` is set.
+    #[track_caller]
     pub fn register(&self, m: &mut Module, prefix: &str, enable: impl Into<Expr>) -> Self {
         let enable = enable.into();
         let fields = self.0.iter().map(|(name, value)| {
@@ -70,6 +79,7 @@ impl Record {
     }
 
     /// Drives an instance's inputs `<prefix><field>`.
+    #[track_caller]
     pub fn connect(&self, m: &mut Module, instance: Instance, prefix: &str) {
         for (name, value) in &self.0 {
             m.connect(instance, &format!("{prefix}{name}"), *value);
@@ -77,6 +87,7 @@ impl Record {
     }
 
     /// Output ports `<prefix><field>`.
+    #[track_caller]
     pub fn output(&self, m: &mut Module, prefix: &str) {
         for (name, value) in &self.0 {
             m.output(&format!("{prefix}{name}"), *value);
@@ -101,16 +112,19 @@ pub(crate) fn layout(record: &[Field]) -> Vec<(&str, u32)> {
 }
 
 /// Declares the ports of a stream of records that comes in.
+#[track_caller]
 pub(crate) fn stream_in(m: &mut Module, name: &str, record: &[Field]) -> StreamIn {
     m.stream_in(name, &layout(record))
 }
 
 /// Declares the ports of a stream that comes in and puts a queue of two behind them; returns the queue's head.
+#[track_caller]
 pub(crate) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
     buffered_in(m, name, fields, skid(&layout(fields)))
 }
 
 /// As [`queue_in`] at half rate, for records so wide that a register for one is enough to pay.
+#[track_caller]
 pub(crate) fn half_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
     buffered_in(m, name, fields, half_buffer(&layout(fields)))
 }
@@ -138,6 +152,7 @@ pub(crate) struct Head {
 
 impl Head {
     /// Puts the register behind `queue`.
+    #[track_caller]
     pub fn new(m: &mut Module, queue: &Stream) -> Self {
         let takes = m.forward("head_takes", 1);
         let valid = m.reg_reset("head_valid", 1, 0);
@@ -148,6 +163,7 @@ impl Head {
     }
 
     /// States when the record leaves; to be called once.
+    #[track_caller]
     pub fn leaves(&self, m: &mut Module, leaves: impl Into<Expr>) {
         let leaves = leaves.into();
         m.drive(self.takes, !*self.valid | leaves);
@@ -156,6 +172,7 @@ impl Head {
 
     /// As [`Head::leaves`], but the next record is taken a cycle later, as behind a half buffer it can only come: what takes it then
     /// waits for nothing.
+    #[track_caller]
     pub fn leaves_at_half_rate(&self, m: &mut Module, leaves: impl Into<Expr>) {
         let leaves = leaves.into();
         m.drive(self.takes, !*self.valid);
@@ -174,11 +191,13 @@ pub(crate) struct QueueOut {
 }
 
 /// Declares the ports of a stream that goes out, with a queue of two before them.
+#[track_caller]
 pub(crate) fn queue_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut {
     buffered_out(m, name, fields, skid(&layout(fields)))
 }
 
 /// As [`queue_out`] at half rate, for records so wide that a register for one is enough to pay.
+#[track_caller]
 pub(crate) fn half_out(m: &mut Module, name: &str, fields: &[Field]) -> QueueOut {
     buffered_out(m, name, fields, half_buffer(&layout(fields)))
 }
@@ -193,6 +212,7 @@ fn buffered_out(m: &mut Module, name: &str, fields: &[Field], buffer: Module) ->
 
 impl QueueOut {
     /// Pushes a record in cycles where `valid` is set, which implies room; to be called once.
+    #[track_caller]
     pub fn push(self, m: &mut Module, valid: impl Into<Expr>, mut value: impl FnMut(&str) -> Expr) {
         m.connect(self.instance, "in_valid", valid);
         for (name, _) in &self.fields {
@@ -210,18 +230,21 @@ pub(crate) struct Pulse {
 }
 
 /// Declares the ports of a pulse that comes in.
+#[track_caller]
 pub(crate) fn pulse_in(m: &mut Module, name: &str, fields: &[Field]) -> Pulse {
     let valid = m.input(&format!("{name}_valid"), 1);
     Pulse { valid, record: Record::input(m, &format!("{name}_"), fields) }
 }
 
 /// Drives the ports of a pulse that goes out.
+#[track_caller]
 pub(crate) fn pulse_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record) {
     m.output(&format!("{name}_valid"), valid);
     record.output(m, &format!("{name}_"));
 }
 
 /// A pulse that goes out in the cycle after `valid`. Its fields follow every cycle: who decides on `valid` need not reach them.
+#[track_caller]
 pub(crate) fn registered_pulse_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record) -> Pulse {
     let shown = m.reg_reset(&format!("{name}_valid"), 1, 0);
     m.next(shown, valid);
@@ -231,6 +254,7 @@ pub(crate) fn registered_pulse_out(m: &mut Module, name: &str, valid: impl Into<
 }
 
 /// An output that is set in the cycle after `happens`.
+#[track_caller]
 pub(crate) fn event_out(m: &mut Module, name: &str, happens: impl Into<Expr>) {
     let happened = m.reg_reset(name, 1, 0);
     m.next(happened, happens);

@@ -1,8 +1,8 @@
-//! Every kind of fault is found, with the path of its module and the names of its signals.
+//! Every kind of fault is found, with the line that made it, the path of its module and the names of its signals.
 
 use std::rc::Rc;
 
-use rtl::{FaultKind, Module, bit, elaborate, lit};
+use rtl::{FaultKind, Module, bit, cat, elaborate, lit};
 
 /// A module that is right but for what a test adds.
 fn sound() -> Module {
@@ -22,7 +22,14 @@ fn faults_of(m: Module) -> Vec<String> {
     let mut top = Module::new("top", "Holds the middle.");
     top.instance("outer", middle);
     let error = elaborate(&top).expect_err("the module is faulty");
-    error.faults.iter().map(ToString::to_string).collect()
+    error.faults.iter().map(|fault| format!("{}: {}", fault.path, fault.kind)).collect()
+}
+
+/// The lines of this file that made the faults of a module, in their order.
+fn lines_of(m: &Module) -> Vec<u32> {
+    let faults = elaborate(m).expect_err("the module is faulty").faults;
+    assert!(faults.iter().all(|fault| fault.place.file() == file!()), "{faults:?}");
+    faults.iter().map(|fault| fault.place.line()).collect()
 }
 
 #[test]
@@ -178,6 +185,7 @@ fn registers_cut_loops_and_paths() {
 #[test]
 fn all_faults_of_a_design_are_reported_together() {
     let mut m = sound();
+    let open = line!() + 1;
     m.forward("open", 1);
     let mut top = Module::new("top", "Has a fault of its own.");
     let child = top.instance("child", m);
@@ -185,11 +193,53 @@ fn all_faults_of_a_design_are_reported_together() {
     top.reg("idle", 1);
     let text = elaborate(&top).expect_err("the design is faulty").to_string();
     let lines: Vec<&str> = text.lines().collect();
+    let here = |line: u32| format!("  {}:{line}: ", file!());
     let expected = [
-        "the design has 3 fault(s)",
-        "  top/child: `open` is never driven",
-        "  top: width mismatch: `child.a` has 8 bits, its driver `7'd0` has 7",
-        "  top: `idle` is never driven",
+        "the design has 3 fault(s)".to_owned(),
+        here(open) + "top/child: `open` is never driven",
+        here(open + 3) + "top: width mismatch: `child.a` has 8 bits, its driver `7'd0` has 7",
+        here(open + 4) + "top: `idle` is never driven",
     ];
     assert_eq!(lines, expected);
+}
+
+#[test]
+fn faults_name_the_lines_that_made_them() {
+    let mut m = sound();
+    let c = m.input("c", 8);
+    let first = line!();
+    m.output("sum", c + lit(7, 0));
+    m.output("method", c.eq(lit(9, 0)));
+    m.output("slice", c.bits(9, 2));
+    m.output("choice", c.mux(c, c));
+    m.output("pick", c.pick([c, lit(8, 0)]) & cat([c, c]));
+    m.output("negated", !(c ^ lit(3, 8)));
+    m.wire("c", c);
+    assert_eq!(lines_of(&m), [7, 1, 2, 3, 4, 5, 6].map(|lines| first + lines));
+}
+
+#[test]
+fn what_is_open_is_named_where_it_was_declared() {
+    let mut m = Module::new("top", "Leaves everything open.");
+    let first = line!();
+    m.forward("wire_1", 4);
+    m.reg("register_1", 4);
+    m.memory("memory_1", 4, 4);
+    m.instance("child", sound());
+    let around = m.forward("around", 1);
+    m.drive(around, !around);
+    let lines = lines_of(&m);
+    assert_eq!(lines, [1, 2, 3, 4, 5].map(|lines| first + lines));
+}
+
+#[test]
+fn an_expression_that_outlives_its_modules_is_a_fault() {
+    let lent = Module::new("gone", "Lends a signal and goes.").input("lent", 8);
+    let mut m = Module::new("top", "Borrows it.");
+    let line = line!() + 1;
+    m.output("y", lent);
+    let faults = elaborate(&m).expect_err("the module is faulty").faults;
+    assert_eq!(lines_of(&m), [line]);
+    let message = "the expression was made for modules that are gone";
+    assert!(faults[0].kind.to_string().contains(message), "{faults:?}");
 }

@@ -39,6 +39,7 @@ impl Pipe {
     /// # Panics
     /// If `delays` is empty.
     #[must_use]
+    #[track_caller]
     pub fn new(unit: &str, summary: &str, delays: &[u32], stages: u32) -> Self {
         assert!(!delays.is_empty(), "a pipe has at least the output's cut");
         let mut module = Module::new(unit, summary);
@@ -49,6 +50,7 @@ impl Pipe {
     }
 
     /// Ends the current segment and takes these values into the next.
+    #[track_caller]
     pub fn cut<const N: usize>(&mut self, values: [(&str, Expr); N]) -> [Expr; N] {
         let mut carried = values.map(|(name, value)| self.carry(name, value));
         self.cuts_passed += 1;
@@ -57,11 +59,13 @@ impl Pipe {
 
     /// A value of the current segment for use in later ones.
     #[must_use]
+    #[track_caller]
     pub fn carry(&self, name: &str, value: Expr) -> Carried {
         Carried { name: name.into(), value, cuts_passed: self.cuts_passed }
     }
 
     /// A carried value in the current segment.
+    #[track_caller]
     pub fn arrive(&mut self, carried: &mut Carried) -> Expr {
         for cut in carried.cuts_passed..self.cuts_passed {
             if self.registered[cut] && carried.value.literal_value().is_none() {
@@ -80,6 +84,7 @@ impl Pipe {
     /// # Panics
     /// If the description has not as many segments as there are delays.
     #[must_use]
+    #[track_caller]
     pub fn finish(mut self, result: Expr) -> Operator {
         assert_eq!(self.cuts_passed + 1, self.registered.len(), "segments and delays of {} differ", self.module.unit());
         let y = self.module.reg("y", result.width());

@@ -3,11 +3,13 @@
 use rtl::{Expr, bit, cat, lit};
 
 /// The members' bits side by side, the first lowest.
+#[track_caller]
 pub(crate) fn set(members: &[Expr]) -> Expr {
     cat(members.iter().rev().copied())
 }
 
 /// The set of one number where `valid`, else of none, whatever the number: a shift would be unknown where that is.
+#[track_caller]
 pub(crate) fn decode(valid: impl Into<Expr>, number: impl Into<Expr>, count: u32) -> Expr {
     let (valid, number) = (valid.into(), number.into());
     let members: Vec<_> = (0..count).map(|member| valid & number.eq_lit(member as u128)).collect();
@@ -15,18 +17,21 @@ pub(crate) fn decode(valid: impl Into<Expr>, number: impl Into<Expr>, count: u32
 }
 
 /// Whether a number is in a set.
+#[track_caller]
 pub(crate) fn contains(set: impl Into<Expr>, number: impl Into<Expr>) -> Expr {
     let (set, number) = (set.into(), number.into());
     set.shr_by(number).bit(0)
 }
 
 /// The set's lowest member alone.
+#[track_caller]
 pub(crate) fn lowest(set: impl Into<Expr>) -> Expr {
     let set = set.into();
     set & (lit(set.width(), 0) - set)
 }
 
 /// The number of a set's only member.
+#[track_caller]
 pub(crate) fn index_of(single: impl Into<Expr>, bits: u32) -> Expr {
     let single = single.into();
     let digits: Vec<Expr> = (0..bits)
@@ -40,6 +45,7 @@ pub(crate) fn index_of(single: impl Into<Expr>, bits: u32) -> Expr {
 }
 
 /// Whether a set has more than one member, each against those before it: sooner known than which is the lowest.
+#[track_caller]
 pub(crate) fn several(set: impl Into<Expr>) -> Expr {
     let set = set.into();
     let pair = |member: u32| set.bit(member) & set.trunc(member).any();
