@@ -21,7 +21,7 @@ CORE ?= tiny_knn
 TARGETS ?= lint lint_axi sim synth
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen test formal cocotb check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
+.PHONY: help setup setup-tests setup-formal setup-cocotb setup-fpga run run-scan knn plan gen quick test formal cocotb check bench stability accuracy check-page synth check-area mark-area generated check-generated fusesoc doc clean
 
 help: ## List the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{ printf "  %-16s %s\n", $$1, $$2 }'
@@ -62,6 +62,11 @@ plan: ## Show which hardware SCENE calls for, and why
 gen: ## Write the Verilog for SCENE into out/verilog
 	cargo run --release --bin pointcore -- gen $(SCENE) -o out/verilog
 
+quick: ## What to run after every change: formatting, tests without a simulator, one unit in lockstep; under 3 minutes once built
+	cargo fmt --all --check
+	cargo test -p pointcore-contract -p pointcore-golden -p rtl -p pointcore-hdl --lib
+	cargo test -p pointcore-tb --test units stream_skid
+
 test: setup-tests ## Run all tests, and say which were skipped
 	@./scripts/test
 
@@ -90,14 +95,14 @@ accuracy: ## Sweep what trades accuracy for time and hardware on SCENE, into out
 check-page: ## Hover over every point of PAGE, made by accuracy, in a real browser; skipped, with a word, where there is none
 	@./scripts/check-page $(PAGE) || [ $$? -eq 77 ]
 
-synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5; into docs/area.json, README's tables, out/bench.json
-	cargo run --release --bin pointcore -- area --record docs/area.json --tables README.md --merge out/bench.json $(UNIT) $(ARGS)
+synth: setup-fpga ## Measure area and clock of UNIT (default: all units) on an ECP5; into docs/area.json, the tables of docs/results.md, out/bench.json
+	cargo run --release --bin pointcore -- area --record docs/area.json --tables docs/results.md --merge out/bench.json $(UNIT) $(ARGS)
 
-check-area: ## Check that docs/area.json is of the hardware as it is now where it does not say otherwise, and that README's tables are made from it
-	cargo run --bin pointcore -- area --check docs/area.json --tables README.md
+check-area: ## Check that docs/area.json is of the hardware as it is now where it does not say otherwise, and that the tables of docs/results.md are made from it
+	cargo run --bin pointcore -- area --check docs/area.json --tables docs/results.md
 
 mark-area: ## Have what docs/area.json holds of other hardware name the REVISION it was measured of (default: where the record last changed)
-	cargo run --bin pointcore -- area --mark-stale $(REVISION) --record docs/area.json --tables README.md
+	cargo run --bin pointcore -- area --mark-stale $(REVISION) --record docs/area.json --tables docs/results.md
 
 generated: ## Write the Verilog of all configurations into generated/, which is committed
 	@./scripts/generated

@@ -130,9 +130,9 @@ fn planned_hardware_renders_shipped_scenes_bit_for_bit() {
 
 /// But for the scan, which is not shipped, and for LUT4 and cycles, of which the one is a fit and the other takes long.
 #[test]
-fn readme_says_what_shipped_scenes_call_for() {
+fn results_say_what_shipped_scenes_call_for() {
     let cells = |row: &str| -> Vec<String> { row.split('|').map(|cell| cell.trim().to_owned()).collect() };
-    let rows: Vec<_> = include_str!("../../README.md").lines().map(cells).collect();
+    let rows: Vec<_> = include_str!("../../docs/results.md").lines().map(cells).collect();
     for name in ["knot", "minified", "plane", "shapes"] {
         let (scene, plan) = planned(name, &[]);
         let costs = Costs::whole(&scene, &plan, Cycles::Untold, None).unwrap_or_else(|error| panic!("{error}"));
