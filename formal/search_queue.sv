@@ -1,7 +1,7 @@
 // search_queue: a query's results are its nearest candidates in order, and none of them is lost.
 //
 // A symbolic query is watched, and of its candidates a symbolic point. Assumed of the environment, with the words of
-// docs/search.md:
+// docs/units/search/queue.md:
 // - `start` names a thread that is not busy: it was never started, or `released` came since;
 // - 1 <= k <= NEIGHBORS;
 // - beats come for busy threads; a thread's `finish` comes once, after `radius` has answered its last beat, which has `last`;
