@@ -2,7 +2,6 @@
 
 use std::collections::HashSet;
 use std::fmt::Display;
-use std::ops::Deref;
 use std::panic::Location;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -10,6 +9,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::arena::Lease;
 use super::error::{FaultKind, Place};
 use super::expression::{Expr, Node, Primitive, SignalRef, lit};
+use super::handle::{Reg, Wire};
 use super::instance::Child;
 use super::memory::Store;
 use super::names;
@@ -93,42 +93,6 @@ pub(super) struct Next {
     pub data: Expr,
 }
 
-/// A register; reads as its current value.
-#[derive(Clone, Copy)]
-pub struct Reg(Expr);
-
-/// A wire that is driven after its declaration; reads as its value.
-#[derive(Clone, Copy)]
-pub struct Wire(Expr);
-
-macro_rules! readable {
-    ($handle:ty) => {
-        impl $handle {
-            /// Its value as an expression.
-            #[must_use]
-            pub const fn expr(self) -> Expr {
-                self.0
-            }
-        }
-
-        impl Deref for $handle {
-            type Target = Expr;
-            fn deref(&self) -> &Expr {
-                &self.0
-            }
-        }
-
-        impl From<$handle> for Expr {
-            fn from(handle: $handle) -> Self {
-                handle.0
-            }
-        }
-    };
-}
-
-readable!(Reg);
-readable!(Wire);
-
 impl Module {
     /// An empty module of that unit; `summary` is one line for the header of the Verilog.
     #[must_use]
@@ -208,14 +172,14 @@ impl Module {
     /// Declares a wire that [`Module::drive`] drives later, once.
     #[track_caller]
     pub fn forward(&mut self, name: &str, width: u32) -> Wire {
-        Wire(self.declare(name, width, Source::Wire(None)))
+        Wire::of(self.declare(name, width, Source::Wire(None)))
     }
 
     /// Drives a forward wire.
     #[track_caller]
     pub fn drive(&mut self, wire: Wire, value: impl Into<Expr>) {
         let value = value.into();
-        let Some((index, name)) = self.own(wire.0) else { return };
+        let Some((index, name)) = self.own(wire.expr()) else { return };
         self.check_width(&name, wire.width(), value);
         match &mut self.signals[index].source {
             Source::Wire(driver @ None) => *driver = Some(value),
@@ -226,14 +190,14 @@ impl Module {
     /// Declares a register without reset.
     #[track_caller]
     pub fn reg(&mut self, name: &str, width: u32) -> Reg {
-        Reg(self.declare(name, width, Source::Register { reset: None, next: None }))
+        Reg::of(self.declare(name, width, Source::Register { reset: None, next: None }))
     }
 
     /// Declares a register that `rst` sets to `reset`.
     #[track_caller]
     pub fn reg_reset(&mut self, name: &str, width: u32, reset: u128) -> Reg {
         self.check_expression(name, lit(width, reset));
-        Reg(self.declare(name, width, Source::Register { reset: Some(reset), next: None }))
+        Reg::of(self.declare(name, width, Source::Register { reset: Some(reset), next: None }))
     }
 
     /// The register takes `data` at every clock edge.
@@ -250,7 +214,7 @@ impl Module {
 
     #[track_caller]
     fn set_next(&mut self, register: Reg, enable: Option<Expr>, data: Expr) {
-        let Some((index, name)) = self.own(register.0) else { return };
+        let Some((index, name)) = self.own(register.expr()) else { return };
         self.check_width(&name, register.width(), data);
         match &mut self.signals[index].source {
             Source::Register { next: next @ None, .. } => *next = Some(Next { enable, data }),

@@ -2,8 +2,8 @@
 
 use std::ops;
 
-use super::expression::{Expr, Primitive, cat, lit};
-use super::module::{Reg, Wire};
+use super::expression::{Expr, Primitive, lit};
+use super::handle::{Reg, Wire};
 
 impl Expr {
     /// Two operands of one width.
@@ -26,13 +26,17 @@ impl Expr {
         Expr::poison(1, format!("{what} `{self}` has {} bits instead of 1", self.width()))
     }
 
+    /// A product is as wide as both factors together.
+    #[track_caller]
+    fn product(self, primitive: Primitive, other: Self) -> Self {
+        Self::build(primitive, self.width() + other.width(), [self, other])
+    }
+
     /// Two's complement product, as wide as both operands together.
     #[must_use]
     #[track_caller]
-    pub fn mul_signed(self, other: impl Into<Expr>) -> Expr {
-        let other = other.into();
-        let width = self.width() + other.width();
-        Expr::build(Primitive::MultiplySigned, width, [self, other])
+    pub fn mul_signed(self, other: impl Into<Self>) -> Self {
+        self.product(Primitive::MultiplySigned, other.into())
     }
 
     /// Sum with its carry: one bit wider than the operands.
@@ -168,76 +172,6 @@ impl Expr {
         Expr::build(Primitive::ShiftRight, self.width(), [self, amount])
     }
 
-    /// Bits `high` down to `low`, both included.
-    #[must_use]
-    #[track_caller]
-    pub fn bits(self, high: u32, low: u32) -> Expr {
-        if high < low || high >= self.width() {
-            let width = high.saturating_sub(low) + 1;
-            return Expr::poison(width, format!("`{self}` has {} bits and no [{high}:{low}]", self.width()));
-        }
-        Expr::build(Primitive::Slice(low), high - low + 1, [self])
-    }
-
-    /// One bit.
-    #[must_use]
-    #[track_caller]
-    pub fn bit(self, index: u32) -> Expr {
-        self.bits(index, index)
-    }
-
-    /// The most significant bit.
-    #[must_use]
-    #[track_caller]
-    pub fn msb(self) -> Expr {
-        self.bit(self.width() - 1)
-    }
-
-    /// Extended with zeros to `width` bits.
-    #[must_use]
-    #[track_caller]
-    pub fn zext(self, width: u32) -> Expr {
-        if width <= self.width() {
-            return self.unextended("zero-extension", width);
-        }
-        cat([lit(width - self.width(), 0), self])
-    }
-
-    /// Extended with copies of the sign to `width` bits.
-    #[must_use]
-    #[track_caller]
-    pub fn sext(self, width: u32) -> Expr {
-        if width <= self.width() {
-            return self.unextended("sign-extension", width);
-        }
-        cat([self.msb().repeat(width - self.width()), self])
-    }
-
-    #[track_caller]
-    fn unextended(self, what: &str, width: u32) -> Expr {
-        if width == self.width() {
-            return self;
-        }
-        Expr::poison(width, format!("{what} of `{self}` from {} to {width} bits", self.width()))
-    }
-
-    /// The lowest `width` bits.
-    #[must_use]
-    #[track_caller]
-    pub fn trunc(self, width: u32) -> Expr {
-        if width == 0 || width > self.width() {
-            return Expr::poison(width, format!("truncation of `{self}` from {} to {width} bits", self.width()));
-        }
-        self.bits(width - 1, 0)
-    }
-
-    /// Zero-extended or truncated to `width` bits.
-    #[must_use]
-    #[track_caller]
-    pub fn resize(self, width: u32) -> Expr {
-        if width < self.width() { self.trunc(width) } else { self.zext(width) }
-    }
-
     /// Some bit is set.
     #[must_use]
     #[track_caller]
@@ -257,16 +191,6 @@ impl Expr {
     #[track_caller]
     pub fn is_zero(self) -> Expr {
         self.eq_lit(0)
-    }
-
-    /// `count` copies side by side.
-    #[must_use]
-    #[track_caller]
-    pub fn repeat(self, count: u32) -> Expr {
-        if count == 0 {
-            return Expr::poison(1, format!("`{self}` repeated no times"));
-        }
-        Expr::build(Primitive::Repeat(count), self.width() * count, [self])
     }
 
     /// `when_true` where this bit is set, else `when_false`.
@@ -306,7 +230,7 @@ binary_operator!(Sub, sub, |a, b| a.same_width("-", Primitive::Subtract, a.width
 binary_operator!(BitAnd, bitand, |a, b| a.same_width("&", Primitive::And, a.width(), b));
 binary_operator!(BitOr, bitor, |a, b| a.same_width("|", Primitive::Or, a.width(), b));
 binary_operator!(BitXor, bitxor, |a, b| a.same_width("^", Primitive::Xor, a.width(), b));
-binary_operator!(Mul, mul, |a, b| Expr::build(Primitive::Multiply, a.width() + b.width(), [a, b]));
+binary_operator!(Mul, mul, |a, b| a.product(Primitive::Multiply, b));
 
 /// A shift by a constant: zeros come in, the width stays.
 macro_rules! shift_operator {

@@ -1,8 +1,9 @@
 //! `valid`/`ready` streams: ports `<name>_valid`, `<name>_ready` and `<name>_<field>`.
 
 use super::expression::Expr;
+use super::handle::Wire;
 use super::instance::Instance;
-use super::module::{Module, Wire};
+use super::module::Module;
 
 /// A stream inside a module: what the producer shows, and the consumer's answer, to be driven once.
 #[derive(Clone)]

@@ -169,7 +169,7 @@ fn testbench(inputs: &[Tree], trees: &[Tree], top: &str) -> String {
 
 #[test]
 fn random_expressions_simulate_as_integers_say() {
-    let seed = std::env::var("POINTCORE_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
+    let seed = std::env::var("RTL_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
     let random = &mut Random(seed);
     let mut m = Module::new("random_expressions", "Random expressions over four inputs.");
     let inputs: Vec<Tree> = INPUT_WIDTHS
@@ -197,7 +197,7 @@ fn random_expressions_simulate_as_integers_say() {
     let printed = String::from_utf8(output.stdout).expect("a simulation prints ASCII");
     let printed: Vec<&str> = printed.lines().collect();
     assert_eq!(printed.len(), VECTORS * TREES);
-    let again = format!("POINTCORE_SEED={seed} cargo test -p rtl random_expressions");
+    let again = format!("RTL_SEED={seed} cargo test -p rtl random_expressions");
     for (line, text) in printed.iter().enumerate() {
         let (vector, index) = (line / TREES, line % TREES);
         let value = u128::from_str_radix(text, 16).unwrap_or_else(|_| panic!("o{index} is `{text}`; {again}"));
