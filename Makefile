@@ -65,7 +65,8 @@ gen: ## Write the Verilog for SCENE into out/verilog
 quick: ## What to run after every change: formatting, tests without a simulator, one unit in lockstep; under 3 minutes once built
 	cargo fmt --all --check
 	cargo test -p pointcore-contract -p pointcore-golden -p rtl -p pointcore-hdl --lib
-	cargo test -p pointcore-tb --test units stream_skid
+	cargo test -p rtl --test rtl
+	cargo test -p pointcore-tb --test units -- layout stream_skid
 
 test: setup-tests ## Run all tests, and say which were skipped
 	@./scripts/test

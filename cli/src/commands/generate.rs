@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Arguments of `gen`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A scene file, or a hardware configuration such as configs/fpga.toml (the renderer, splatting) or configs/knn.toml (the search core, neighbor search).
+    /// A scene file, or a hardware configuration such as configs/fpga.toml (the renderer) or configs/knn.toml (the search core).
     source: PathBuf,
     /// The folder to write into; made if missing.
     #[arg(short, long, value_name = "DIR")]

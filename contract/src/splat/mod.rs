@@ -1,4 +1,4 @@
-//! The renderer, the surface-splat renderer: its configuration, the records that flow between its units and their ports.
+//! The renderer of surface splats: its configuration, the records that flow between its units and their ports.
 
 pub mod attribute;
 pub mod config;

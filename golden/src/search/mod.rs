@@ -1,4 +1,4 @@
-//! The search core, the point-set processor, unit by unit as docs/search.md describes it.
+//! The search core, nearest neighbors in a kd-tree, unit by unit as docs/search.md and its pages describe it.
 //!
 //! A unit is a [`Model`](crate::unit::Model) over what the contract says that it sees and shows; [`Ported`](crate::unit::Ported) gives
 //! it ports.

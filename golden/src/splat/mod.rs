@@ -1,4 +1,4 @@
-//! The renderer, the surface-splat renderer, unit by unit as docs/splat.md describes it.
+//! The renderer of surface splats, unit by unit as docs/splat.md and its pages describe it.
 //!
 //! A unit is a [`Model`](crate::unit::Model) over what the contract says that it sees and shows; [`Ported`](crate::unit::Ported) gives
 //! it ports.

@@ -1,4 +1,4 @@
-//! The search core, the neighbor search of the point-set processor. `docs/search.md` states what every unit does in every cycle;
+//! The search core: nearest neighbors in a kd-tree. `docs/search.md` and its pages state what every unit does in every cycle;
 //! each file names the thesis section it implements.
 
 pub mod leaf;

@@ -1,4 +1,4 @@
-//! The renderer, the surface-splat renderer. `docs/splat.md` states what every unit does in every cycle; each file names the
+//! The renderer of surface splats. `docs/splat.md` and its pages state what every unit does in every cycle; each file names the
 //! thesis section it implements.
 
 pub mod accumulator;

@@ -110,7 +110,7 @@ impl Units {
     }
 }
 
-/// Rounding of setup and rasterizer, by the operations of docs/splat.md.
+/// Rounding of setup and rasterizer, by the operations of docs/units/splat.
 pub struct Analysis {
     format: Format,
     division: Division,

@@ -1,5 +1,5 @@
 //! When a cached neighborhood answers a query: the comparison value of an entry, and the test against it (eqs. 6.5 and 6.6,
-//! table 6.1, rearranged as docs/search.md states).
+//! table 6.1, rearranged as docs/units/search/neighbor_cache.md states).
 //!
 //! Each operation is rounded once. A comparison value of NaN covers nothing, one of infinity every query at a finite distance.
 
