@@ -105,10 +105,10 @@ check-area: ## Check that docs/area.json is of the hardware as it is now where i
 mark-area: ## Have what docs/area.json holds of other hardware name the REVISION it was measured of (default: where the record last changed)
 	cargo run --bin pointcore -- area --mark-stale $(REVISION) --record docs/area.json --tables docs/results.md
 
-generated: ## Write the Verilog of all configurations into generated/, which is committed
+generated: ## Write the Verilog of all configurations into generated/ and the diagrams into docs/, which are committed
 	@./scripts/generated
 
-check-generated: ## Check that generated/ is what the generator writes now
+check-generated: ## Check that generated/ and the diagrams are what the generator writes now
 	@./scripts/generated --check
 
 fusesoc: setup setup-fpga ## Lint, simulate and synthesize CORE of generated/ under FuseSoC

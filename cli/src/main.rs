@@ -4,7 +4,7 @@ mod commands;
 mod exit;
 
 use clap::{Parser, Subcommand};
-use commands::{accuracy, area, bench, generate, inspect, knn, plan, run, stability, vectors};
+use commands::{accuracy, area, bench, diagram, generate, inspect, knn, plan, run, stability, vectors};
 use std::process::ExitCode;
 
 /// Generates, simulates and measures hardware for point-based graphics.
@@ -45,6 +45,8 @@ enum Command {
     /// hardware they are for: `pointcore gen DIR/config.toml -o DIR/verilog`. Fragments come in the given order; results of a query too, but
     /// queries in any order. Of a packet with `end` set nothing else counts.
     Vectors(Box<vectors::Arguments>),
+    /// Draw a configuration's core as a block diagram: its units and the records that pass between them.
+    Diagram(diagram::Arguments),
     /// Describe a model file: points, normals, spacing.
     Inspect(inspect::Arguments),
     /// Measure the project's figures and merge them into out/bench.json.
@@ -66,6 +68,7 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments, output),
         Command::Knn(arguments) => knn::run(&arguments, output),
         Command::Vectors(arguments) => vectors::run(&arguments, output),
+        Command::Diagram(arguments) => diagram::run(&arguments, output),
         Command::Inspect(arguments) => inspect::run(&arguments, output),
         Command::Bench(arguments) => bench::run(&arguments, output),
         Command::Stability(arguments) => stability::run(&arguments, output),

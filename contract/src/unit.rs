@@ -54,6 +54,8 @@ pub struct Group {
     pub doc: &'static str,
     /// What the flag is called, usually `valid`.
     pub flag: &'static str,
+    /// The record that travels, or the integer.
+    pub record: &'static str,
     /// How the fields travel.
     pub kind: Kind,
     /// The fields; a single one without a name is called as the group.

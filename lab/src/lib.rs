@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod bench;
 pub mod chart;
+pub mod diagram;
 mod error;
 pub mod float_check;
 pub mod operands;

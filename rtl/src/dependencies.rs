@@ -28,7 +28,7 @@ pub(super) fn for_each_node(root: Expr, visit: &mut impl FnMut(Expr)) {
 }
 
 /// The own signals an expression reads.
-fn leaves(module: &Module, root: Expr) -> BTreeSet<usize> {
+pub(super) fn leaves(module: &Module, root: Expr) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     for_each_node(root, &mut |expr| {
         if let Primitive::Signal(signal) = &expr.node().operation

@@ -4,6 +4,7 @@ pub mod accuracy;
 pub mod area;
 pub mod bench;
 pub mod choices;
+pub mod diagram;
 pub mod generate;
 pub mod inspect;
 pub mod knn;

@@ -147,6 +147,7 @@ impl<'a> Port<'a> {
                 name: #name,
                 doc: #doc,
                 flag: #flag,
+                record: ::std::stringify!(#record),
                 kind: ::pointcore_contract::unit::Kind::#kind,
                 fields: #fields,
             });
