@@ -1,20 +1,26 @@
-//! A frame's camera and rendering as the values of the renderer's uniform registers.
+//! A frame's camera and rendering as the renderer's uniform registers.
 
-use crate::number::encode_uniform;
+use crate::number::{encode, encode_uniform};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::ports::UNIFORMS;
+use pointcore_contract::splat::records::{EpsilonScale, ModelView, Uniforms, Viewport};
 use pointcore_contract::{Camera, Rendering};
 
-/// The registers' values, in the order of [`UNIFORMS`].
+/// The registers' values.
 #[must_use]
-pub fn uniforms(camera: &Camera, rendering: &Rendering, config: &Config) -> Vec<u64> {
+pub fn uniforms(camera: &Camera, rendering: &Rendering, config: &Config) -> Uniforms {
+    let number = |value: f64| encode(config.geometry, value as f32);
     let radius = rendering.filter_radius_px.unwrap_or(1.0);
-    let viewport = [camera.scale_x, camera.scale_y, camera.center_x, camera.center_y, camera.depth_a, camera.depth_b];
-    let tests = [camera.near, rendering.epsilon_scale, rendering.epsilon_bias, radius, 1.0 / (radius * radius)];
-    let values = camera.model_view.iter().flatten().chain(&viewport).chain(&tests);
-    UNIFORMS
-        .iter()
-        .zip(values)
-        .map(|(name, &value)| encode_uniform(config.uniform_format(name), value as f32).into())
-        .collect()
+    Uniforms {
+        model_view: ModelView { rows: camera.model_view.map(|row| row.map(number)) },
+        viewport: Viewport {
+            scale: [camera.scale_x, camera.scale_y].map(number),
+            origin: [camera.center_x, camera.center_y].map(number),
+            depth_a: number(camera.depth_a),
+            depth_b: number(camera.depth_b),
+        },
+        near_plane: number(camera.near),
+        epsilon: EpsilonScale { scale: number(rendering.epsilon_scale), bias: number(rendering.epsilon_bias) },
+        filter_radius: number(radius),
+        filter_scale: encode_uniform(config.filter_scale_format(), (1.0 / (radius * radius)) as f32),
+    }
 }

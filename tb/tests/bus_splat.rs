@@ -2,7 +2,9 @@
 
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::{Config as Widths, registers};
-use pointcore_contract::splat::{Config, records};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{self, Fragment};
+use pointcore_contract::{read, words};
 use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::{Stall, seeds};
@@ -17,21 +19,20 @@ const MEMORY_BYTES: usize = 1 << 20;
 
 fn frames(config: &Config) -> EncodedFrame {
     EncodedFrame {
-        records: scene::world(config, RECORDS).concat(),
-        record_words: records::splat(config).len(),
-        uniforms: scene::uniforms(config).into_iter().map(|(_, word)| word).collect(),
+        records: scene::world(config, RECORDS).iter().map(|record| read(config, record)).collect(),
+        uniforms: scene::registers(config),
     }
 }
 
 /// The fragments of all frames, as the model makes them.
-fn expected(config: &Config, frame: &EncodedFrame) -> Vec<u64> {
+fn expected(config: &Config, frame: &EncodedFrame) -> Vec<Fragment> {
     let core = SplatCore::generate(config).unwrap_or_else(|error| panic!("{error}"));
     let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 1, progress: &|_, _| {}, stop_after: None };
     runner.golden(&core).unwrap_or_else(|error| panic!("{error}")).fragments
 }
 
 /// The frames over the bus; a packet now and then is too short, and is sent again.
-fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<u64> {
+fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment> {
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let around = Around {
         map: registers::splat(config),
@@ -45,25 +46,23 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<u64> {
     assert_eq!(host.read("id"), 0x5043_0a01);
     host.write("buffer_base", BUFFER_BASE);
     for (name, value) in scene::uniforms(config) {
-        host.write(name, value as u32);
+        host.write(&name, value as u32);
     }
     let mut random = fastrand::Rng::with_seed(seed);
     let (mut fragments, mut refused) = (vec![], 0);
-    let splats: Vec<&[u64]> = frame.records.chunks(frame.record_words).collect();
-    for (number, splats) in splats.split_inclusive(|splat| splat[0] == 1).enumerate() {
+    for (number, splats) in frame.records.split_inclusive(|splat| splat.end).enumerate() {
         assert!(host.start(if number == 1 { RESET } else { 0 }));
-        for splat in splats {
+        for splat in splats.iter().map(|splat| words(config, *splat)) {
             if config.bus.stream_bits < 512 && random.u8(..16) == 0 {
-                host.send(splat, 1);
+                host.send(&splat, 1);
                 refused += 1;
             }
-            host.send(splat, 0);
+            host.send(&splat, 0);
         }
         assert!(!host.start(0), "a run is under way");
         host.finish();
-        let (end, frame) = host.received.split_last().expect("a frame has an end");
-        assert_eq!(end[0], 1);
-        fragments.extend(frame.iter().flat_map(|fragment| &fragment[1..]));
+        fragments.extend(host.received.iter().map(|fragment| read::<Fragment>(config, fragment)));
+        assert!(fragments.pop().is_some_and(|fragment| fragment.end), "a frame has an end");
         assert_eq!(host.read("packets_in"), splats.len() as u32);
         assert_eq!(host.read("packets_out"), host.received.len() as u32);
         assert!(host.read("event_sample") > 0 && host.read("cycles") > 0);
@@ -80,10 +79,10 @@ fn frames_on_the_bus_are_those_of_the_model() {
         let config = Config { bus: Widths { stream_bits, memory_bits }, ..config };
         let frame = frames(&config);
         let expected = expected(&config, &frame);
-        assert!(expected.len() > 1000, "{} words", expected.len());
+        assert!(expected.len() > 250, "{} fragments", expected.len());
         for seed in seeds(2).unwrap() {
             let found = on_the_bus(&config, &frame, seed);
-            assert!(found == expected, "seed {seed}: {} words instead of {}", found.len(), expected.len());
+            assert!(found == expected, "seed {seed}: {} fragments instead of {}", found.len(), expected.len());
         }
     }
 }

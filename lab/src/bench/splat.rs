@@ -113,7 +113,7 @@ fn frame_figures(prepared: &Prepared, figures: &mut Figures) -> Result<(), LabEr
         simulated_cycles_per_second: speed(&outcome),
     });
     let mut insert = |key: &str, value: Value| figures.insert(format!("splat.{name}.{key}"), value);
-    insert("splats", (frame.count() - 1).into());
+    insert("splats", (frame.records.len() - 1).into());
     insert("mismatches", mismatches.into());
     insert("psnr_db", psnr_db.into());
     insert("cycles", report.cycles.into());

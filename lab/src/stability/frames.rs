@@ -3,10 +3,9 @@
 use super::case::{Case, Lens};
 use super::families::{LEVELS, case};
 use super::family::Family;
-use pointcore::splat::EncodedFrame;
+use pointcore::splat::{END, EncodedFrame};
 use pointcore_contract::splat::records::Uniforms;
-use pointcore_contract::splat::{Config, Feature, records};
-use pointcore_contract::words;
+use pointcore_contract::splat::{Config, Feature};
 
 /// Splats of a frame: more than the heap holds, on a few tiles.
 pub const FRAME_SPLATS: u64 = 5000;
@@ -30,59 +29,43 @@ pub fn config() -> Config {
 pub fn frame(config: &Config, first: u64, splats: u64, seed: u64) -> EncodedFrame {
     let format = config.geometry;
     let families = Family::ALL.len() as u64;
-    let mut words = Vec::new();
-    for index in first..first + splats {
+    let splat = |index: u64| {
         let level = ((index / families) % u64::from(LEVELS)) as u8;
-        let case = case(Family::ALL[(index % families) as usize], level, format, (seed << 40) ^ index);
-        words.extend(record(config, &case));
-    }
-    let record_words = records::splat(config).len();
-    let end = words.len();
-    words.resize(end + record_words, 0);
-    words[end] = 1;
-    EncodedFrame { records: words, record_words, uniforms: uniforms(config) }
+        let mut splat = case(Family::ALL[(index % families) as usize], level, format, (seed << 40) ^ index).splat;
+        // Cases are for cores of any configuration.
+        splat.attributes[config.attributes() as usize..].fill(0);
+        splat
+    };
+    EncodedFrame { records: (first..first + splats).map(splat).chain([END]).collect(), uniforms: uniforms(config) }
 }
 
-fn record(config: &Config, case: &Case) -> Vec<u64> {
-    let splat = &case.splat;
-    let geometry = splat.center.iter().chain(splat.tangents.as_flattened());
-    let attributes = splat.attributes.iter().take(config.attributes() as usize);
-    std::iter::once(0).chain(geometry.chain(attributes).map(|&bits| u64::from(bits))).collect()
-}
-
-/// The registers by address.
-fn uniforms(config: &Config) -> Vec<u64> {
+fn uniforms(config: &Config) -> Uniforms {
     let ordinary = case(Family::Ordinary, 0, config.geometry, 0);
     // The image is a part of that of all cases, magnified to the same angle.
     let scale = Lens::new(config.geometry, 1.0, 1000.0).scale / 32.0;
     let origin = [config.width, config.height].map(|edge| f64::from(edge) / 2.0);
     let case = Case { lens: Lens { scale, origin, ..ordinary.lens }, ..ordinary };
     let (transform, setup) = (case.transform_uniforms(), case.setup_uniforms());
-    words(
-        config,
-        Uniforms {
-            model_view: transform.model_view,
-            viewport: setup.viewport,
-            near_plane: transform.near_plane,
-            epsilon: setup.epsilon,
-            filter_radius: setup.filter_radius,
-            filter_scale: case.filter_scale(),
-        },
-    )
+    Uniforms {
+        model_view: transform.model_view,
+        viewport: setup.viewport,
+        near_plane: transform.near_plane,
+        epsilon: setup.epsilon,
+        filter_radius: setup.filter_radius,
+        filter_scale: case.filter_scale(),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore_contract::splat::ports::UNIFORMS;
 
     #[test]
-    fn a_frame_has_its_splats_an_end_and_all_registers() {
+    fn a_frame_has_its_splats_and_an_end() {
         let config = config();
         assert_eq!(config.validate(), Ok(()));
         let frame = frame(&config, 7, 30, 1);
-        assert_eq!((frame.count(), frame.uniforms.len()), (31, UNIFORMS.len()));
-        let ends: Vec<_> = frame.records.chunks(frame.record_words).map(|record| record[0]).collect();
-        assert_eq!((ends.iter().sum::<u64>(), ends[30]), (1, 1));
+        let ends: Vec<_> = frame.records.iter().map(|record| record.end).collect();
+        assert_eq!((ends.len(), ends.iter().position(|end| *end)), (31, Some(30)));
     }
 }

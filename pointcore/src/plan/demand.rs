@@ -20,7 +20,6 @@
 use crate::number::{decode, encode};
 use crate::scene::Scene;
 use crate::uniforms::uniforms;
-use pointcore_contract::read;
 use pointcore_contract::splat::config::TILE_SIZE;
 use pointcore_contract::splat::records::Uniforms;
 use pointcore_contract::splat::records::{Footprint, ImageRectangle, SetupSplat, Splat as Record};
@@ -114,7 +113,7 @@ struct Units<'a> {
 
 impl<'a> Units<'a> {
     fn new(scene: &Scene, config: &'a Config) -> Self {
-        let registers: Uniforms = read(config, &uniforms(&scene.camera, &scene.rendering, config));
+        let registers = uniforms(&scene.camera, &scene.rendering, config);
         let Uniforms { model_view, near_plane, viewport, epsilon, filter_radius, filter_scale } = registers;
         Self {
             config,

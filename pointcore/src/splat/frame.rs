@@ -10,28 +10,27 @@ use pointcore_golden::reference::{Decisions, Fragment, Frame, Margins, Statistic
 /// Places fragments (as [`SplatHost`](super::host::SplatHost) collects them) in the scene's image; hardware for a larger one renders beyond it.
 /// Attributes the hardware does not carry take their constant; the material of a scene with only one is that of any splat.
 #[must_use]
-pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[u64]) -> Frame {
+pub fn assemble(plan: &Plan, splats: &[Splat], fragments: &[records::Fragment]) -> Frame {
     let config = &plan.config;
     let [width, height] = plan.image;
-    let words = records::fragment(config).len() - 1;
     let constants: [f64; CONTINUOUS_ATTRIBUTES] = plan.constants.map(|constant| constant.unwrap_or(0.0).into());
     let only_material = splats.first().map_or(0, |splat| splat.material);
 
     let mut pixels = vec![None; width * height];
-    for fields in fragments.chunks_exact(words) {
-        let ([column, row], depth) = ([fields[0] as usize, fields[1] as usize], fields[2]);
+    for found in fragments {
+        let [column, row] = [found.column, found.row].map(usize::from);
         if column >= width || row >= height {
             continue;
         }
         let mut attributes = constants;
-        for (&index, &word) in plan.attributes.iter().zip(&fields[3..]) {
-            attributes[index] = decode_attribute(config.attribute, word as u32).into();
+        for (&index, &bits) in plan.attributes.iter().zip(&found.attributes) {
+            attributes[index] = decode_attribute(config.attribute, bits).into();
         }
-        let material = fields.get(3 + config.continuous as usize).map_or(only_material, |&material| material as u16);
+        let cardinals = &found.attributes[config.continuous as usize..config.attributes() as usize];
+        let material = cardinals.first().map_or(only_material, |&material| material as u16);
         // The hardware keeps the weight to itself; a fragment exists only where it is positive.
-        let depth = decode(config.geometry, depth as u32).into();
-        let fragment = Fragment { depth, weight: 1.0, attributes, material };
-        pixels[row * width + column] = Some(fragment);
+        let depth = decode(config.geometry, found.depth).into();
+        pixels[row * width + column] = Some(Fragment { depth, weight: 1.0, attributes, material });
     }
     // Tests are counted by the reference only.
     let (decisions, margins) = (vec![Decisions::default(); pixels.len()], vec![Margins::default(); pixels.len()]);

@@ -3,53 +3,47 @@
 use super::encode::EncodedFrame;
 use super::memory::ReconstructionBuffer;
 use crate::generated::Progress;
-use pointcore_contract::Direction;
-use pointcore_contract::splat::ports::{self, EVENTS, UNIFORM_ADDRESS_BITS, UNIFORMS};
-use pointcore_contract::splat::{Config, Port, records};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{Fragment, UniformWrite};
+use pointcore_contract::splat::units::{AccumulatorEvents, Events, RasterizerEvents};
+use pointcore_contract::{read, words, write};
+use pointcore_golden::splat::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
-use std::ops::Range;
 
 /// Latency of the reconstruction buffer in cycles: a DRAM behind a controller.
 const MEMORY_LATENCY_CYCLES: u64 = 24;
-/// The bits of a uniform register's address.
-const UNIFORM_ADDRESS_MASK: u64 = (1 << UNIFORM_ADDRESS_BITS) - 1;
 /// Cycles between two reports of progress.
 const PROGRESS_INTERVAL_CYCLES: u64 = 1024;
 
-/// Places of a stream's ports among the words of a cycle. `valid` and `fields` are on one side, `ready` on the other.
-#[derive(Clone)]
-struct StreamPlaces {
-    valid: usize,
-    ready: usize,
-    fields: Range<usize>,
+/// Cycles of each of the core's [`Events`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct EventCounts {
+    /// The rasterizer evaluated a sample.
+    pub sample: u64,
+    /// The rasterizer had no copy to work on.
+    pub starved: u64,
+    /// The rasterizer's pipeline was held by what follows it.
+    pub blocked: u64,
+    /// The accumulator took a sample.
+    pub accumulate: u64,
+    /// The accumulator waited for an earlier sample of the same pixel.
+    pub hazard: u64,
+    /// The accumulator waited for its tile to arrive in the cache.
+    pub slot_wait: u64,
 }
 
-/// Places of ports, as indices into the inputs or the outputs.
-struct Places {
-    names: [Vec<String>; 2],
-}
-
-impl Places {
-    fn new(ports: &[Port]) -> Self {
-        let side = |direction| {
-            let side = ports.iter().filter(|port| port.direction == direction);
-            side.map(|port| port.name.clone()).collect()
-        };
-        Self { names: [side(Direction::Input), side(Direction::Output)] }
-    }
-
-    fn find(&self, direction: Direction, name: &str) -> usize {
-        let names = &self.names[usize::from(direction == Direction::Output)];
-        names.iter().position(|port| port == name).expect("the host names ports of the core's own list")
-    }
-
-    /// A stream whose items travel in `direction`, seen from the core.
-    fn stream(&self, direction: Direction, name: &str, fields: usize) -> StreamPlaces {
-        let back = if direction == Direction::Input { Direction::Output } else { Direction::Input };
-        let valid = self.find(direction, &format!("{name}_valid"));
-        let ready = self.find(back, &format!("{name}_ready"));
-        // The fields follow `valid`: `ready` points the other way.
-        StreamPlaces { valid, ready, fields: valid + 1..valid + 1 + fields }
+impl EventCounts {
+    /// Counts what happened in a cycle.
+    fn add(&mut self, events: &Events) {
+        let Events { rasterizer, accumulator } = *events;
+        let RasterizerEvents { sample, starved, blocked } = rasterizer;
+        let AccumulatorEvents { accumulate, hazard, slot_wait } = accumulator;
+        self.sample += u64::from(sample);
+        self.starved += u64::from(starved);
+        self.blocked += u64::from(blocked);
+        self.accumulate += u64::from(accumulate);
+        self.hazard += u64::from(hazard);
+        self.slot_wait += u64::from(slot_wait);
     }
 }
 
@@ -58,8 +52,8 @@ impl Places {
 pub struct SplatCounters {
     /// Cycles from the first splat offered to the last end fragment.
     pub cycles: u64,
-    /// Cycles of each of [`EVENTS`].
-    pub events: [u64; EVENTS.len()],
+    /// Cycles of each event.
+    pub events: EventCounts,
     /// Pixels read from the reconstruction buffer.
     pub pixels_read: u64,
     /// Pixels written to it.
@@ -69,22 +63,20 @@ pub struct SplatCounters {
 /// The host as a stimulus: it sees the outputs of the cycle before.
 #[derive(Clone)]
 pub struct SplatHost<'a> {
+    config: &'a Config,
     frame: &'a EncodedFrame,
+    /// Values of the uniform registers by address.
+    uniforms: Vec<u64>,
     stalls: Stalls,
     progress: Progress<'a>,
-    uniform: [usize; 3],
-    splat: StreamPlaces,
-    read: StreamPlaces,
-    data: StreamPlaces,
-    write: StreamPlaces,
-    fragment: StreamPlaces,
-    events: Range<usize>,
+    stop_after: Option<u64>,
+    inputs: In,
     sent: usize,
     /// End records whose end fragment has not come yet.
     open_frames: usize,
     buffer: ReconstructionBuffer,
-    /// Fragments as they came, field by field; end fragments are not among them.
-    pub fragments: Vec<u64>,
+    /// Fragments as they came; end fragments are not among them.
+    pub fragments: Vec<Fragment>,
     /// Counts so far.
     pub counters: SplatCounters,
 }
@@ -93,113 +85,102 @@ impl<'a> SplatHost<'a> {
     /// A host that sends `frame` once and waits for as many end fragments as it has end records; `stalls` says when it holds
     /// back.
     #[must_use]
-    pub fn new(config: &Config, frame: &'a EncodedFrame, stalls: Stalls, progress: Progress<'a>) -> Self {
-        let places = Places::new(&ports::top(config));
-        let input = |name: &str| places.find(Direction::Input, name);
-        let pixel_words = records::pixel(config).len();
-        let events = places.find(Direction::Output, EVENTS[0]);
-        let tiles = 1 << config.tile_bits();
+    pub fn new(config: &'a Config, frame: &'a EncodedFrame, stalls: Stalls, progress: Progress<'a>) -> Self {
         Self {
+            config,
             frame,
+            uniforms: words(config, frame.uniforms),
             stalls,
             progress,
-            uniform: [input("uniform_valid"), input("uniform_address"), input("uniform_data")],
-            splat: places.stream(Direction::Input, "splat", frame.record_words),
-            read: places.stream(Direction::Output, "read", 1),
-            data: places.stream(Direction::Input, "data", pixel_words),
-            write: places.stream(Direction::Output, "write", 2 + pixel_words),
-            fragment: places.stream(Direction::Output, "fragment", records::fragment(config).len()),
-            events: events..events + EVENTS.len(),
+            stop_after: None,
+            inputs: In::default(),
             sent: 0,
-            open_frames: frame.records.chunks_exact(frame.record_words).filter(|record| record[0] == 1).count(),
-            buffer: ReconstructionBuffer::new(tiles, pixel_words, MEMORY_LATENCY_CYCLES),
+            open_frames: frame.records.iter().filter(|record| record.end).count(),
+            buffer: ReconstructionBuffer::new(1 << config.tile_bits(), MEMORY_LATENCY_CYCLES),
             fragments: Vec::new(),
             counters: SplatCounters::default(),
         }
     }
 
-    /// Accounts for what moved in the cycle before; true when the last end fragment came.
-    fn account(&mut self, cycle: u64, inputs: &[u64], outputs: &[u64]) -> bool {
-        if inputs[self.splat.valid] & outputs[self.splat.ready] == 1 {
-            self.sent += 1;
-        }
-        if outputs[self.read.valid] & inputs[self.read.ready] == 1 {
-            self.buffer.request(outputs[self.read.fields.start], cycle);
-        }
-        if inputs[self.data.valid] & outputs[self.data.ready] == 1 {
-            self.buffer.take();
-        }
-        if outputs[self.write.valid] & inputs[self.write.ready] == 1 {
-            let fields = &outputs[self.write.fields.clone()];
-            self.buffer.write(fields[0], fields[1], &fields[2..]);
-        }
-        for (count, event) in self.counters.events.iter_mut().zip(&outputs[self.events.clone()]) {
-            *count += event;
-        }
-        if outputs[self.fragment.valid] & inputs[self.fragment.ready] == 0 {
-            return false;
-        }
-        let fields = &outputs[self.fragment.fields.clone()];
-        if fields[0] == 1 {
-            self.open_frames -= 1;
-        } else {
-            self.fragments.extend(&fields[1..]);
-        }
-        self.open_frames == 0
+    /// Cuts the run off after so many cycles.
+    #[must_use]
+    pub const fn stop_after(mut self, cycles: Option<u64>) -> Self {
+        self.stop_after = cycles;
+        self
     }
 
-    /// Offers the next record, unless the stalls hold it back; an offer once made stands.
-    fn offer_splat(&mut self, inputs: &mut [u64], was_taken: bool) {
-        let offered = inputs[self.splat.valid] == 1 && !was_taken;
-        if !offered {
-            let start = self.sent * self.frame.record_words;
-            let record = self.frame.records.get(start..start + self.frame.record_words);
-            let record = record.filter(|_| !self.stalls.stalled());
-            inputs[self.splat.valid] = record.is_some().into();
-            if let Some(record) = record {
-                inputs[self.splat.fields.clone()].copy_from_slice(record);
-            }
-        }
+    /// The inputs of the present cycle.
+    #[must_use]
+    pub const fn inputs(&self) -> &In {
+        &self.inputs
     }
 
-    fn offer_data(&mut self, cycle: u64, inputs: &mut [u64], was_taken: bool) {
-        let offered = inputs[self.data.valid] == 1 && !was_taken;
-        if !offered {
-            let pixel = self.buffer.offer(cycle).filter(|_| !self.stalls.stalled());
-            inputs[self.data.valid] = pixel.is_some().into();
-            if let Some(pixel) = pixel {
-                inputs[self.data.fields.clone()].copy_from_slice(pixel);
-            }
+    /// Sets the inputs of `cycle`, seeing the outputs of the cycle before.
+    pub fn drive(&mut self, cycle: u64, outputs: &Out) -> Flow {
+        if self.stop_after == Some(cycle) {
+            return Flow::Done;
         }
-    }
-}
-
-impl Stimulus for SplatHost<'_> {
-    fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
-        let first_splat_cycle = UNIFORMS.len() as u64;
-        let splat_taken = inputs[self.splat.valid] & outputs[self.splat.ready] == 1;
-        let data_taken = inputs[self.data.valid] & outputs[self.data.ready] == 1;
-        if cycle > 0 && self.account(cycle, inputs, outputs) {
+        let first_splat_cycle = self.uniforms.len() as u64;
+        if cycle > 0 && self.account(cycle, outputs) {
             self.counters.cycles = cycle - first_splat_cycle;
             self.counters.pixels_read = self.buffer.pixels_read;
             self.counters.pixels_written = self.buffer.pixels_written;
             return Flow::Done;
         }
         if cycle.is_multiple_of(PROGRESS_INTERVAL_CYCLES) {
-            (self.progress)(cycle, self.sent as f64 / self.frame.count() as f64);
+            (self.progress)(cycle, self.sent as f64 / self.frame.records.len() as f64);
         }
+        let uniform = self.uniforms.get(cycle as usize);
+        self.inputs.uniform = uniform.map(|&data| UniformWrite { address: cycle as u8, data: data as u32 });
         if cycle >= first_splat_cycle {
-            self.offer_splat(inputs, splat_taken);
-            self.offer_data(cycle, inputs, data_taken);
+            self.offer(cycle, outputs);
         }
-        let uniform = self.frame.uniforms.get(cycle as usize);
-        let words = [uniform.is_some().into(), cycle & UNIFORM_ADDRESS_MASK, uniform.copied().unwrap_or(0)];
-        for (port, word) in self.uniform.into_iter().zip(words) {
-            inputs[port] = word;
-        }
-        for ready in [self.read.ready, self.write.ready, self.fragment.ready] {
-            inputs[ready] = (!self.stalls.stalled()).into();
-        }
+        self.inputs.read_ready = !self.stalls.stalled();
+        self.inputs.write_ready = !self.stalls.stalled();
+        self.inputs.fragment_ready = !self.stalls.stalled();
         Flow::Continue
+    }
+
+    /// Accounts for what moved in the cycle before; true when the last end fragment came.
+    fn account(&mut self, cycle: u64, outputs: &Out) -> bool {
+        self.sent += usize::from(self.inputs.splat.is_some() && outputs.splat_ready);
+        if let Some(read) = outputs.read.filter(|_| self.inputs.read_ready) {
+            self.buffer.request(read.tile, cycle);
+        }
+        if self.inputs.data.is_some() && outputs.data_ready {
+            self.buffer.take();
+        }
+        if let Some(write) = outputs.write.as_ref().filter(|_| self.inputs.write_ready) {
+            self.buffer.write(write);
+        }
+        self.counters.events.add(&outputs.events);
+        let Some(fragment) = outputs.fragment.filter(|_| self.inputs.fragment_ready) else { return false };
+        if fragment.end {
+            self.open_frames -= 1;
+        } else {
+            self.fragments.push(fragment);
+        }
+        self.open_frames == 0
+    }
+
+    /// Offers the next record and the next pixel, unless the stalls hold them back; an offer once made stands.
+    fn offer(&mut self, cycle: u64, outputs: &Out) {
+        if self.inputs.splat.is_none() || outputs.splat_ready {
+            let record = self.frame.records.get(self.sent).copied();
+            self.inputs.splat = record.filter(|_| !self.stalls.stalled());
+        }
+        if self.inputs.data.is_none() || outputs.data_ready {
+            self.inputs.data = self.buffer.offer(cycle).filter(|_| !self.stalls.stalled());
+        }
+    }
+}
+
+/// The host at the core's ports, a word each.
+impl Stimulus for SplatHost<'_> {
+    fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
+        let flow = SplatHost::drive(self, cycle, &read(self.config, outputs));
+        // The reset comes first.
+        write(self.config, self.inputs, &mut inputs[1..]);
+        flow
     }
 }

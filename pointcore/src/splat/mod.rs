@@ -10,10 +10,10 @@ mod recorded;
 mod report;
 mod run;
 
-pub use encode::EncodedFrame;
+pub use encode::{END, EncodedFrame};
 pub use frame::assemble;
 pub use generate::SplatCore;
-pub use host::{SplatCounters, SplatHost};
+pub use host::{EventCounts, SplatCounters, SplatHost};
 pub use recorded::record;
 pub use report::{DEPTH_ROUNDING, EDGE_ROUNDING, ROUNDING_LIMIT, SplatReport, SplatRun, rounding_limit};
 pub use run::{SplatOutcome, SplatRunner};

@@ -1,13 +1,14 @@
 //! The beginning of a small frame, recorded at the ports of the golden model: the test that goes with generated Verilog.
 
-use super::encode::EncodedFrame;
+use super::encode::{END, EncodedFrame};
 use super::generate::SplatCore;
 use super::run::SplatRunner;
 use crate::number::{encode, encode_attribute};
 use crate::recording::Recording;
 use crate::uniforms::uniforms;
 use fastrand::Rng;
-use pointcore_contract::splat::{Config, records};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{Attributes, Splat};
 use pointcore_contract::{Camera, Rendering};
 use pointcore_tb::lockstep::{LockstepError, Stall};
 
@@ -55,24 +56,27 @@ fn rendering(config: &Config) -> Rendering {
     }
 }
 
-/// Splats around the camera's axis that face the eye.
+/// A splat near the camera's axis that faces the eye.
+fn splat(config: &Config, random: &mut Rng) -> Splat {
+    let vector = |numbers: [f32; 3]| numbers.map(|number| encode(config.geometry, number));
+    let [x, y] = [(); 2].map(|()| (2.0 * random.f32() - 1.0) * RADIUS);
+    let center = vector([x, y, DEPTH + random.f32()]);
+    // The cross product of the tangents points at the eye.
+    let tangents = [[0.0, RADIUS, 0.0], [RADIUS, 0.0, 0.0]].map(vector);
+    let mut attributes = Attributes::default();
+    let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
+    continuous.fill_with(|| encode_attribute(config.attribute, random.f32()));
+    cardinals[..config.cardinal as usize].fill(1);
+    Splat { end: false, center, tangents, attributes }
+}
+
 fn frame(config: &Config) -> EncodedFrame {
     let mut random = Rng::with_seed(SEED);
-    let record_words = records::splat(config).len();
-    let mut words = Vec::new();
-    for _ in 0..SPLATS {
-        let [x, y] = [(); 2].map(|()| (2.0 * random.f32() - 1.0) * RADIUS);
-        // The cross product of the tangents points at the eye.
-        let geometry = [x, y, DEPTH + random.f32(), 0.0, RADIUS, 0.0, RADIUS, 0.0, 0.0];
-        words.push(0);
-        words.extend(geometry.map(|number| u64::from(encode(config.geometry, number))));
-        words.extend((0..config.continuous).map(|_| u64::from(encode_attribute(config.attribute, random.f32()))));
-        words.extend((0..config.cardinal).map(|_| 1));
+    let splats = (0..SPLATS).map(|_| splat(config, &mut random));
+    EncodedFrame {
+        records: splats.chain([END]).collect(),
+        uniforms: uniforms(&camera(config), &rendering(config), config),
     }
-    let end = words.len();
-    words.resize(end + record_words, 0);
-    words[end] = 1;
-    EncodedFrame { records: words, record_words, uniforms: uniforms(&camera(config), &rendering(config), config) }
 }
 
 /// Records the beginning of a frame on the hardware of a configuration.

@@ -6,11 +6,15 @@ use super::host::{SplatCounters, SplatHost};
 use super::mask::end_records;
 use crate::generated::Progress;
 use crate::recording::Recording;
-use pointcore_contract::count;
+use pointcore_contract::splat::records::Fragment;
+use pointcore_contract::splat::units::top;
 use pointcore_contract::splat::{Config, ports};
+use pointcore_contract::unit::count;
+use pointcore_contract::{read, write};
 use pointcore_golden::splat::Top;
-use pointcore_golden::unit::{Ported, Unit};
-use pointcore_tb::lockstep::{Flow, Lockstep, LockstepError, Stall, Stalls, Stimulus};
+use pointcore_golden::splat::top::{In, Out};
+use pointcore_golden::unit::{Model, Ported, Unit};
+use pointcore_tb::lockstep::{Flow, Lockstep, LockstepError, RESET_CYCLES, Stall, Stalls};
 use pointcore_tb::verilated::{Library, VerilatedError};
 use std::path::Path;
 use std::sync::Arc;
@@ -23,8 +27,8 @@ const STUCK_BASE_CYCLES: u64 = 10_000_000;
 
 /// What a run brought.
 pub struct SplatOutcome {
-    /// Fragments, field by field.
-    pub fragments: Vec<u64>,
+    /// Fragments as they came, without the end.
+    pub fragments: Vec<Fragment>,
     /// What the host counted.
     pub counters: SplatCounters,
     /// Cycles simulated.
@@ -53,11 +57,11 @@ pub struct SplatRunner<'a> {
 impl<'a> SplatRunner<'a> {
     fn host(&self) -> SplatHost<'a> {
         let stalls = Stalls::new(self.stall, fastrand::Rng::with_seed(self.seed));
-        SplatHost::new(self.config, self.frame, stalls, self.progress)
+        SplatHost::new(self.config, self.frame, stalls, self.progress).stop_after(self.stop_after)
     }
 
     fn limit(&self) -> u64 {
-        STUCK_BASE_CYCLES + STUCK_CYCLES_PER_SPLAT * self.frame.count() as u64
+        STUCK_BASE_CYCLES + STUCK_CYCLES_PER_SPLAT * self.frame.records.len() as u64
     }
 
     /// The golden model alone.
@@ -65,10 +69,11 @@ impl<'a> SplatRunner<'a> {
     /// # Errors
     /// The frame does not come to its end.
     pub fn golden(&self, core: &SplatCore) -> Result<SplatOutcome, LockstepError> {
-        let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
-        self.alone(count(&ports::top(self.config)), |inputs, outputs| {
-            golden.step(inputs, outputs);
-            Ok(())
+        let mut golden = Top::new(self.config, &core.latencies());
+        self.alone(|inputs| {
+            let outputs = golden.outputs();
+            golden.clock(inputs);
+            Ok(outputs)
         })
     }
 
@@ -81,8 +86,7 @@ impl<'a> SplatRunner<'a> {
         if let Some(path) = waveform {
             model.open_trace(path)?;
         }
-        let counts = (library.inputs().len(), library.outputs().len());
-        self.alone(counts, |inputs, outputs| model.step(inputs, outputs))
+        self.at_ports(library.reset_inputs(), |inputs, outputs| model.step(inputs, outputs))
     }
 
     /// What the golden model's ports carry in every cycle, after it has idled for so many.
@@ -90,24 +94,18 @@ impl<'a> SplatRunner<'a> {
     /// # Errors
     /// The frame does not come to its end.
     pub fn recording(&self, core: &SplatCore, settling_cycles: u64) -> Result<Recording, LockstepError> {
-        let list = ports::top(self.config);
-        let mut recording = Recording::new(list.clone()).after(settling_cycles);
+        let list = top::UNIT.ports(self.config);
+        let (inputs, outputs) = count(&list);
+        let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
+        let mut recording = Recording::new(list).after(settling_cycles);
         let mut golden = Ported::new(self.config, Top::new(self.config, &core.latencies()));
-        let mut remaining = settling_cycles;
-        self.alone(count(&list), |inputs, outputs| {
-            // The reset is no part of it.
-            if inputs[0] != 0 {
-                golden.step(inputs, outputs);
-                return Ok(());
-            }
-            let idle = vec![0; inputs.len()];
-            while remaining > 0 {
-                golden.step(&idle, outputs);
-                remaining -= 1;
-            }
-            golden.step(inputs, outputs);
-            recording.push(inputs, outputs);
-            Ok(())
+        (0..settling_cycles).for_each(|_| golden.step(&inputs, &mut outputs));
+        self.alone(|seen| {
+            // The reset comes first.
+            write(self.config, *seen, &mut inputs[1..]);
+            golden.step(&inputs, &mut outputs);
+            recording.push(&inputs, &outputs);
+            Ok(read(self.config, &outputs))
         })?;
         Ok(recording)
     }
@@ -120,7 +118,7 @@ impl<'a> SplatRunner<'a> {
     pub fn record(&self, library: &Arc<Library>) -> Result<Vec<u64>, LockstepError> {
         let mut model = library.instantiate(self.seed);
         let mut rows = Vec::new();
-        self.alone((library.inputs().len(), library.outputs().len()), |inputs, outputs| {
+        self.at_ports(library.reset_inputs(), |inputs, outputs| {
             rows.extend(inputs);
             model.step(inputs, outputs)
         })?;
@@ -137,53 +135,46 @@ impl<'a> SplatRunner<'a> {
         let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
         let lockstep = Lockstep::new(library, golden, self.seed).limit(self.limit());
         let reproduce = format!("pointcore run SCENE --seed {}", self.seed);
-        let stimulus = CutOff { host: self.host(), stop_after: self.stop_after };
-        let run = lockstep.mask(end_records(&ports::top(self.config))).reproduced_by(reproduce).run(stimulus)?;
-        Ok(SplatOutcome {
-            fragments: run.stimulus.host.fragments,
-            counters: run.stimulus.host.counters,
-            simulated_cycles: run.report.cycles,
-            elapsed: started.elapsed(),
+        let run = lockstep.mask(end_records(&ports::top(self.config))).reproduced_by(reproduce).run(self.host())?;
+        Ok(outcome(run.stimulus, run.report.cycles, started))
+    }
+
+    /// Resets a device and drives it without comparing, a word a port.
+    fn at_ports(
+        &self,
+        reset: Vec<u64>,
+        mut step: impl FnMut(&[u64], &mut [u64]) -> Result<(), VerilatedError>,
+    ) -> Result<SplatOutcome, LockstepError> {
+        let (mut inputs, mut outputs) = (reset, vec![0; count(&top::UNIT.ports(self.config)).1]);
+        for _ in 0..RESET_CYCLES {
+            step(&inputs, &mut outputs)?;
+        }
+        inputs.fill(0);
+        self.alone(|seen| {
+            // The reset comes first.
+            write(self.config, *seen, &mut inputs[1..]);
+            step(&inputs, &mut outputs)?;
+            Ok(read(self.config, &outputs))
         })
     }
 
-    /// Drives one device without comparing.
-    fn alone(
-        &self,
-        (inputs, outputs): (usize, usize),
-        mut step: impl FnMut(&[u64], &mut [u64]) -> Result<(), VerilatedError>,
-    ) -> Result<SplatOutcome, LockstepError> {
+    /// Drives a device out of reset without comparing.
+    fn alone(&self, mut step: impl FnMut(&In) -> Result<Out, VerilatedError>) -> Result<SplatOutcome, LockstepError> {
         let started = Instant::now();
-        let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
-        inputs[0] = 1;
-        for _ in 0..pointcore_tb::lockstep::RESET_CYCLES {
-            step(&inputs, &mut outputs)?;
-        }
-        inputs[0] = 0;
-        let mut stimulus = CutOff { host: self.host(), stop_after: self.stop_after };
-        let mut cycle = 0;
-        while stimulus.drive(cycle, &outputs, &mut inputs) == Flow::Continue {
+        let mut host = self.host();
+        let (mut cycle, mut outputs) = (0, Out::default());
+        while host.drive(cycle, &outputs) == Flow::Continue {
             if cycle == self.limit() {
                 return Err(LockstepError::Unfinished { cycles: cycle, seed: self.seed });
             }
-            step(&inputs, &mut outputs)?;
+            outputs = step(host.inputs())?;
             cycle += 1;
         }
-        let elapsed = started.elapsed();
-        let host = stimulus.host;
-        Ok(SplatOutcome { fragments: host.fragments, counters: host.counters, simulated_cycles: cycle, elapsed })
+        Ok(outcome(host, cycle, started))
     }
 }
 
-/// The host of a run that may be cut off.
-#[derive(Clone)]
-struct CutOff<'a> {
-    host: SplatHost<'a>,
-    stop_after: Option<u64>,
-}
-
-impl Stimulus for CutOff<'_> {
-    fn drive(&mut self, cycle: u64, outputs: &[u64], inputs: &mut [u64]) -> Flow {
-        if self.stop_after == Some(cycle) { Flow::Done } else { self.host.drive(cycle, outputs, inputs) }
-    }
+fn outcome(host: SplatHost, simulated_cycles: u64, started: Instant) -> SplatOutcome {
+    let SplatHost { fragments, counters, .. } = host;
+    SplatOutcome { fragments, counters, simulated_cycles, elapsed: started.elapsed() }
 }

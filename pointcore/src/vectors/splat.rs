@@ -3,8 +3,10 @@
 use super::{AddressSpace, Packets, Region, Vectors, VectorsError, writes};
 use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::{Layout, registers};
+use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::{Config, ports, records};
+use pointcore_contract::splat::records::{self, Fragment, Uniforms};
+use pointcore_contract::{fields, words};
 use pointcore_tb::lockstep::Stall;
 
 /// A frame, with the reconstruction buffer at `base`. Fragments come in the order of the vectors, however the bus stalls.
@@ -18,19 +20,19 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
     let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
     let fragments = runner.golden(&SplatCore::generate(config)?)?.fragments;
 
-    let splats = frame.records.chunks_exact(frame.record_words).map(<[u64]>::to_vec);
-    let fields = records::fragment(config);
-    let words = fields.len();
-    let end = std::iter::once([vec![1], vec![0; words - 1]].concat());
-    let fragments = fragments.chunks_exact(words - 1).map(|fragment| [&[0], fragment].concat());
-    let uniforms = ports::UNIFORMS.into_iter().zip(frame.uniforms.iter().map(|value| *value as u32));
+    let splats = frame.records.iter().map(|splat| words(config, *splat));
+    let end = Fragment { end: true, ..Fragment::default() };
+    let fragments = fragments.into_iter().chain([end]).map(|fragment| words(config, fragment));
+    let uniforms = fields::<Uniforms>(config).into_iter().zip(words(config, frame.uniforms));
+    let uniforms: Vec<_> = uniforms.map(|(field, value)| (field.name, value as u32)).collect();
+    let uniforms = uniforms.iter().map(|(name, value)| (name.as_str(), *value));
     Ok(Vectors {
         top: "splat_axi",
         stream_bits: config.bus.stream_bits,
         memory_bits: config.bus.memory_bits,
         registers: writes(&registers::splat(config), [("buffer_base", buffer_base)].into_iter().chain(uniforms)),
         send: Packets::new("splat", &records::splat(config), &config.bus, splats),
-        receive: Packets::new("fragment", &fields, &config.bus, fragments.chain(end)),
+        receive: Packets::new("fragment", &records::fragment(config), &config.bus, fragments),
         memory: vec![Region {
             name: "pixel",
             port: "m_axi",

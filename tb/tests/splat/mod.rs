@@ -185,7 +185,7 @@ impl Device {
         &self,
         model: &M,
         items: &[Vec<u64>],
-        constants: &[(&str, u64)],
+        constants: &[(String, u64)],
     ) -> Vec<Vec<Vec<u64>>> {
         let has_end = self.library.outputs().iter().any(|port| port.name == "out_end");
         let run = |seed: u64| {
@@ -194,7 +194,7 @@ impl Device {
             let testbench = testbench.source("in", items.to_vec(), source)?.sink("out", sink)?;
             let present = |name: &str| self.library.inputs().iter().any(|port| port.name == name);
             let mut constants = constants.iter().filter(|(name, _)| present(name));
-            let testbench = constants.try_fold(testbench, |testbench, &(name, word)| testbench.constant(name, word))?;
+            let testbench = constants.try_fold(testbench, |testbench, (name, word)| testbench.constant(name, *word))?;
             self.lockstep(Ported::new(&self.config, model.clone()), seed).run(testbench)
         };
         let outcome = |seed| {
@@ -212,7 +212,7 @@ impl Device {
         &self,
         model: &M,
         items: &[Vec<u64>],
-        constants: &[(&str, u64)],
+        constants: &[(String, u64)],
     ) -> Vec<Vec<u64>> {
         let mut runs = self.runs(model, items, constants);
         assert!(runs.iter().all(|run| *run == runs[0]), "the results depend on stalls");
@@ -226,7 +226,7 @@ pub fn through<M: Model<Config = Config>>(
     model: M,
     specified: &[Port],
     items: &[Vec<u64>],
-    constants: &[(&str, u64)],
+    constants: &[(String, u64)],
 ) -> Vec<Vec<u64>> {
     let side = |direction| -> Vec<&str> {
         specified.iter().filter(|port| port.direction == direction).map(|port| port.name.as_str()).collect()

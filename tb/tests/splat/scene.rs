@@ -2,8 +2,10 @@
 
 use fastrand::Rng;
 use pointcore_contract::Format;
-use pointcore_contract::splat::ports::{self, UNIFORMS};
+use pointcore_contract::splat::ports;
+use pointcore_contract::splat::records::{EpsilonScale, ModelView, Uniforms, Viewport};
 use pointcore_contract::splat::{AttributeFormat, Config, Field, records};
+use pointcore_contract::{fields, words};
 use pointcore_golden::splat::{Rasterizer, Setup, Splitter, Transform};
 use pointcore_tb::lockstep::seed;
 
@@ -31,17 +33,32 @@ pub fn encode_attribute(config: &Config, number: f32) -> u64 {
     pointcore::number::encode_attribute(config.attribute, number).into()
 }
 
-/// Values of the uniform registers: a camera that looks at the origin, a little from above.
-pub fn uniforms(config: &Config) -> Vec<(&'static str, u64)> {
+/// The uniform registers: a camera that looks at the origin, a little from above.
+pub fn registers(config: &Config) -> Uniforms {
     let (sin, cos) = 0.3_f32.sin_cos();
-    let model_view = [1.0, 0.0, 0.0, 0.1, 0.0, cos, -sin, -0.2, 0.0, sin, cos, 4.0];
+    let number = |number| pointcore::number::encode(config.geometry, number);
     let (width, height) = (config.width as f32, config.height as f32);
-    let viewport = [0.9 * width, 0.9 * width, width / 2.0, height / 2.0, 10.0 / 9.0, -10.0 / 9.0];
-    let tests = [1.0, 0.7, 0.02, 0.9, 1.0 / (0.9 * 0.9)];
-    let numbers = model_view.into_iter().chain(viewport).chain(tests);
-    let word = |name, number| pointcore::number::encode_uniform(config.uniform_format(name), number).into();
-    let encoded = |(name, number)| (name, word(name, number));
-    UNIFORMS.into_iter().zip(numbers).map(encoded).collect()
+    let rows = [[1.0, 0.0, 0.0, 0.1], [0.0, cos, -sin, -0.2], [0.0, sin, cos, 4.0]];
+    let filter_scale = 1.0 / (0.9 * 0.9);
+    Uniforms {
+        model_view: ModelView { rows: rows.map(|row| row.map(number)) },
+        viewport: Viewport {
+            scale: [0.9 * width; 2].map(number),
+            origin: [width / 2.0, height / 2.0].map(number),
+            depth_a: number(10.0 / 9.0),
+            depth_b: number(-10.0 / 9.0),
+        },
+        near_plane: number(1.0),
+        epsilon: EpsilonScale { scale: number(0.7), bias: number(0.02) },
+        filter_radius: number(0.9),
+        filter_scale: pointcore::number::encode_uniform(config.filter_scale_format(), filter_scale),
+    }
+}
+
+/// Their names and values.
+pub fn uniforms(config: &Config) -> Vec<(String, u64)> {
+    let names = fields::<Uniforms>(config).into_iter().map(|field| field.name);
+    names.zip(words(config, registers(config))).collect()
 }
 
 /// Fills fields with random bits.
