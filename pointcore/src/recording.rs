@@ -2,6 +2,7 @@
 
 use pointcore_contract::Direction;
 use pointcore_contract::splat::Port;
+use rtl::StreamDeclaration;
 use std::fmt::Write as _;
 
 /// The words of every port in every cycle.
@@ -61,9 +62,11 @@ impl Recording {
 
     /// Cycles in which a stream's item changes hands.
     #[must_use]
-    pub fn transfers(&self, stream: &str) -> usize {
-        let place = |suffix: &str| self.ports.iter().position(|port| port.name == format!("{stream}_{suffix}"));
-        let (Some(valid), Some(ready)) = (place("valid"), place("ready")) else { return 0 };
+    pub fn transfers(&self, stream: &StreamDeclaration) -> usize {
+        let place = |name: String| self.ports.iter().position(|port| port.name == name);
+        let (Some(valid), Some(ready)) = (place(stream.flag_port()), stream.ready_port().and_then(place)) else {
+            return 0;
+        };
         self.rows.iter().filter(|row| row[valid] != 0 && row[ready] != 0).count()
     }
 
@@ -99,9 +102,10 @@ mod tests {
             port("in_data", 7, Direction::Input),
             port("in_ready", 1, Direction::Output),
         ]);
+        let stream = StreamDeclaration::stream("in", rtl::Direction::Input, ["data"]);
         recording.push(&[1, 0x55], &[1]);
         recording.push(&[1, 0], &[0]);
-        assert_eq!((recording.width(), recording.cycles(), recording.transfers("in")), (9, 2, 1));
+        assert_eq!((recording.width(), recording.cycles(), recording.transfers(&stream)), (9, 2, 1));
         assert_eq!(recording.hexadecimal(), "1ab\n001\n");
     }
 }

@@ -5,11 +5,12 @@ use super::check::Checker;
 use super::dependencies::Reach;
 use super::emit::PortKind;
 use super::error::ElaborationError;
+use super::interface::StreamDeclaration;
 use super::lower::Library;
 use super::module::Module;
 
 /// Which way a port goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// Into the module.
     Input,
@@ -51,6 +52,7 @@ pub struct Design {
     top: String,
     verilog: String,
     ports: Vec<Port>,
+    streams: Vec<StreamDeclaration>,
     modules: Vec<ModuleSummary>,
     combinational_paths: Vec<(String, String)>,
 }
@@ -72,6 +74,12 @@ impl Design {
     #[must_use]
     pub fn ports(&self) -> &[Port] {
         &self.ports
+    }
+
+    /// Which of the top's ports form streams and pulses, in declaration order.
+    #[must_use]
+    pub fn streams(&self) -> &[StreamDeclaration] {
+        &self.streams
     }
 
     /// Every module of the design, children before parents, the top last.
@@ -131,6 +139,7 @@ fn lower(top: &Module, part: Option<&Module>) -> Result<Design, ElaborationError
         top: names[index].clone(),
         verilog: library.verilog(&names, beside),
         ports: ports.collect(),
+        streams: top.streams.clone(),
         modules: modules.collect(),
         combinational_paths: paths(top, &reach),
     })

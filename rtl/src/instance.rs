@@ -123,12 +123,10 @@ impl Module {
         }
     }
 
-    /// The fields of a child's output stream, by the ports `<prefix><field>`.
-    pub(super) fn output_fields(&self, instance: Instance, prefix: &str) -> Vec<String> {
-        let Some(child) = self.children.get(instance.index) else { return vec![] };
-        let outputs = child.module.ports.iter().filter(|port| matches!(port, PortDeclaration::Output { .. }));
-        let fields = outputs.filter_map(|port| port.shape(&child.module).0.strip_prefix(prefix));
-        fields.filter(|&field| field != "valid").map(String::from).collect()
+    /// The module that an instance of this one is of.
+    pub(super) fn child(&self, instance: Instance) -> Option<&Module> {
+        let own = instance.module == self.identity;
+        own.then(|| &*self.children[instance.index].module)
     }
 
     /// A port of a child, of the wanted direction; a fault where there is none.

@@ -11,6 +11,7 @@ use super::error::{FaultKind, Place};
 use super::expression::{Expr, Node, Primitive, SignalRef, lit};
 use super::handle::{Reg, Wire};
 use super::instance::Child;
+use super::interface::StreamDeclaration;
 use super::memory::Store;
 use super::names;
 
@@ -27,6 +28,7 @@ pub struct Module {
     pub(super) summary: String,
     pub(super) parameters: Vec<(String, String)>,
     pub(super) ports: Vec<PortDeclaration>,
+    pub(super) streams: Vec<StreamDeclaration>,
     pub(super) signals: Vec<Signal>,
     pub(super) stores: Vec<Store>,
     pub(super) children: Vec<Child>,
@@ -104,6 +106,7 @@ impl Module {
             summary: summary.into(),
             parameters: vec![],
             ports: vec![],
+            streams: vec![],
             signals: vec![],
             stores: vec![],
             children: vec![],

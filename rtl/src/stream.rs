@@ -1,8 +1,10 @@
 //! `valid`/`ready` streams: ports `<name>_valid`, `<name>_ready` and `<name>_<field>`.
 
+use super::elaborate::Direction;
 use super::expression::Expr;
 use super::handle::Wire;
 use super::instance::Instance;
+use super::interface::StreamDeclaration;
 use super::module::Module;
 
 /// A stream inside a module: what the producer shows, and the consumer's answer, to be driven once.
@@ -50,6 +52,8 @@ impl Module {
             let field = field.as_ref();
             fields.push((field.to_string(), self.input(&format!("{name}_{field}"), *width)));
         }
+        let names = fields.iter().map(|(field, _): &(String, Expr)| field.as_str());
+        self.streams.push(StreamDeclaration::stream(name, Direction::Input, names));
         Stream { valid, fields, ready }
     }
 
@@ -69,9 +73,12 @@ impl Module {
     ) -> Expr {
         self.output(&format!("{name}_valid"), valid);
         let ready = self.input(&format!("{name}_ready"), 1);
+        let mut names = vec![];
         for (field, value) in fields {
             self.output(&format!("{name}_{}", field.as_ref()), value);
+            names.push(field.as_ref().to_owned());
         }
+        self.streams.push(StreamDeclaration::stream(name, Direction::Output, names));
         ready
     }
 
@@ -89,7 +96,7 @@ impl Module {
         let prefix = format!("{port}_");
         let valid = self.out(instance, &format!("{prefix}valid"));
         let mut fields = vec![];
-        for field in self.output_fields(instance, &prefix) {
+        for field in self.output_fields(instance, port) {
             let value = self.out(instance, &format!("{prefix}{field}"));
             fields.push((field, value));
         }

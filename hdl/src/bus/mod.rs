@@ -62,9 +62,7 @@ fn size_of(beat_bytes: u32) -> Expr {
 
 /// Declares the ports of a stream that shows a record, and drives `taken` with its `ready`.
 fn stream_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record, taken: Wire) {
-    m.output(&format!("{name}_valid"), valid);
-    let ready = m.input(&format!("{name}_ready"), 1);
-    record.output(m, &format!("{name}_"));
+    let ready = m.stream_out(name, valid, record.named());
     m.drive(taken, ready);
 }
 

@@ -96,12 +96,12 @@ fn writes(m: &mut Module, index_bits: u32, locked: Expr) -> Expr {
 
     let write_valid = m.reg_reset("write_valid", 1, 0);
     m.next(write_valid, takes & !(is_bad | (is_busy | is_unfit)));
-    m.output("write_valid", write_valid);
-    for (name, value) in [("write_index", index.expr()), ("write_data", wdata)] {
-        let register = m.reg(name, value.width());
+    let written = [("index", index.expr()), ("data", wdata)].map(|(name, value)| {
+        let register = m.reg(&format!("write_{name}"), value.width());
         m.next(register, value);
-        m.output(name, register);
-    }
+        (name, register)
+    });
+    m.pulse_out("write", "valid", write_valid, written);
 
     m.output("s_axi_bvalid", bvalid);
     let bready = m.input("s_axi_bready", 1);

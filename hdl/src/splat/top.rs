@@ -57,9 +57,9 @@ fn place(
 
 /// The uniform registers, written by address; connects every unit's input of a register's name.
 fn uniforms(m: &mut Module, config: &Config, units: &[(Instance, Vec<Port>)]) {
-    let valid = m.input("uniform_valid", 1);
-    let address = m.input("uniform_address", UNIFORM_ADDRESS_BITS);
-    let data = m.input("uniform_data", config.geometry.width());
+    let layout = [("address", UNIFORM_ADDRESS_BITS), ("data", config.geometry.width())];
+    let (valid, fields) = m.pulse_in("uniform", "valid", &layout);
+    let [address, data] = [fields[0], fields[1]];
     for (index, name) in UNIFORMS.iter().enumerate() {
         let readers: Vec<_> = units.iter().filter(|(_, ports)| ports.iter().any(|port| port.name == *name)).collect();
         if readers.is_empty() {

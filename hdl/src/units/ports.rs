@@ -171,8 +171,8 @@ pub(crate) trait PulseInPorts<R: Record>: Sized {
 
 impl<R: Record> PulseInPorts<R> for PulseIn<R> {
     fn declare(self, m: &mut Module, config: &R::Config) -> Pulse<Wired<R>> {
-        let valid = m.input(&format!("{}_{}", self.name, self.flag), 1);
-        Pulse { valid, record: Bundle::input(m, config, &format!("{}_", self.name)) }
+        let (valid, values) = m.pulse_in(self.name, self.flag, &layout::<R>(config));
+        Pulse { valid, record: Bundle::from_values(config, values) }
     }
 
     fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, pulse: Pulse<Wired<R>>) {
@@ -201,8 +201,7 @@ pub(crate) trait PulseOutPorts<R: Record>: Sized {
 
 impl<R: Record> PulseOutPorts<R> for PulseOut<R> {
     fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) {
-        m.output(&format!("{}_{}", self.name, self.flag), valid);
-        record.output(m, config, &format!("{}_", self.name));
+        m.pulse_out(self.name, self.flag, valid, record.named(config));
     }
 
     fn registered(

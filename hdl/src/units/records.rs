@@ -46,6 +46,11 @@ impl Record {
         cat(self.0.iter().map(|(_, value)| *value))
     }
 
+    /// Names and values.
+    pub fn named(&self) -> impl Iterator<Item = (&str, Expr)> {
+        self.0.iter().map(|(name, value)| (name.as_str(), *value))
+    }
+
     /// A field by its name, which must be one of the record's.
     #[track_caller]
     pub fn get(&self, name: &str) -> Expr {
@@ -232,15 +237,15 @@ pub(crate) struct Pulse {
 /// Declares the ports of a pulse that comes in.
 #[track_caller]
 pub(crate) fn pulse_in(m: &mut Module, name: &str, fields: &[Field]) -> Pulse {
-    let valid = m.input(&format!("{name}_valid"), 1);
-    Pulse { valid, record: Record::input(m, &format!("{name}_"), fields) }
+    let (valid, values) = m.pulse_in(name, "valid", &layout(fields));
+    let names = fields.iter().map(|(field, _)| field.clone());
+    Pulse { valid, record: Record(names.zip(values).collect()) }
 }
 
 /// Drives the ports of a pulse that goes out.
 #[track_caller]
 pub(crate) fn pulse_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record) {
-    m.output(&format!("{name}_valid"), valid);
-    record.output(m, &format!("{name}_"));
+    m.pulse_out(name, "valid", valid, record.named());
 }
 
 /// A pulse that goes out in the cycle after `valid`. Its fields follow every cycle: who decides on `valid` need not reach them.

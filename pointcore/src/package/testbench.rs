@@ -2,9 +2,14 @@
 
 use super::GENERATOR;
 use crate::recording::Recording;
-use pointcore_contract::Direction as Specified;
-use pointcore_tb::lockstep::{RESET_CYCLES, StreamPorts, Streams};
-use rtl::{Design, Direction, Port};
+use pointcore_contract::{self as contract, Direction as Specified};
+use pointcore_tb::lockstep::RESET_CYCLES;
+use rtl::{Design, Direction, Port, StreamDeclaration};
+use std::collections::HashMap;
+use std::iter;
+
+/// The field of a record that closes a frame and carries nothing else.
+const END: &str = "end";
 
 /// The bits of a port in a vector.
 struct Place {
@@ -48,43 +53,37 @@ fn connections(design: &Design, recording: &Recording) -> String {
     design.ports().iter().map(line).collect::<Vec<_>>().join(",\n")
 }
 
-/// A recording's ports of a direction, in order.
-fn side(recording: &Recording, direction: Direction) -> Vec<Port> {
-    let specified = if direction == Direction::Input { Specified::Input } else { Specified::Output };
-    let ports = recording.ports().iter().filter(|port| port.direction == specified);
-    ports.map(|port| Port { name: port.name.clone(), width: port.width, direction }).collect()
-}
-
 /// The streams that leave the core.
-fn output_streams(recording: &Recording) -> Vec<StreamPorts> {
-    let streams = Streams::from_ports(&side(recording, Direction::Input), &side(recording, Direction::Output));
-    streams.iter().filter(|stream| stream.direction == Direction::Output).cloned().collect()
+fn output_streams(design: &Design) -> impl Iterator<Item = &StreamDeclaration> {
+    design.streams().iter().filter(|stream| stream.direction == Direction::Output)
 }
 
 /// A statement for each output that compares it: always, but a stream's fields only while it is valid, and of an end record no other.
-fn comparisons(recording: &Recording) -> String {
-    let streams = output_streams(recording);
-    let outputs = side(recording, Direction::Output);
-    let bits = |name: &str| Place::of(recording, name).map(|place| format!("vector{}", place.range()));
-    let line = |(index, port): (usize, &Port)| {
-        let name = &port.name;
-        let range = Place::of(recording, name).expect("it is one of the recording's ports").range();
-        let mut conditions = Vec::new();
-        if let Some(stream) = streams.iter().find(|stream| stream.fields.contains(&index)) {
-            conditions.extend(bits(&format!("{}_valid", stream.name)));
-            let end = format!("{}_end", stream.name);
-            conditions.extend(bits(&end).filter(|_| *name != end).map(|end| format!("!{end}")));
+fn comparisons(design: &Design, recording: &Recording) -> String {
+    let place = |name: &str| Place::of(recording, name).expect("the recording has the design's ports").range();
+    // What must be so for a port to count.
+    let mut conditions: HashMap<String, Vec<String>> = HashMap::new();
+    for stream in output_streams(design) {
+        let valid = format!("vector{}", place(&stream.flag_port()));
+        let end = stream.fields.iter().zip(stream.field_ports()).find(|(field, _)| *field == END).map(|(_, port)| port);
+        for port in stream.field_ports() {
+            let end = end.as_ref().filter(|end| **end != port).map(|end| format!("!vector{}", place(end)));
+            conditions.insert(port, iter::once(valid.clone()).chain(end).collect());
         }
+    }
+    let line = |port: &contract::Port| {
+        let (name, range) = (&port.name, place(&port.name));
+        let mut conditions = conditions.remove(name).unwrap_or_default();
         conditions.push(format!("found{range} !== vector{range}"));
         format!("            if ({}) differ(\"{name}\");\n", conditions.join(" && "))
     };
-    outputs.iter().enumerate().map(line).collect()
+    recording.ports().iter().filter(|port| port.direction == Specified::Output).map(line).collect()
 }
 
 /// The test's text. It reads `vectors` from the folder that it runs in.
 pub fn text(name: &str, vectors: &str, design: &Design, recording: &Recording) -> String {
     let (top, cycles, high) = (design.top(), recording.cycles(), recording.width() - 1);
-    let items: usize = output_streams(recording).iter().map(|stream| recording.transfers(&stream.name)).sum();
+    let items: usize = output_streams(design).map(|stream| recording.transfers(stream)).sum();
     format!(
         r#"// Written by {GENERATOR}; do not edit.
 // Replays {cycles} cycles of the bit-exact model at the ports of {top}, in which {items} items leave the core, and compares every output in every
@@ -132,6 +131,6 @@ endmodule
         settling = recording.settling_cycles(),
         last = cycles - 1,
         connections = connections(design, recording),
-        comparisons = comparisons(recording),
+        comparisons = comparisons(design, recording),
     )
 }

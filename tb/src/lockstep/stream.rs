@@ -1,15 +1,15 @@
-//! Which words of the exchanged arrays belong to which stream, read off the port names.
+//! Which words of the exchanged arrays belong to which stream, as the design declares them.
 
-use crate::verilated::{Direction, Library, Port};
+use crate::verilated::{Direction, Library, Port, StreamDeclaration};
 
 /// A `valid`/`ready` stream of the hardware: positions in the arrays of inputs and outputs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StreamPorts {
-    /// The prefix of its ports.
+    /// What the names of its ports begin with.
     pub name: String,
     /// Whether the hardware consumes it (`Input`) or produces it (`Output`): the side of `valid` and the fields.
     pub direction: Direction,
-    /// Position of `<name>_valid`.
+    /// Position of its flag.
     pub valid: usize,
     /// Position of `<name>_ready` among the ports of the other direction; without one, every valid cycle is a transfer.
     pub ready: Option<usize>,
@@ -18,6 +18,24 @@ pub struct StreamPorts {
 }
 
 impl StreamPorts {
+    fn among(declared: &StreamDeclaration, inputs: &[Port], outputs: &[Port]) -> Self {
+        let (forward, backward) = match declared.direction {
+            Direction::Input => (inputs, outputs),
+            Direction::Output => (outputs, inputs),
+        };
+        let place = |ports: &[Port], name: &str| {
+            let place = ports.iter().position(|port| port.name == name);
+            place.unwrap_or_else(|| panic!("stream `{}` has no port `{name}`", declared.name))
+        };
+        Self {
+            name: declared.name.clone(),
+            direction: declared.direction,
+            valid: place(forward, &declared.flag_port()),
+            ready: declared.ready_port().map(|ready| place(backward, &ready)),
+            fields: declared.field_ports().map(|field| place(forward, &field)).collect(),
+        }
+    }
+
     /// The arrays as this stream sees them: first that of `valid` and the fields, then that of `ready`.
     #[must_use]
     pub fn sides<'a>(&self, inputs: &'a [u64], outputs: &'a [u64]) -> (&'a [u64], &'a [u64]) {
@@ -46,35 +64,21 @@ impl StreamPorts {
 pub struct Streams(Vec<StreamPorts>);
 
 impl Streams {
-    /// The streams of a library's ports.
+    /// The streams of a library's design.
+    ///
+    /// # Panics
+    /// When a declared port is not among the design's.
     #[must_use]
     pub fn of(library: &Library) -> Self {
-        Self::from_ports(library.inputs(), library.outputs())
+        Self::among(&library.source().streams, library.inputs(), library.outputs())
     }
 
-    /// The streams of these ports: one for each `<name>_valid`, with the fields of the longest name that fits them.
-    #[must_use]
-    pub fn from_ports(inputs: &[Port], outputs: &[Port]) -> Self {
-        let mut streams = Vec::new();
-        for (direction, forward, backward) in
-            [(Direction::Input, inputs, outputs), (Direction::Output, outputs, inputs)]
-        {
-            let names: Vec<&str> = forward.iter().filter_map(|port| port.name.strip_suffix("_valid")).collect();
-            for &name in &names {
-                let position = |ports: &[Port], suffix: &str| {
-                    ports.iter().position(|port| port.name.strip_prefix(name) == Some(suffix))
-                };
-                let Some(valid) = position(forward, "_valid") else { continue };
-                let owns = |port: &Port| {
-                    let fitting = names.iter().filter(|other| is_field_of(&port.name, other));
-                    fitting.max_by_key(|other| other.len()) == Some(&name)
-                };
-                let ready = position(backward, "_ready");
-                let fields = (0..forward.len()).filter(|&index| index != valid && owns(&forward[index])).collect();
-                streams.push(StreamPorts { name: name.to_owned(), direction, valid, ready, fields });
-            }
-        }
-        Self(streams)
+    fn among(declared: &[StreamDeclaration], inputs: &[Port], outputs: &[Port]) -> Self {
+        let streams = |direction| {
+            let declared = declared.iter().filter(move |stream| stream.direction == direction);
+            declared.map(|stream| StreamPorts::among(stream, inputs, outputs))
+        };
+        Self(streams(Direction::Input).chain(streams(Direction::Output)).collect())
     }
 
     /// The stream of this name.
@@ -98,30 +102,31 @@ impl<'a> IntoIterator for &'a Streams {
     }
 }
 
-/// Whether `port` is called `<stream>_<something>`, where something is not `ready`: that is a port of the other direction.
-fn is_field_of(port: &str, stream: &str) -> bool {
-    port.strip_prefix(stream).and_then(|rest| rest.strip_prefix('_')).is_some_and(|field| field != "ready")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn fields_go_to_the_longest_stream_name() {
-        let inputs = ["in_valid", "in_x", "in_far_valid", "in_far_x", "out_ready", "threshold"];
+    fn streams_have_the_ports_they_declare() {
+        let inputs = ["in_valid", "in_x", "in_far_enable", "in_far_x", "in_other", "out_ready"];
         let outputs = ["in_ready", "out_valid", "out_sum", "pulse_valid"];
         let ports = |names: &[&str], direction| -> Vec<_> {
             names.iter().map(|name| Port { name: (*name).to_owned(), width: 1, direction }).collect()
         };
-        let streams = Streams::from_ports(&ports(&inputs, Direction::Input), &ports(&outputs, Direction::Output));
+        let declared = [
+            StreamDeclaration::stream("out", Direction::Output, ["sum"]),
+            StreamDeclaration::stream("in", Direction::Input, ["x"]),
+            StreamDeclaration::pulse("in_far", "enable", Direction::Input, ["x"]),
+            StreamDeclaration::pulse("pulse", "valid", Direction::Output, [] as [&str; 0]),
+        ];
+        let (inputs, outputs) = (ports(&inputs, Direction::Input), ports(&outputs, Direction::Output));
+        let streams = Streams::among(&declared, &inputs, &outputs);
         let find = |name| streams.get(name).unwrap_or_else(|| panic!("no stream {name}"));
-        assert_eq!(find("in").fields, [1]);
-        assert_eq!(find("in").ready, Some(0));
-        assert_eq!(find("in_far").fields, [3]);
-        assert_eq!(find("in_far").ready, None);
-        assert_eq!((find("out").valid, find("out").ready, find("out").fields.as_slice()), (1, Some(4), &[2][..]));
+        assert_eq!((find("in").valid, find("in").ready, find("in").fields.as_slice()), (0, Some(0), &[1][..]));
+        assert_eq!((find("in_far").valid, find("in_far").ready, find("in_far").fields.as_slice()), (2, None, &[3][..]));
+        assert_eq!((find("out").valid, find("out").ready, find("out").fields.as_slice()), (1, Some(5), &[2][..]));
         assert_eq!((find("pulse").direction, find("pulse").ready), (Direction::Output, None));
-        assert_eq!(streams.iter().count(), 4);
+        let names: Vec<_> = streams.iter().map(|stream| stream.name.as_str()).collect();
+        assert_eq!(names, ["in", "in_far", "out", "pulse"], "those that come in come first");
     }
 }

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 pub use build::Builder;
 pub use model::{Library, RESET, VerilatedModel};
-pub use rtl::{Direction, Port};
+pub use rtl::{Direction, Port, StreamDeclaration};
 
 use rtl::Design;
 
@@ -27,11 +27,18 @@ pub struct VerilogSource {
     pub top: String,
     /// All its ports in declaration order, 1 to 64 bits wide. `clk` is driven by the harness, `rst` is an input like any other.
     pub ports: Vec<Port>,
+    /// Which of the ports form streams and pulses.
+    pub streams: Vec<StreamDeclaration>,
 }
 
 impl From<&Design> for VerilogSource {
     fn from(design: &Design) -> Self {
-        Self { verilog: design.verilog().to_owned(), top: design.top().to_owned(), ports: design.ports().to_vec() }
+        Self {
+            verilog: design.verilog().to_owned(),
+            top: design.top().to_owned(),
+            ports: design.ports().to_vec(),
+            streams: design.streams().to_vec(),
+        }
     }
 }
 

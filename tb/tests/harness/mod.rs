@@ -6,7 +6,7 @@ mod lockstep;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use pointcore_tb::verilated::{BuildOptions, Builder, Direction, Library, Port, VerilogSource};
+use pointcore_tb::verilated::{BuildOptions, Builder, Direction, Library, Port, StreamDeclaration, VerilogSource};
 
 /// The queue's Verilog.
 const FIFO: &str = include_str!("fifo.v");
@@ -21,7 +21,9 @@ fn source(verilog: &str) -> VerilogSource {
     let outputs = [("in_ready", 1), ("out_valid", 1), ("out_value", 17), ("out_last", 1)];
     let ports = inputs.map(|(name, width)| port(name, width, Direction::Input)).into_iter();
     let ports = ports.chain(outputs.map(|(name, width)| port(name, width, Direction::Output))).collect();
-    VerilogSource { verilog: verilog.to_owned(), top: "fifo".to_owned(), ports }
+    let streams = [("in", Direction::Input), ("out", Direction::Output)];
+    let streams = streams.map(|(name, direction)| StreamDeclaration::stream(name, direction, ["value", "last"]));
+    VerilogSource { verilog: verilog.to_owned(), top: "fifo".to_owned(), ports, streams: streams.to_vec() }
 }
 
 fn library(verilog: &str) -> Arc<Library> {

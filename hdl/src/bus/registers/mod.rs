@@ -232,9 +232,7 @@ fn uniform_out(m: &mut Module, map: &[Register], write: &Write) {
     m.next(address, write.word.trunc(address_bits));
     let data = m.reg("uniform_data", data_bits);
     m.next(data, write.data.trunc(data_bits));
-    m.output("uniform_valid", valid);
-    m.output("uniform_address", address);
-    m.output("uniform_data", data);
+    m.pulse_out("uniform", "valid", valid, [("address", address), ("data", data)]);
 }
 
 /// The read channels: an address waits in a register until its value is there.

@@ -191,18 +191,20 @@ pub fn module(config: &Config) -> Module {
     let retire_valid = m.reg_reset("retire_valid", 1, 0);
     let retire_slot = m.reg("retire_slot", slot_bits);
     let frame_end = m.reg_reset("frame_end", 1, 0);
-    m.output("retire_valid", retire_valid);
-    m.output("retire_slot", retire_slot);
+    m.pulse_out("retire", "valid", retire_valid, [("slot", retire_slot)]);
     m.output("frame_end", frame_end);
+    let place = [("slot".to_owned(), slot_bits), ("pixel".to_owned(), PIXEL_BITS)];
+    let (fill_valid, fill) = m.pulse_in("fill", "valid", &[place.as_slice(), &pixel_fields].concat());
+    let (drain_enable, drain) = m.pulse_in("drain", "enable", &place);
     let ports = SlotPorts {
         ready,
-        fill_valid: m.input("fill_valid", 1),
-        fill_slot: m.input("fill_slot", slot_bits),
-        fill_pixel: m.input("fill_pixel", PIXEL_BITS),
-        fill: Record::input(&mut m, "fill_", &pixel_fields).pack(),
-        drain_enable: m.input("drain_enable", 1),
-        drain_slot: m.input("drain_slot", slot_bits),
-        drain_pixel: m.input("drain_pixel", PIXEL_BITS),
+        fill_valid,
+        fill_slot: fill[0],
+        fill_pixel: fill[1],
+        fill: cat(fill[2..].iter().copied()),
+        drain_enable,
+        drain_slot: drain[0],
+        drain_pixel: drain[1],
     };
 
     let stages: Vec<_> = (1..=config.accumulate_stages + 1).map(|number| Stage::new(&mut m, config, number)).collect();

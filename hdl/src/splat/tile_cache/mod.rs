@@ -116,8 +116,8 @@ pub fn module(config: &Config) -> Module {
 
     let directory = Directory::new(&mut m, config);
     m.output("slot_ready", directory.ready());
-    let retire = m.input("retire_valid", 1);
-    let retire_slot = m.input("retire_slot", slot_bits);
+    let (retire, retired) = m.pulse_in("retire", "valid", &[("slot", slot_bits)]);
+    let retire_slot = retired[0];
     let frame_end = m.input("frame_end", 1);
 
     let touched_tiles = m.memory_unordered("touched_tiles", 1 << tile_bits, 1);
@@ -140,9 +140,8 @@ pub fn module(config: &Config) -> Module {
 
     let arriving = Record::from(&data);
     fill_ports(&mut m, &state, moves.fill, fill_valid, &arriving, &pixel_fields);
-    m.output("drain_enable", moves.step);
-    m.output("drain_slot", state.slot);
-    m.output("drain_pixel", state.drained.trunc(PIXEL_BITS));
+    let drain = [("slot", *state.slot), ("pixel", state.drained.trunc(PIXEL_BITS))];
+    m.pulse_out("drain", "enable", moves.step, drain);
     let held = Record::input(&mut m, "drain_", &pixel_fields);
     push_pixels(&mut m, &state, &moves, close, &held, &arriving, [write, pixel]);
 

@@ -65,10 +65,8 @@ pub(super) fn fill_ports(m: &mut Module, state: &State, fill: Expr, fill_valid: 
     m.next(fill_valid, fill);
     m.next_if(fill_pixel, fill, state.filled.trunc(PIXEL_BITS));
     let filling = data.mux(*state.load, &Record::zeros(fields)).register(m, "fill_", fill);
-    m.output("fill_valid", fill_valid);
-    m.output("fill_slot", state.slot);
-    m.output("fill_pixel", fill_pixel);
-    filling.output(m, "fill_");
+    let place = [("slot", *state.slot), ("pixel", *fill_pixel)];
+    m.pulse_out("fill", "valid", fill_valid, place.into_iter().chain(filling.named()));
 }
 
 /// Pushes pixels to the reconstruction buffer and, at the end of the frame, those that are visible to the output.
