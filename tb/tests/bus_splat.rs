@@ -18,10 +18,7 @@ const BUFFER_BASE: u32 = 0x3000;
 const MEMORY_BYTES: usize = 1 << 20;
 
 fn frames(config: &Config) -> EncodedFrame {
-    EncodedFrame {
-        records: scene::world(config, RECORDS).iter().map(|record| read(config, record)).collect(),
-        uniforms: scene::registers(config),
-    }
+    EncodedFrame { records: scene::world(config, RECORDS), uniforms: scene::registers(config) }
 }
 
 /// The fragments of all frames, as the model makes them.

@@ -1,7 +1,7 @@
 //! `splat_accumulator` against its model, in every cycle, in a closed loop with a tile cache.
 
 use pointcore::splat::mask::DrainedPixel;
-use pointcore_contract::splat::{AttributeFormat, ports};
+use pointcore_contract::splat::{AttributeFormat, units};
 use pointcore_golden::splat::Accumulator;
 use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::accumulator;
@@ -9,16 +9,15 @@ use pointcore_tb::lockstep::{Lockstep, seeds};
 
 use crate::splat::exchange::{Drive, Exchange, Side};
 use crate::splat::{Device, RUNS, configs, fixed_configs, stalls};
-use crate::support;
 
 #[test]
 fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(fixed_configs()) {
-        let device = Device::new(&config, &accumulator::module(&config), ports::accumulator(&config));
+        let device = Device::new(&config, &accumulator::module(&config), &units::accumulator::UNIT);
         for seed in seeds(RUNS).unwrap() {
             let drive = Drive::new(Exchange::new(&config, stalls(seed), seed), Side::Accumulator, &device);
-            let drained = DrainedPixel::new(&support::ports(device.library()));
-            let golden = drained.watch(device.golden(Ported::new(&config, Accumulator::new(&config))));
+            let drained = DrainedPixel::new(&config, &device.outputs());
+            let golden = device.golden(Ported::new(&config, drained.watch(Accumulator::new(&config))));
             let run = Lockstep::new(device.library(), golden, seed).mask(drained.mask()).run(drive);
             let run = run.unwrap_or_else(|error| panic!("{error}"));
             let counts = run.stimulus.exchange.counts;

@@ -1,7 +1,7 @@
 //! `splat_depth_test` against its model, in every cycle.
 
 use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_SUM_BITS};
-use pointcore_contract::splat::{Config, ports};
+use pointcore_contract::splat::{Config, units};
 use pointcore_golden::splat::DepthTest;
 use pointcore_golden::splat::depth_test::{In, test};
 use pointcore_golden::unit::Ported;
@@ -29,7 +29,7 @@ fn operands(random: &mut fastrand::Rng) -> In {
 #[test]
 fn it_agrees_with_the_model_next_to_its_limits() {
     let config = Config::default();
-    let device = Device::new(&config, &depth_test::module(&config), ports::depth_test(&config));
+    let device = Device::new(&config, &depth_test::module(&config), &units::depth_test::UNIT);
     let places = device.input_places();
     for seed in seeds(RUNS).unwrap() {
         let mut random = fastrand::Rng::with_seed(seed);

@@ -1,6 +1,7 @@
 //! `splat_heap` against its model, in every cycle.
 
-use pointcore_contract::splat::{Config, ports};
+use pointcore_contract::splat::records::HeapEntry;
+use pointcore_contract::splat::{Config, units};
 use pointcore_golden::splat::Heap;
 use pointcore_hdl::splat::heap;
 
@@ -9,18 +10,18 @@ use crate::splat::{Device, RUNS, scene};
 const ENTRIES: u64 = 3000;
 
 /// Entries in bursts of few tiles, so that many have the same tile and differ in arrival only.
-fn entries(config: &Config) -> Vec<Vec<u64>> {
+fn entries(config: &Config) -> Vec<HeapEntry> {
     let mut random = scene::random();
     let (tiles, pointers) = (1 << config.tile_bits(), 1 << config.heap_levels);
     let entry = |index: u64| {
         let spread = if index % 64 < 32 { 3 } else { tiles };
-        vec![random.u64(0..spread), random.u64(0..pointers)]
+        HeapEntry { tile: random.u32(0..spread), pointer: random.u16(0..pointers) }
     };
     (0..ENTRIES).map(entry).collect()
 }
 
-fn sorted(mut entries: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
-    entries.sort();
+fn sorted(mut entries: Vec<HeapEntry>) -> Vec<HeapEntry> {
+    entries.sort_by_key(|entry| (entry.tile, entry.pointer));
     entries
 }
 
@@ -45,7 +46,7 @@ fn it_agrees_with_the_model_at_every_size() {
         (12, 4, 13, 61),
     ] {
         let config = Config { heap_levels, heap_interval, width, height: 37, ..Config::default() };
-        let device = Device::new(&config, &heap::numbered(&config, sequence_bits), ports::heap(&config));
+        let device = Device::new(&config, &heap::numbered(&config, sequence_bits), &units::heap::UNIT);
         let entries = entries(&config);
         let runs = device.runs(&Heap::numbered(&config, sequence_bits), &entries, &[]);
         let reordered = runs.iter().filter(|run| **run != entries).count() as u64;

@@ -2,7 +2,8 @@
 
 use fastrand::Rng;
 use pointcore_contract::splat::config::DEPTH_BITS;
-use pointcore_contract::splat::{AttributeFormat, Config, ports, records};
+use pointcore_contract::splat::records::{FinishedPixel, Fragment};
+use pointcore_contract::splat::{AttributeFormat, Config, units};
 use pointcore_golden::splat::Normalizer;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::normalizer;
@@ -10,8 +11,6 @@ use pointcore_hdl::splat::normalizer;
 use crate::splat::{Device, configs, fixed_configs, knobs, scene};
 
 const PIXELS: u64 = 2000;
-/// Fields before the attributes: `end`, `tile`, `pixel`, `weight`, `depth`.
-const WEIGHT: usize = 3;
 
 /// A sum of attributes whose weights are `weight` together: in floating point between −8 and 8 times it, in fixed point up to its negative and
 /// a little beyond one.
@@ -31,22 +30,19 @@ fn sum(config: &Config, weight: u64, random: &mut Rng) -> u64 {
 }
 
 /// Weights of every magnitude, depths that go with them, sums of attributes as below and now and then of any bits.
-fn pixels(config: &Config) -> Vec<Vec<u64>> {
+fn pixels(config: &Config) -> Vec<FinishedPixel> {
     let mut random = scene::random();
-    let fields = records::finished_pixel(config);
-    let attributes = fields.iter().position(|(name, _)| name.starts_with("attribute")).expect("the test carries some");
     let pixel = |index| {
-        let mut record = scene::noise(&fields, &mut random);
-        record[0] = u64::from(index % 250 == 249);
-        record[WEIGHT] = (record[WEIGHT] >> random.u32(0..28)).max(1);
-        record[WEIGHT + 1] = record[WEIGHT] * random.u64(0..1 << DEPTH_BITS);
+        let mut finished: FinishedPixel = scene::noise(config, &mut random);
+        finished.end = index % 250 == 249;
+        let value = &mut finished.placed.value;
+        value.weight = (value.weight >> random.u32(0..28)).max(1);
+        let weight = u64::from(value.weight);
+        value.depth = weight * random.u64(0..1 << DEPTH_BITS);
         if random.u8(0..8) > 0 {
-            let weight = record[WEIGHT];
-            for attribute in &mut record[attributes..attributes + config.continuous as usize] {
-                *attribute = sum(config, weight, &mut random);
-            }
+            value.attributes[..config.continuous as usize].fill_with(|| sum(config, weight, &mut random));
         }
-        record
+        finished
     };
     (0..PIXELS).map(pixel).collect()
 }
@@ -55,9 +51,10 @@ fn pixels(config: &Config) -> Vec<Vec<u64>> {
 fn it_agrees_with_the_model() {
     for config in configs().into_iter().chain(fixed_configs()).chain(knobs()) {
         let hardware = normalizer::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&config, &hardware.module, ports::normalizer(&config));
-        let fragments = device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &[]);
+        let device = Device::new(&config, &hardware.module, &units::normalizer::UNIT);
+        let fragments: Vec<Fragment> =
+            device.run(&Normalizer::new(&config, hardware.manifest.latency), &pixels(&config), &[]);
         assert_eq!(fragments.len() as u64, PIXELS);
-        assert_eq!(fragments.iter().filter(|fragment| fragment[0] == 1).count() as u64, PIXELS / 250);
+        assert_eq!(fragments.iter().filter(|fragment| fragment.end).count() as u64, PIXELS / 250);
     }
 }

@@ -1,6 +1,7 @@
 //! `splat_setup` against its model, in every cycle.
 
-use pointcore_contract::splat::ports;
+use pointcore_contract::splat::records::SetupSplat;
+use pointcore_contract::splat::units;
 use pointcore_golden::splat::Setup;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::setup;
@@ -13,13 +14,14 @@ const SPLATS: usize = 1500;
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
     for config in configs().into_iter().chain(knobs()).chain(integer_configs()) {
         let hardware = setup::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&config, &hardware.module, ports::setup(&config));
+        let device = Device::new(&config, &hardware.module, &units::setup::UNIT);
         let mut splats = scene::camera(&config, SPLATS);
         let mut random = scene::random();
         scene::spoil(&config, &mut splats, 16, &mut random);
         scene::flatten(&mut splats, 16, &mut random);
         let model = Setup::new(&config, hardware.manifest.latency);
-        let passed = device.run(&model, &splats, &scene::uniforms(&config)).len();
+        let passed: Vec<SetupSplat> = device.run(&model, &splats, &scene::uniforms(&config));
+        let passed = passed.len();
         assert!((SPLATS / 10..splats.len()).contains(&passed), "{passed} of {} splats are in view", splats.len());
     }
 }

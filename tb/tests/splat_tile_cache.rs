@@ -1,27 +1,23 @@
 //! `splat_tile_cache` against its model, in every cycle, in a closed loop with an accumulator.
 
-use pointcore::splat::mask;
 use pointcore_contract::splat::config::IN_FLIGHT_BITS;
-use pointcore_contract::splat::ports;
+use pointcore_contract::splat::units;
 use pointcore_golden::splat::TileCache;
 use pointcore_golden::unit::Ported;
 use pointcore_hdl::splat::tile_cache;
-use pointcore_tb::lockstep::{Lockstep, seeds};
+use pointcore_tb::lockstep::seeds;
 
 use crate::splat::exchange::{Drive, Exchange, Side};
 use crate::splat::{Device, RUNS, configs, stalls};
-use crate::support;
 
 #[test]
 fn it_agrees_with_the_model() {
     for config in configs() {
-        let device = Device::new(&config, &tile_cache::module(&config), ports::tile_cache(&config));
+        let device = Device::new(&config, &tile_cache::module(&config), &units::tile_cache::UNIT);
         let mut most_in_flight = 0;
         for seed in seeds(RUNS).unwrap() {
             let drive = Drive::new(Exchange::new(&config, stalls(seed), seed), Side::TileCache, &device);
-            let golden = device.golden(Ported::new(&config, TileCache::new(&config)));
-            let mask = mask::tile_cache(&support::ports(device.library()));
-            let run = Lockstep::new(device.library(), golden, seed).mask(mask).run(drive);
+            let run = device.lockstep(Ported::new(&config, TileCache::new(&config)), seed).run(drive);
             let run = run.unwrap_or_else(|error| panic!("{error}"));
             let counts = run.stimulus.exchange.counts;
             assert!(counts.reads > 30 && counts.writes > 64 * 30 && counts.pixels > 300, "seed {seed}: {counts:?}");

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use pointcore::splat::{EncodedFrame, SplatCore, SplatOutcome, SplatRunner};
-use pointcore_contract::read;
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
 use pointcore_tb::lockstep::{Cause, LockstepError, SEED_VARIABLE, Stall, inject, seed, seeds};
@@ -16,10 +15,7 @@ use crate::support;
 const RECORDS: usize = 400;
 
 fn frames(config: &Config, count: usize) -> EncodedFrame {
-    EncodedFrame {
-        records: scene::world(config, count).iter().map(|record| read(config, record)).collect(),
-        uniforms: scene::registers(config),
-    }
+    EncodedFrame { records: scene::world(config, count), uniforms: scene::registers(config) }
 }
 
 fn run(

@@ -1,6 +1,7 @@
 //! `splat_transform` against its model, in every cycle.
 
-use pointcore_contract::splat::ports;
+use pointcore_contract::splat::records::Splat;
+use pointcore_contract::splat::units;
 use pointcore_golden::splat::Transform;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::splat::transform;
@@ -13,11 +14,12 @@ const SPLATS: usize = 1500;
 fn it_agrees_with_the_model_on_splats_of_all_kinds() {
     for config in configs().into_iter().chain(fixed_configs()) {
         let hardware = transform::datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        let device = Device::new(&config, &hardware.module, ports::transform(&config));
+        let device = Device::new(&config, &hardware.module, &units::transform::UNIT);
         let mut splats = scene::world(&config, SPLATS);
         scene::spoil(&config, &mut splats, 16, &mut scene::random());
         let model = Transform::new(&config, hardware.manifest.latency);
-        let passed = device.run(&model, &splats, &scene::uniforms(&config)).len();
+        let passed: Vec<Splat> = device.run(&model, &splats, &scene::uniforms(&config));
+        let passed = passed.len();
         assert!((SPLATS / 2..SPLATS).contains(&passed), "{passed} of {SPLATS} splats lie beyond the near plane");
     }
 }

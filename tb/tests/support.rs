@@ -1,10 +1,11 @@
 //! What the tests of units share.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
-use pointcore_contract::splat::{Direction, Port};
+use pointcore_contract::{Direction, Interface, Port};
 use pointcore_golden::unit::Unit;
-use pointcore_tb::verilated::{BuildOptions, Builder, Library, VerilogSource};
+use pointcore_tb::verilated::{BuildOptions, Builder, Library, StreamDeclaration, VerilogSource};
 use rtl::{self, Module, elaborate};
 
 /// A unit, elaborated and verilated; its outputs must be functions of registers only.
@@ -20,17 +21,20 @@ pub fn build(source: &VerilogSource) -> Arc<Library> {
     builder.build(source, BuildOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The hardware's ports in the specification's terms and the hardware's order.
-pub fn ports(library: &Library) -> Vec<Port> {
-    let port = |port: &rtl::Port| Port {
-        name: port.name.clone(),
-        width: port.width,
-        direction: match port.direction {
-            rtl::Direction::Input => Direction::Input,
-            rtl::Direction::Output => Direction::Output,
-        },
-    };
-    library.inputs().iter().chain(library.outputs()).map(port).collect()
+/// The hardware declares the streams and pulses of a unit's interface, fields in the records' order, and no others.
+pub fn check_streams(library: &Library, interface: &Interface) {
+    let specified = interface.groups.iter().filter(|group| group.kind.has_flag()).map(|group| {
+        let direction = match group.kind.direction() {
+            Direction::Input => rtl::Direction::Input,
+            Direction::Output => rtl::Direction::Output,
+        };
+        let names = group.fields.iter().map(|field| field.name.clone());
+        let pulse = StreamDeclaration::pulse(group.name, group.flag, direction, names);
+        StreamDeclaration { has_ready: group.kind.has_ready(), ..pulse }
+    });
+    let [declared, specified]: [HashSet<_>; 2] =
+        [library.source().streams.iter().cloned().collect(), specified.collect()];
+    assert_eq!(declared, specified, "{}", library.source().top);
 }
 
 /// For each of the specified ports of a direction, its place among the hardware's.
@@ -42,7 +46,11 @@ pub fn places(library: &Library, specified: &[Port], direction: Direction) -> Ve
 }
 
 /// A model that finds its words by the names of the ports: the hardware's order need not be the specification's.
-pub fn by_name(library: &Library, specified: &[Port], mut model: impl Unit) -> impl FnMut(&[u64], &mut [u64]) {
+pub fn by_name<U: Unit>(
+    library: &Library,
+    specified: &[Port],
+    mut model: U,
+) -> impl FnMut(&[u64], &mut [u64]) + use<U> {
     let [input_places, output_places] =
         [Direction::Input, Direction::Output].map(|direction| places(library, specified, direction));
     let (mut inputs, mut outputs) = (vec![0; input_places.len()], vec![0; output_places.len()]);

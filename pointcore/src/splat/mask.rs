@@ -1,53 +1,50 @@
 //! What a comparison of the renderer's units leaves open.
 
-use pointcore_contract::Direction;
-use pointcore_contract::splat::Port;
-use std::ops::Range;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::units::accumulator::{self, In, Out};
+use pointcore_contract::unit::Kind;
+use pointcore_contract::{Direction, Interface};
+use pointcore_golden::unit::Model;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Names of the ports of a direction, in the order of their words.
-fn names(ports: &[Port], direction: Direction) -> impl Iterator<Item = &str> {
-    ports.iter().filter(move |port| port.direction == direction).map(|port| port.name.as_str())
+/// The field of a record that closes a frame.
+const END: &str = "end";
+
+/// Names of a unit's outputs, in the order of the contract.
+#[must_use]
+pub fn outputs(interface: &Interface) -> Vec<String> {
+    let outputs = interface.ports().into_iter().filter(|port| port.direction == Direction::Output);
+    outputs.map(|port| port.name).collect()
 }
 
-fn place(ports: &[Port], direction: Direction, name: &str) -> usize {
-    names(ports, direction).position(|port| port == name).expect("masks name ports of their own unit")
+fn place(outputs: &[String], name: &str) -> usize {
+    outputs.iter().position(|port| port == name).expect("a unit has the outputs of its interface")
 }
 
-/// A mask for [`Lockstep`](pointcore_tb::lockstep::Lockstep): an end record carries nothing else, so its other fields are left open.
-pub fn end_records(ports: &[Port]) -> impl FnMut(&mut [u64], &mut [u64]) + Send + 'static {
-    let outputs: Vec<_> = ports.iter().filter(|port| port.direction == Direction::Output).collect();
-    let record = |(end, port): (usize, &&Port)| {
-        let stream = port.name.strip_suffix("end").filter(|stream| stream.ends_with('_'))?;
-        let fields = outputs[end + 1..].iter().take_while(|port| port.name.starts_with(stream)).count();
-        Some((end, end + 1..end + 1 + fields))
-    };
-    let records: Vec<(usize, Range<usize>)> = outputs.iter().enumerate().filter_map(record).collect();
-    move |hardware, golden| {
-        for words in [hardware, golden] {
-            for (end, fields) in &records {
-                if words[*end] == 1 {
-                    words[fields.clone()].fill(0);
-                }
-            }
-        }
-    }
-}
-
-/// The mask of the tile cache: end records, and the pixel to be drained while none is.
+/// A mask for [`Lockstep`](pointcore_tb::lockstep::Lockstep), for a unit whose outputs come in this order: an end record carries
+/// nothing else, so its other fields are left open.
 ///
 /// # Panics
-/// When the ports are another unit's.
-pub fn tile_cache(ports: &[Port]) -> impl FnMut(&mut [u64], &mut [u64]) + Send + 'static {
-    let mut end_records = end_records(ports);
-    let [enable, slot, pixel] =
-        ["drain_enable", "drain_slot", "drain_pixel"].map(|name| place(ports, Direction::Output, name));
+/// When the outputs are another unit's.
+pub fn end_records(
+    interface: &Interface,
+    outputs: &[String],
+) -> impl FnMut(&mut [u64], &mut [u64]) + Send + 'static + use<> {
+    let records = interface.groups.iter().filter(|group| group.kind.direction() == Direction::Output);
+    let records = records.filter_map(|group| {
+        let (ends, others): (Vec<_>, Vec<_>) = group.fields.iter().partition(|field| field.name == END);
+        let place = |name: &str| place(outputs, &group.port_name(name));
+        let others: Vec<usize> = others.iter().map(|field| place(&field.name)).collect();
+        (!ends.is_empty()).then(|| (place(END), others))
+    });
+    let records: Vec<_> = records.collect();
     move |hardware, golden| {
-        end_records(hardware, golden);
         for words in [hardware, golden] {
-            if words[enable] == 0 {
-                (words[slot], words[pixel]) = (0, 0);
+            for (end, others) in &records {
+                if words[*end] == 1 {
+                    others.iter().for_each(|&other| words[other] = 0);
+                }
             }
         }
     }
@@ -56,42 +53,29 @@ pub fn tile_cache(ports: &[Port]) -> impl FnMut(&mut [u64], &mut [u64]) + Send +
 /// The mask of the accumulator: a drained pixel shows from the cycle after its slot's next drain until the slot is ready again,
 /// when samples read it. Inputs decide, so it watches what the model sees.
 pub struct DrainedPixel {
-    enable: usize,
-    slot: usize,
-    ready: usize,
     pixel: Vec<usize>,
     shows: Arc<AtomicBool>,
 }
 
 impl DrainedPixel {
-    /// For the accumulator's ports in the order of the words.
+    /// For an accumulator whose outputs come in this order.
     ///
     /// # Panics
-    /// When the ports are another unit's.
+    /// When the outputs are another unit's.
     #[must_use]
-    pub fn new(ports: &[Port]) -> Self {
-        let [enable, slot, ready] =
-            ["drain_enable", "drain_slot", "slot_ready"].map(|name| place(ports, Direction::Input, name));
-        let outputs = names(ports, Direction::Output).enumerate();
-        let pixel = outputs.filter(|(_, name)| name.starts_with("drain_")).map(|(place, _)| place).collect();
-        Self { enable, slot, ready, pixel, shows: Arc::default() }
+    pub fn new(config: &Config, outputs: &[String]) -> Self {
+        let interface = (accumulator::UNIT.interface)(config);
+        let name = accumulator::PORTS.drained.name;
+        // The port that asks for a pixel has the same name.
+        let drained = interface.groups.iter().find(|group| group.name == name && group.kind == Kind::Output);
+        let group = drained.expect("an accumulator shows drained pixels");
+        let pixel = group.fields.iter().map(|field| place(outputs, &group.port_name(&field.name))).collect();
+        Self { pixel, shows: Arc::default() }
     }
 
     /// The model, watched.
-    pub fn watch<M: FnMut(&[u64], &mut [u64])>(&self, mut model: M) -> impl FnMut(&[u64], &mut [u64]) + use<M> {
-        let (enable, slot_port, ready, shows) = (self.enable, self.slot, self.ready, Arc::clone(&self.shows));
-        // The slots of the last drain and of the one before.
-        let (mut read, mut drained) = (None, None);
-        move |inputs, outputs| {
-            shows.store(drained.is_some(), Ordering::Relaxed);
-            model(inputs, outputs);
-            let mut unready = |slot: &u64| inputs[ready] >> slot & 1 == 0;
-            if inputs[enable] == 1 {
-                drained = read.filter(|slot| *slot == inputs[slot_port]);
-                read = Some(inputs[slot_port]);
-            }
-            (read, drained) = (read.filter(&mut unready), drained.filter(&mut unready));
-        }
+    pub fn watch<M: Model<Config = Config, In = In, Out = Out>>(&self, model: M) -> Watched<M> {
+        Watched { model, read: None, drained: None, shows: Arc::clone(&self.shows) }
     }
 
     /// The mask itself.
@@ -106,24 +90,55 @@ impl DrainedPixel {
     }
 }
 
+/// A model of the accumulator under the eyes of a [`DrainedPixel`].
+#[derive(Clone)]
+pub struct Watched<M> {
+    model: M,
+    /// The slot of the last drain.
+    read: Option<u8>,
+    /// The slot of the last two drains, if it was the same.
+    drained: Option<u8>,
+    shows: Arc<AtomicBool>,
+}
+
+impl<M: Model<Config = Config, In = In, Out = Out>> Model for Watched<M> {
+    type Config = Config;
+    type In = In;
+    type Out = Out;
+
+    fn outputs(&self) -> Out {
+        self.shows.store(self.drained.is_some(), Ordering::Relaxed);
+        self.model.outputs()
+    }
+
+    fn clock(&mut self, inputs: &In) {
+        if let Some(drain) = inputs.drain {
+            self.drained = self.read.filter(|slot| *slot == drain.slot);
+            self.read = Some(drain.slot);
+        }
+        let unready = |slot: &u8| inputs.slot_ready >> slot & 1 == 0;
+        (self.read, self.drained) = (self.read.filter(unready), self.drained.filter(unready));
+        self.model.clock(inputs);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pointcore_contract::splat::{Config, ports};
+    use pointcore_contract::splat::units::splitter;
 
     #[test]
     fn only_fields_behind_end_are_open() {
-        let ports = ports::splitter(&Config::default());
-        let mut mask = end_records(&ports);
-        let count = ports.iter().filter(|port| port.direction == Direction::Output).count();
-        // `in_ready`, `out_valid`, `out_end`, then the fields.
-        let (mut hardware, mut golden) = (vec![1; count], vec![1; count]);
-        golden[3] = 7;
-        mask(&mut hardware, &mut golden);
-        assert_eq!(hardware, golden);
-        let (mut hardware, mut golden) = (vec![0; count], vec![0; count]);
-        golden[3] = 7;
-        mask(&mut hardware, &mut golden);
-        assert_ne!(hardware, golden);
+        let interface = (splitter::UNIT.interface)(&Config::default());
+        let outputs = outputs(&interface);
+        let mut mask = end_records(&interface, &outputs);
+        let [end, tile] = ["out_end", "out_tile"].map(|name| place(&outputs, name));
+        let mut masked = |ends: u64| {
+            let (mut hardware, mut golden) = (vec![1; outputs.len()], vec![1; outputs.len()]);
+            (hardware[end], golden[end], golden[tile]) = (ends, ends, 7);
+            mask(&mut hardware, &mut golden);
+            hardware == golden
+        };
+        assert!(masked(1) && !masked(0));
     }
 }

@@ -3,12 +3,12 @@
 use super::encode::EncodedFrame;
 use super::generate::SplatCore;
 use super::host::{SplatCounters, SplatHost};
-use super::mask::end_records;
+use super::mask::{end_records, outputs};
 use crate::generated::Progress;
 use crate::recording::Recording;
+use pointcore_contract::splat::Config;
 use pointcore_contract::splat::records::Fragment;
 use pointcore_contract::splat::units::top;
-use pointcore_contract::splat::{Config, ports};
 use pointcore_contract::unit::count;
 use pointcore_contract::{read, write};
 use pointcore_golden::splat::Top;
@@ -135,7 +135,9 @@ impl<'a> SplatRunner<'a> {
         let golden = move |inputs: &[u64], outputs: &mut [u64]| golden.step(inputs, outputs);
         let lockstep = Lockstep::new(library, golden, self.seed).limit(self.limit());
         let reproduce = format!("pointcore run SCENE --seed {}", self.seed);
-        let run = lockstep.mask(end_records(&ports::top(self.config))).reproduced_by(reproduce).run(self.host())?;
+        let interface = (top::UNIT.interface)(self.config);
+        let lockstep = lockstep.mask(end_records(&interface, &outputs(&interface)));
+        let run = lockstep.reproduced_by(reproduce).run(self.host())?;
         Ok(outcome(run.stimulus, run.report.cycles, started))
     }
 

@@ -7,11 +7,12 @@ use fastrand::Rng;
 use pointcore_contract::splat::config::{DEPTH_BITS, TILE_PIXELS, WEIGHT_SUM_BITS};
 use pointcore_contract::splat::records::{Pixel, PlacedCopy, SamplePlace, SplatCopy, WeightedSample};
 use pointcore_contract::splat::{AttributeFormat, Config};
-use pointcore_contract::{Field, Record, Visitor, Word, Words, fields, words};
+use pointcore_contract::words;
 use pointcore_golden::splat::{Accumulator, TileCache, accumulator, tile_cache};
 use pointcore_golden::unit::Model;
 use pointcore_tb::lockstep::{Flow, Stall, Stalls, Stimulus};
 
+use super::scene::noise;
 use super::{Device, scene};
 
 /// Samples that may wait before the accumulator: enough for a slot to reach its limit of copies under way.
@@ -58,22 +59,6 @@ pub struct Exchange {
     frames: usize,
     /// So far.
     pub counts: Counts,
-}
-
-/// Fills the values of a record with random bits, as many as the field has.
-struct Noise<'a>(&'a mut Rng, std::vec::IntoIter<Field>);
-
-impl Visitor<Words> for Noise<'_> {
-    fn bits<W: Word>(&mut self, value: &mut W) {
-        let field = self.1.next().expect("the record has as many fields as described");
-        *value = W::from_word(self.0.u64(..) >> (64 - field.width));
-    }
-}
-
-fn noise<R: Record<Domain = Words, Config = Config>>(config: &Config, random: &mut Rng) -> R {
-    let mut record = R::default();
-    record.visit(config, &mut Noise(random, fields::<R>(config).into_iter()));
-    record
 }
 
 /// Frames of copies: one of a single tile, one that wanders over the image, an empty one, and one of random tiles.

@@ -6,12 +6,10 @@ pub mod scene;
 use std::sync::Arc;
 
 use pointcore::splat::mask::end_records;
-use pointcore_contract::splat::{
-    AttributeFormat, Coefficient, Config, Direction, Division, Feature, Fraction, Port, RasterFormat,
-};
-use pointcore_contract::{Format, FragmentDepth, Sampling};
+use pointcore_contract::splat::{AttributeFormat, Coefficient, Config, Division, Feature, Fraction, RasterFormat};
+use pointcore_contract::{Direction, Format, FragmentDepth, Interface, Record, Sampling, Words, fields, read, words};
 use pointcore_golden::unit::{Model, Ported, Unit};
-use pointcore_tb::lockstep::{Golden, Lockstep, Run, Stall, StreamTestbench, Streams, seeds};
+use pointcore_tb::lockstep::{Golden, Lockstep, Run, Stall, StreamTestbench, seeds};
 use pointcore_tb::verilated::Library;
 use rtl::Module;
 
@@ -130,32 +128,21 @@ pub fn knobs() -> [Config; 2] {
     [coarse, between]
 }
 
-/// A unit of the renderer, verilated, with its ports as specified.
+/// A unit of the renderer, verilated, with its interface as specified.
 pub struct Device {
     config: Config,
     library: Arc<Library>,
-    specified: Vec<Port>,
+    interface: Interface,
 }
 
 impl Device {
-    /// Verilates `module`. The fields of its streams must come in the records' order.
-    pub fn new(config: &Config, module: &Module, specified: Vec<Port>) -> Self {
+    /// Verilates `module`. Its streams must be those of the specified unit, their fields in the records' order.
+    pub fn new(config: &Config, module: &Module, unit: &pointcore_contract::Unit<Config>) -> Self {
         let library = support::verilate(module);
-        let found = support::ports(&library);
-        assert_eq!(found.len(), specified.len());
-        for stream in &Streams::of(&library) {
-            let prefix = format!("{}_", stream.name);
-            let side = |ports: &[Port]| -> Vec<String> {
-                let names = ports.iter().map(|port| port.name.clone()).filter(|name| name.starts_with(&prefix));
-                names.collect()
-            };
-            let [ours, theirs] = [side(&found), side(&specified)].map(|mut names| {
-                names.retain(|name| !name.ends_with("_valid") && !name.ends_with("_ready"));
-                names
-            });
-            assert_eq!(ours, theirs, "fields of stream {}", stream.name);
-        }
-        Self { config: config.clone(), library, specified }
+        let interface = (unit.interface)(config);
+        support::check_streams(&library, &interface);
+        assert_eq!(library.inputs().len() + library.outputs().len(), interface.ports().len(), "{}", unit.module);
+        Self { config: config.clone(), library, interface }
     }
 
     /// The hardware.
@@ -163,106 +150,91 @@ impl Device {
         &self.library
     }
 
+    /// Names of the hardware's outputs in its order.
+    pub fn outputs(&self) -> Vec<String> {
+        self.library.outputs().iter().map(|port| port.name.clone()).collect()
+    }
+
     /// Where the hardware has the specified inputs.
     pub fn input_places(&self) -> Vec<usize> {
-        support::places(&self.library, &self.specified, Direction::Input)
+        support::places(&self.library, &self.interface.ports(), Direction::Input)
     }
 
     /// The model with its words in the order of the hardware's ports.
-    pub fn golden(&self, model: impl Unit) -> impl FnMut(&[u64], &mut [u64]) {
-        support::by_name(&self.library, &self.specified, model)
+    pub fn golden<U: Unit>(&self, model: U) -> impl FnMut(&[u64], &mut [u64]) + use<U> {
+        support::by_name(&self.library, &self.interface.ports(), model)
     }
 
     /// The unit beside its model.
     pub fn lockstep(&self, model: impl Unit, seed: u64) -> Lockstep<impl Golden> {
-        let mask = end_records(&support::ports(&self.library));
+        let mask = end_records(&self.interface, &self.outputs());
         Lockstep::new(&self.library, self.golden(model), seed).mask(mask)
     }
 
     /// Sends `items` through `in` in lockstep with `model`, once for each seed; returns what left through `out` in each run, end
-    /// records as a lone 1.
-    pub fn runs<M: Model<Config = Config>>(
+    /// records without what else they carry.
+    pub fn runs<M: Model<Config = Config>, I: Travels, O: Travels>(
         &self,
         model: &M,
-        items: &[Vec<u64>],
+        items: &[I],
         constants: &[(String, u64)],
-    ) -> Vec<Vec<Vec<u64>>> {
-        let has_end = self.library.outputs().iter().any(|port| port.name == "out_end");
+    ) -> Vec<Vec<O>> {
+        let sent: Vec<_> = items.iter().map(|item| words(&self.config, *item)).collect();
         let run = |seed: u64| {
             let (source, sink) = PATTERNS[(seed % RUNS) as usize];
             let testbench = StreamTestbench::new(&self.library, seed).quiet_cycles(QUIET_CYCLES);
-            let testbench = testbench.source("in", items.to_vec(), source)?.sink("out", sink)?;
+            let testbench = testbench.source("in", sent.clone(), source)?.sink("out", sink)?;
             let present = |name: &str| self.library.inputs().iter().any(|port| port.name == name);
             let mut constants = constants.iter().filter(|(name, _)| present(name));
             let testbench = constants.try_fold(testbench, |testbench, (name, word)| testbench.constant(name, *word))?;
             self.lockstep(Ported::new(&self.config, model.clone()), seed).run(testbench)
         };
+        let has_end = fields::<O>(&self.config).first().is_some_and(|field| field.name == "end");
         let outcome = |seed| {
             let run: Run<StreamTestbench> = run(seed).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(run.report.transfers("in"), items.len() as u64, "seed {seed}");
             let mut collected = run.stimulus.collected("out").to_vec();
-            collected.iter_mut().filter(|item| has_end && item[0] == 1).for_each(|item| item.truncate(1));
-            collected
+            collected.iter_mut().filter(|item| has_end && item[0] == 1).for_each(|item| item[1..].fill(0));
+            collected.iter().map(|item| read(&self.config, item)).collect()
         };
         seeds(RUNS).expect("POINTCORE_SEED is a number").into_iter().map(outcome).collect()
     }
 
     /// As [`Device::runs`] for a unit whose results do not depend on when they leave: all runs must have the same.
-    pub fn run<M: Model<Config = Config>>(
+    pub fn run<M: Model<Config = Config>, I: Travels, O: Travels>(
         &self,
         model: &M,
-        items: &[Vec<u64>],
+        items: &[I],
         constants: &[(String, u64)],
-    ) -> Vec<Vec<u64>> {
+    ) -> Vec<O> {
         let mut runs = self.runs(model, items, constants);
         assert!(runs.iter().all(|run| *run == runs[0]), "the results depend on stalls");
         runs.swap_remove(0)
     }
 }
 
-/// What a model with the specified ports makes of `items` when nothing stalls.
-pub fn through<M: Model<Config = Config>>(
-    config: &Config,
-    model: M,
-    specified: &[Port],
-    items: &[Vec<u64>],
-    constants: &[(String, u64)],
-) -> Vec<Vec<u64>> {
-    let side = |direction| -> Vec<&str> {
-        specified.iter().filter(|port| port.direction == direction).map(|port| port.name.as_str()).collect()
-    };
-    let (input_names, output_names) = (side(Direction::Input), side(Direction::Output));
-    let place = |names: &[&str], name: &str| names.iter().position(|other| *other == name);
-    let fields = |names: &[&str], prefix: &str| -> Vec<usize> {
-        let is_field = |name: &str| name.starts_with(prefix) && !name.ends_with("_valid") && !name.ends_with("_ready");
-        (0..names.len()).filter(|&index| is_field(names[index])).collect()
-    };
-    let (in_fields, out_fields) = (fields(&input_names, "in_"), fields(&output_names, "out_"));
-    let [in_valid, out_ready] = ["in_valid", "out_ready"].map(|name| place(&input_names, name).expect("a stream unit"));
-    let [in_ready, out_valid] =
-        ["in_ready", "out_valid"].map(|name| place(&output_names, name).expect("a stream unit"));
+/// A record of the renderer as models have it.
+pub trait Travels: Record<Domain = Words, Config = Config> + PartialEq {}
 
-    let mut unit = Ported::new(config, model);
-    let (mut inputs, mut outputs) = (vec![0; input_names.len()], vec![0; output_names.len()]);
-    for (name, word) in constants {
-        if let Some(place) = place(&input_names, name) {
-            inputs[place] = *word;
-        }
-    }
-    inputs[out_ready] = 1;
+impl<R: Record<Domain = Words, Config = Config> + PartialEq> Travels for R {}
+
+/// What a model makes of `items` when nothing stalls: `see` says what it sees while an item is offered, `show` whether it takes it and what
+/// it puts out.
+pub fn through<M: Model, I: Copy, O>(
+    mut model: M,
+    items: &[I],
+    see: impl Fn(Option<I>) -> M::In,
+    show: impl Fn(M::Out) -> (bool, Option<O>),
+) -> Vec<O> {
     let (mut sent, mut quiet, mut results) = (0, 0, Vec::new());
     while quiet < QUIET_CYCLES {
-        inputs[in_valid] = u64::from(sent < items.len());
-        if let Some(item) = items.get(sent) {
-            in_fields.iter().zip(item).for_each(|(&field, &word)| inputs[field] = word);
-        }
-        unit.step(&inputs, &mut outputs);
-        let taken = inputs[in_valid] & outputs[in_ready] == 1;
+        let item = items.get(sent).copied();
+        let (ready, result) = show(model.outputs());
+        model.clock(&see(item));
+        let taken = item.is_some() && ready;
         sent += usize::from(taken);
-        if outputs[out_valid] == 1 {
-            results.push(out_fields.iter().map(|&field| outputs[field]).collect());
-        }
-        quiet = if taken || outputs[out_valid] == 1 { 0 } else { quiet + 1 };
+        quiet = if taken || result.is_some() { 0 } else { quiet + 1 };
+        results.extend(result);
     }
     assert_eq!(sent, items.len(), "the model takes everything");
     results

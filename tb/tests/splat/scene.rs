@@ -1,20 +1,21 @@
-//! Random splats of all kinds, as words, on every unit's input.
+//! Random splats of all kinds, on every unit's input.
 
 use fastrand::Rng;
-use pointcore_contract::Format;
-use pointcore_contract::splat::ports;
-use pointcore_contract::splat::records::{EpsilonScale, ModelView, Uniforms, Viewport};
-use pointcore_contract::splat::{AttributeFormat, Config, Field, records};
-use pointcore_contract::{fields, words};
+use pointcore::number::encode_attribute;
+use pointcore::splat::END;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{
+    Attributes, EpsilonScale, ModelView, PlacedCopy, Sample, SetupSplat, Splat, SplatCopy, Uniforms, Viewport,
+};
+use pointcore_contract::splat::units::{rasterizer, setup, splitter, transform};
+use pointcore_contract::{Field, Format, Visitor, Word, Words, fields, words};
 use pointcore_golden::splat::{Rasterizer, Setup, Splitter, Transform};
 use pointcore_tb::lockstep::seed;
 
-use super::through;
+use super::{Travels, through};
 
 /// Splats between two end records.
 const FRAME: usize = 120;
-/// Geometry fields of a splat behind `end`.
-const GEOMETRY: std::ops::Range<usize> = 1..10;
 /// Numbers that are none, or hardly.
 const ODD: [f32; 8] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MAX, 1e-40, -1e-20];
 
@@ -26,11 +27,6 @@ pub fn random() -> Rng {
 /// A number in one of the core's formats.
 pub fn encode(format: Format, number: f32) -> u64 {
     pointcore::number::encode(format, number).into()
-}
-
-/// A continuous attribute in the core's format.
-pub fn encode_attribute(config: &Config, number: f32) -> u64 {
-    pointcore::number::encode_attribute(config.attribute, number).into()
 }
 
 /// The uniform registers: a camera that looks at the origin, a little from above.
@@ -61,19 +57,25 @@ pub fn uniforms(config: &Config) -> Vec<(String, u64)> {
     names.zip(words(config, registers(config))).collect()
 }
 
-/// Fills fields with random bits.
-pub fn noise(fields: &[Field], random: &mut Rng) -> Vec<u64> {
-    fields.iter().map(|(_, width)| random.u64(..) >> (64 - width)).collect()
+/// Fills the values of a record with random bits, as many as the field has.
+struct Noise<'a>(&'a mut Rng, std::vec::IntoIter<Field>);
+
+impl Visitor<Words> for Noise<'_> {
+    fn bits<W: Word>(&mut self, value: &mut W) {
+        let field = self.1.next().expect("the record has as many fields as described");
+        *value = W::from_word(self.0.u64(..) >> (64 - field.width));
+    }
 }
 
-fn end(words: usize) -> Vec<u64> {
-    let mut record = vec![0; words];
-    record[0] = 1;
+/// A record of random bits.
+pub fn noise<R: Travels>(config: &Config, random: &mut Rng) -> R {
+    let mut record = R::default();
+    record.visit(config, &mut Noise(random, fields::<R>(config).into_iter()));
     record
 }
 
 /// A disc, rarely a sliver, somewhere around the view: some beside it, behind the eye, across the eye plane, beyond the far plane.
-fn splat(config: &Config, random: &mut Rng) -> Vec<u64> {
+fn splat(config: &Config, random: &mut Rng) -> Splat {
     let mut centered = || 2.0 * random.f32() - 1.0;
     let z = 4.5 * centered() + 1.5;
     let spread = 0.6 * (z + 4.5);
@@ -84,78 +86,81 @@ fn splat(config: &Config, random: &mut Rng) -> Vec<u64> {
     let radius = 2_f32.powf(3.5 * centered() - 2.5);
     let shorter = if random.u8(0..8) == 0 { random.f32() } else { 1.0 };
     let tangents = [first * radius, normal.cross(first) * (radius * shorter)];
-    let geometry = center.into_iter().chain(tangents.into_iter().flat_map(|tangent| tangent.to_array()));
-    let continuous: Vec<f32> = (0..config.continuous).map(|_| 4.0 * random.f32() - 2.0).collect();
-    let mut record = vec![0];
-    record.extend(geometry.map(|number| encode(config.geometry, number)));
-    record.extend(continuous.into_iter().map(|number| encode_attribute(config, number)));
-    record.extend((0..config.cardinal).map(|_| random.u64(..) >> (64 - config.attribute.width())));
-    record
+    let vector = |numbers: [f32; 3]| numbers.map(|number| pointcore::number::encode(config.geometry, number));
+    let mut attributes = Attributes::default();
+    let (continuous, cardinals) = attributes.split_at_mut(config.continuous as usize);
+    continuous.fill_with(|| encode_attribute(config.attribute, 4.0 * random.f32() - 2.0));
+    cardinals[..config.cardinal as usize].fill_with(|| random.u32(..) >> (32 - config.attribute.width()));
+    let tangents = tangents.map(|tangent| vector(tangent.to_array()));
+    Splat { end: false, center: vector(center), tangents, attributes }
 }
 
 /// Replaces a number of one splat in `one_in` by an odd one, and a continuous attribute of as many.
-pub fn spoil(config: &Config, splats: &mut [Vec<u64>], one_in: u32, random: &mut Rng) {
-    let attributes = GEOMETRY.end..GEOMETRY.end + config.continuous as usize;
-    for splat in splats {
-        let formats = [(GEOMETRY, AttributeFormat::Float(config.geometry)), (attributes.clone(), config.attribute)];
-        for (places, format) in formats {
-            if random.u32(0..one_in) == 0 {
-                let odd = ODD[random.usize(0..ODD.len())];
-                splat[random.usize(places)] = pointcore::number::encode_attribute(format, odd).into();
-            }
+pub fn spoil(config: &Config, splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    for Splat { center, tangents, attributes, .. } in splats {
+        if random.u32(0..one_in) == 0 {
+            let [first, second] = tangents;
+            let number = &mut [center, first, second][random.usize(0..3)][random.usize(0..3)];
+            *number = pointcore::number::encode(config.geometry, ODD[random.usize(0..ODD.len())]);
+        }
+        if random.u32(0..one_in) == 0 && config.continuous > 0 {
+            let odd = ODD[random.usize(0..ODD.len())];
+            attributes[random.usize(0..config.continuous as usize)] = encode_attribute(config.attribute, odd);
         }
     }
 }
 
 /// Gives one splat in `one_in` a second tangent that is the first one, to a few bits: it is seen edge-on from anywhere.
-pub fn flatten(splats: &mut [Vec<u64>], one_in: u32, random: &mut Rng) {
-    for splat in splats {
+pub fn flatten(splats: &mut [Splat], one_in: u32, random: &mut Rng) {
+    for Splat { tangents: [first, second], .. } in splats {
         if random.u32(0..one_in) == 0 {
             let noise = (1 << random.u32(0..12)) - 1;
-            for component in GEOMETRY.end - 6..GEOMETRY.end - 3 {
-                splat[component + 3] = splat[component] ^ (random.u64(..) & noise);
-            }
+            *second = first.map(|component| component ^ (random.u32(..) & noise));
         }
     }
 }
 
 /// Splats in world space, cut into frames; the last record is an end.
-pub fn world(config: &Config, count: usize) -> Vec<Vec<u64>> {
+pub fn world(config: &Config, count: usize) -> Vec<Splat> {
     let mut random = random();
-    let words = records::splat(config).len();
     let record = |index: usize| {
-        if index % FRAME == FRAME - 1 || index == count - 1 { end(words) } else { splat(config, &mut random) }
+        if index % FRAME == FRAME - 1 || index == count - 1 { END } else { splat(config, &mut random) }
     };
     (0..count).map(record).collect()
 }
 
 /// Splats in camera space.
-pub fn camera(config: &Config, count: usize) -> Vec<Vec<u64>> {
-    through(config, Transform::new(config, 1), &ports::transform(config), &world(config, count), &uniforms(config))
+pub fn camera(config: &Config, count: usize) -> Vec<Splat> {
+    let Uniforms { model_view, near_plane, .. } = registers(config);
+    let see = |input| transform::In { input, out_ready: true, model_view, near_plane };
+    through(Transform::new(config, 1), &world(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
 /// Splats with their footprints.
-pub fn footprints(config: &Config, count: usize) -> Vec<Vec<u64>> {
-    through(config, Setup::new(config, 1), &ports::setup(config), &camera(config, count), &uniforms(config))
+pub fn footprints(config: &Config, count: usize) -> Vec<SetupSplat> {
+    let Uniforms { viewport, epsilon, filter_radius, .. } = registers(config);
+    let see = |input| setup::In { input, out_ready: true, viewport, epsilon, filter_radius };
+    through(Setup::new(config, 1), &camera(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
 /// Copies of splats, one a tile.
-pub fn copies(config: &Config, count: usize) -> Vec<Vec<u64>> {
-    through(config, Splitter::new(config), &ports::splitter(config), &footprints(config, count), &[])
+pub fn copies(config: &Config, count: usize) -> Vec<SplatCopy> {
+    let see = |input| splitter::In { input, out_ready: true };
+    through(Splitter::new(config), &footprints(config, count), see, |shown| (shown.in_ready, shown.out))
 }
 
 /// Copies with slots, and one end record behind them all: the rasterizer sees no copy until its frame has ended.
-pub fn placed_copies(config: &Config, count: usize) -> Vec<Vec<u64>> {
+pub fn placed_copies(config: &Config, count: usize) -> Vec<PlacedCopy> {
     let mut random = random();
-    let mut copies = copies(config, count);
-    copies.retain(|copy| copy[0] == 0);
-    copies.iter_mut().for_each(|copy| copy.push(random.u64(0..config.tile_slots.into())));
-    copies.push(end(records::placed_copy(config).len()));
-    copies
+    let copies = copies(config, count).into_iter().filter(|copy| !copy.end);
+    let place = |copy| PlacedCopy { copy, slot: random.u8(0..config.tile_slots as u8) };
+    let end = PlacedCopy { copy: SplatCopy { end: true, ..SplatCopy::default() }, slot: 0 };
+    copies.map(place).chain([end]).collect()
 }
 
 /// Samples of splats.
-pub fn samples(config: &Config, count: usize) -> Vec<Vec<u64>> {
-    let ports = ports::rasterizer(config);
-    through(config, Rasterizer::new(config, 1), &ports, &placed_copies(config, count), &uniforms(config))
+pub fn samples(config: &Config, count: usize) -> Vec<Sample> {
+    let filter_scale = registers(config).filter_scale;
+    let see = |input| rasterizer::In { input, out_ready: true, filter_scale };
+    through(Rasterizer::new(config, 1), &placed_copies(config, count), see, |shown| (shown.in_ready, shown.out))
 }
