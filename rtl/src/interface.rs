@@ -58,6 +58,7 @@ impl StreamDeclaration {
 
 impl Module {
     /// Declares the ports of a record that comes in with a flag and is always taken; returns the flag and the fields.
+    #[track_caller]
     pub fn pulse_in(&mut self, name: &str, flag: &str, layout: &[(impl AsRef<str>, u32)]) -> (Expr, Vec<Expr>) {
         let names = layout.iter().map(|(field, _)| field.as_ref());
         let declaration = StreamDeclaration::pulse(name, flag, Direction::Input, names);
@@ -69,6 +70,7 @@ impl Module {
     }
 
     /// Declares and drives the ports of a record that goes out with a flag and is always taken.
+    #[track_caller]
     pub fn pulse_out(
         &mut self,
         name: &str,
@@ -87,6 +89,7 @@ impl Module {
     }
 
     /// The fields of a stream that a child puts out; a fault where it declares none of that name.
+    #[track_caller]
     pub(super) fn output_fields(&mut self, instance: Instance, stream: &str) -> Vec<String> {
         let Some(child) = self.child(instance) else { return vec![] };
         let puts_out =
@@ -96,7 +99,7 @@ impl Module {
         }
         let (instance, unit) = (instance.name(), child.unit.clone());
         let (direction, port) = ("output stream", stream.to_owned());
-        self.faults.push(FaultKind::UnknownPort { instance, unit, direction, port });
+        self.fault(FaultKind::UnknownPort { instance, unit, direction, port });
         vec![]
     }
 }
