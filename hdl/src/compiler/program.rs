@@ -25,14 +25,14 @@ impl State {
     }
 }
 
-/// Tells one program of a thread from another; what a value keeps of its program, so that values can be copied.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// Tells one program of a thread from another; what a value keeps of its program, so that values can be copied. The default is none's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct ProgramId(u64);
 
 thread_local! {
     /// The programs of this thread that are still there.
     static PROGRAMS: RefCell<HashMap<ProgramId, Weak<RefCell<State>>>> = RefCell::default();
-    static NEXT_ID: Cell<u64> = const { Cell::new(0) };
+    static NEXT_ID: Cell<u64> = const { Cell::new(1) };
 }
 
 impl ProgramId {

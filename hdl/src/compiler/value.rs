@@ -8,8 +8,8 @@ use super::types::Type;
 use pointcore_contract::{Fixed, Format};
 use std::rc::Rc;
 
-/// A value of a [`Program`](super::Program): a handle that is copied, and inert once the program is gone.
-#[derive(Clone, Copy, Debug)]
+/// A value of a [`Program`](super::Program): a handle that is copied, and inert once the program is gone. The default is of no program.
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Value {
     pub(super) program: ProgramId,
     /// `None` when a mistake led here.
@@ -105,6 +105,12 @@ impl Value {
     pub fn zext(self, width: u32) -> Self {
         let bits = self.ty().map_or(1, Type::width);
         self.reinterpret(Type::Unsigned(bits)).resize(width)
+    }
+
+    /// The value's bits as a number of `format`.
+    #[must_use]
+    pub fn as_float(self, format: Format) -> Self {
+        self.reinterpret(Type::Float(format))
     }
 
     /// The same bits under another type.

@@ -4,6 +4,7 @@ pub(crate) mod datapath;
 pub(crate) mod ports;
 pub(crate) mod records;
 pub(crate) mod sliced;
+pub(crate) mod values;
 pub(crate) mod wires;
 
 #[cfg(test)]
