@@ -2,6 +2,7 @@
 //! or 8 bytes that holds it, at a multiple of the container's size.
 
 use crate::splat::Field;
+use crate::{Record, fields};
 
 /// Where a field lies.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +28,12 @@ pub struct Layout {
 
 impl Layout {
     /// Lays out a record.
+    #[must_use]
+    pub fn record<R: Record>(config: &R::Config) -> Self {
+        Self::of(&fields::<R>(config).into_iter().map(|field| (field.name, field.width)).collect::<Vec<_>>())
+    }
+
+    /// Lays out fields.
     #[must_use]
     pub fn of(fields: &[Field]) -> Self {
         let mut end = 0;

@@ -2,7 +2,9 @@
 
 use super::layout::Layout;
 use crate::search;
+use crate::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
 use crate::splat::{self, Field};
+use crate::{Record, fields};
 
 /// A record with a name and a purpose, for documents.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,27 +73,26 @@ pub fn splat(config: &splat::Config) -> Vec<Packet> {
     ]
 }
 
+/// The fields of a record.
+fn list<R: Record>(config: &R::Config) -> Vec<Field> {
+    fields::<R>(config).into_iter().map(|field| (field.name, field.width)).collect()
+}
+
 /// The query and the result of a search core, with or without a neighbor cache.
 #[must_use]
 pub fn query_and_result(config: &search::Config) -> [Vec<Field>; 2] {
-    use search::records;
-    match config.neighbor_cache {
-        0 => [records::query(config), records::result(config)],
-        _ => [records::cached_query(config), records::cached_result(config)],
-    }
+    [list::<CachedQuery>(config), list::<CachedResult>(config)]
 }
 
 /// The points of a beat of the search core: `x0`, `y0`, `z0`, `x1` …
 #[must_use]
 pub fn points(config: &search::Config) -> Vec<Field> {
-    let beat = search::records::beat(config);
-    beat.into_iter().filter(|(name, _)| !["thread", "address", "last"].contains(&name.as_str())).collect()
+    list::<Points>(config)
 }
 
 /// Packets and memory records of the search core.
 #[must_use]
 pub fn search(config: &search::Config) -> Vec<Packet> {
-    use search::records;
     let bus = &config.bus;
     let [query, result] = query_and_result(config);
     let tree_bits = if config.tree_cache == 0 { super::config::TREE_WORD_BITS } else { bus.memory_bits };
@@ -107,15 +108,15 @@ pub fn search(config: &search::Config) -> Vec<Packet> {
             points(config),
             bus.memory_bits,
         ),
-        tree("tree_node", "An internal node of the tree.", records::node(config)),
-        tree("tree_leaf", "Where the points of a leaf lie, in beats.", records::bucket(config)),
+        tree("tree_node", "An internal node of the tree.", list::<Node>(config)),
+        tree("tree_leaf", "Where the points of a leaf lie, in beats.", list::<Bucket>(config)),
     ]
 }
 
 /// Bytes from one record of the tree to the next.
 #[must_use]
 pub fn tree_stride(config: &search::Config, beat_bits: u32) -> u32 {
-    use search::records;
-    let stride = |fields: &[Field]| Layout::of(fields).stride(beat_bits);
-    stride(&records::node(config)).max(stride(&records::bucket(config))).max(super::config::TREE_WORD_BITS / 8)
+    let records = [Layout::record::<Node>(config), Layout::record::<Bucket>(config)];
+    let strides = records.map(|layout| layout.stride(beat_bits));
+    strides.into_iter().fold(super::config::TREE_WORD_BITS / 8, u32::max)
 }

@@ -1,70 +1,71 @@
 //! Leaf processing (thesis 6.5.2): fetches the points of a leaf and computes their squared distances; golden twin:
 //! `pointcore_golden::search::leaf`. With a tree cache, that fetches the points.
 
-use pointcore_contract::search::{Config, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::record;
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{AXES, Beat, Bucket, Candidates, Fetch, Thread};
+use pointcore_contract::search::units::leaf::PORTS;
 
-use super::parts::coordinates::{AXES, coordinates};
+use super::parts::coordinates::coordinates;
 use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
-use crate::units::datapath::{Inputs, dot};
-use crate::units::records::{Record, pulse_in, queue_in, queue_out};
+use crate::units::datapath::dot;
+use crate::units::ports::{Flow, PulseInPorts, StreamInPorts, StreamOutPorts};
 use crate::units::sliced::Sliced;
+use crate::units::values::{Terms, Values};
+use crate::units::wires::{Bundle, Wires};
 use rtl::Module;
 
-const QUERY: [&str; 3] = ["query_x", "query_y", "query_z"];
-
 /// A beat with the coordinates of its thread's query.
-fn operands(config: &Config) -> Vec<Field> {
-    let mut fields = records::beat(config);
-    fields.extend(QUERY.map(|name| (name.to_owned(), config.geometry.width())));
-    fields
+#[record(config: Config)]
+struct Operands {
+    /// The points.
+    beat: Beat,
+    /// Where the query is.
+    #[name(format!("query_{}", AXES[i]))]
+    #[bits(config.geometry.width())]
+    query: [u32; 3],
 }
 
 /// The squared distances of a beat's points to the query.
 fn distances(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("search_distance", "Squared distances of points to a query.");
-    let beat = Inputs::new(&program, &operands(config));
-    let query = QUERY.map(|name| beat.float(config.geometry, name));
-    for name in ["thread", "address", "last"] {
-        program.output(name, beat.bits(name));
-    }
-    for lane in 0..config.lanes {
-        let point = ["x", "y", "z"].map(|axis| beat.float(config.geometry, &format!("{axis}{lane}")));
+    let Operands { beat, query } = Operands::<Values>::inputs(&program, config);
+    let numbers = |point: [Value; 3]| point.map(|coordinate| coordinate.as_float(config.geometry));
+    let query = numbers(query);
+    let mut candidates = Candidates { place: beat.place, ..Candidates::default() };
+    for (distance, point) in candidates.distances.iter_mut().zip(beat.points.lane).take(config.lanes as usize) {
+        let point = numbers(point);
         let offset: [Value; 3] = std::array::from_fn(|axis| point[axis] - query[axis]);
-        program.output(&format!("distance{lane}"), dot(&offset, &offset));
+        *distance = dot(&offset, &offset);
     }
+    candidates.outputs(&program, config);
     compile(&program, options)
 }
 
 /// The table of leaves, and requests for their points.
 fn request_points(m: &mut Module, config: &Config) {
-    let tree = pulse_in(m, "tree", &records::tree_write(config));
-    let leaf = queue_in(m, "leaf", &records::leaf(config));
-    let fetch = queue_out(m, "fetch", &records::fetch(config));
-    let entry = records::bucket(config);
-    let writes = m.wire("writes_leaf", tree.valid & tree.record.get("is_leaf"));
-    let table = Sliced::new(m, "leaves", writes, tree.record.get("address"), tree.record.only(&entry).pack());
+    let tree = PORTS.tree.declare(m, config);
+    let leaf = PORTS.leaf.queue(m, config);
+    let fetch = PORTS.fetch.queue(m, config);
+    let writes = m.wire("writes_leaf", tree.valid & tree.record.is_leaf);
+    let table = Sliced::new(m, "leaves", writes, tree.record.address, tree.record.bucket.pack(config));
     m.assert("no_leaf_is_looked_up_while_one_is_written", !(writes & leaf.valid));
     // f0: the table shows the entry; f1: it is in a register, for a block RAM is slow to show it.
     let [f0_valid, f1_valid] = ["f0_valid", "f1_valid"].map(|name| m.reg_reset(name, 1, 0));
     let [f0_thread, f1_thread] = ["f0_thread", "f1_thread"].map(|name| m.reg(name, config.thread_bits()));
     let advance = m.wire("table_advance", !f1_valid | fetch.room);
-    m.ready(&leaf, advance);
+    m.drive(leaf.ready, advance);
     m.next_if(f0_valid, advance, leaf.valid);
     m.next_if(f1_valid, advance, f0_valid);
-    m.next_if(f0_thread, advance, leaf.field("thread"));
+    m.next_if(f0_thread, advance, leaf.record.thread.thread);
     m.next_if(f1_thread, advance, f0_thread);
-    let found = table.read_if(m, "f0_found", advance, leaf.field("leaf"));
-    let found = Record::unpack(&entry, found).register(m, "f1_", advance);
-    let request = f1_valid & fetch.room;
-    fetch.push(m, request, |name| match name {
-        "thread" => f1_thread.expr(),
-        "address" => found.get("begin"),
-        field => found.get(field),
-    });
+    let found = table.read_if(m, "f0_found", advance, leaf.record.leaf);
+    let Bucket { begin, beats } = Bucket::<Wires>::unpack(config, found).register(m, config, "f1_", advance);
+    let (requests, thread) = (f1_valid & fetch.room, Thread { thread: *f1_thread });
+    fetch.push(m, config, requests, Fetch { thread, address: begin, beats });
 }
 
-/// The unit; ports as in `contract::search::ports::leaf`.
+/// The unit.
 ///
 /// # Errors
 /// What the compiler rejects.
@@ -75,25 +76,22 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     if config.tree_cache == 0 {
         request_points(&mut m, config);
     }
-    let start = pulse_in(&mut m, "start", &records::start(config));
+    let start = PORTS.start.declare(&mut m, config);
 
     // Beats join the coordinates of their queries.
-    let beat = queue_in(&mut m, "beat", &records::beat(config));
+    let beat = PORTS.beat.queue(&mut m, config);
     let Datapath { module, manifest } = distances(config, options)?;
     let distance = m.instance("distance", module);
     let query_valid = m.reg_reset("query_valid", 1, 0);
     let accepts = m.out(distance, "in_ready");
     let query_advance = m.wire("query_advance", !query_valid | accepts);
-    m.ready(&beat, query_advance);
+    m.drive(beat.ready, query_advance);
     m.next_if(query_valid, query_advance, beat.valid);
-    let points = Record::from(&beat).register(&mut m, "points_", query_advance);
-    let query = coordinates(&mut m, config, &start, query_advance, beat.field("thread"));
+    let points = beat.record.register(&mut m, config, "points_", query_advance);
+    let query = coordinates(&mut m, config, start, query_advance, beat.record.place.thread.thread);
     m.connect(distance, "in_valid", query_valid);
-    points.connect(&mut m, distance, "in_");
-    for (name, axis) in QUERY.iter().zip(AXES) {
-        m.connect(distance, &format!("in_{name}"), query.get(axis));
-    }
-    let candidates = m.stream_from(distance, "out");
-    m.stream_export("candidates", &candidates);
+    Operands { beat: points, query }.connect(&mut m, config, distance, "in_");
+    let candidates = Flow::from(&mut m, config, distance, "out");
+    PORTS.candidates.export(&mut m, config, candidates);
     Ok(Datapath { module: m, manifest })
 }

@@ -15,13 +15,35 @@ pub mod tree_cache;
 
 mod parts;
 
+use pointcore_contract::Unit;
+use pointcore_contract::search::{Config, units};
+
+use crate::compiler::{CompileError, Options};
+use rtl::Module;
+
+/// A unit and its hardware, with the compiler's default options.
+pub type Described = (&'static Unit<Config>, fn(&Config) -> Result<Module, CompileError>);
+
+/// Every unit of the search core, the core itself last.
+pub const UNITS: [Described; 11] = [
+    (&units::threads::UNIT, |config| Ok(threads::module(config))),
+    (&units::traversal::UNIT, |config| Ok(traversal::datapath(config, &Options::default())?.module)),
+    (&units::stack::UNIT, |config| Ok(stack::module(config))),
+    (&units::recursion::UNIT, |config| Ok(recursion::module(config))),
+    (&units::leaf::UNIT, |config| Ok(leaf::datapath(config, &Options::default())?.module)),
+    (&units::sieve::UNIT, |config| Ok(sieve::module(config))),
+    (&units::queue::UNIT, |config| Ok(queue::module(config))),
+    (&units::point_cache::UNIT, |config| Ok(point_cache::module(config))),
+    (&units::tree_cache::UNIT, |config| Ok(tree_cache::module(config))),
+    (&units::neighbor_cache::UNIT, |config| Ok(neighbor_cache::unit(config, &Options::default())?.module)),
+    (&units::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compiler::Options;
     use crate::units::testing::{check, check_in_order};
     use pointcore_contract::Format;
-    use pointcore_contract::search::{Config, ports};
 
     fn configs() -> [Config; 8] {
         let small =
@@ -38,29 +60,17 @@ mod tests {
     }
 
     #[test]
+    fn every_unit_is_listed() {
+        assert!(UNITS.iter().map(|(unit, _)| unit.module).eq(units::UNITS.iter().map(|unit| unit.module)));
+    }
+
+    #[test]
     fn units_have_the_specified_ports() {
-        let options = Options::default();
         for config in configs() {
-            check(&threads::module(&config), ports::threads(&config));
-            check(&stack::module(&config), ports::stack(&config));
-            check(&recursion::module(&config), ports::recursion(&config));
-            check(&sieve::module(&config), ports::sieve(&config));
-            check(&queue::module(&config), ports::queue(&config));
-            if config.point_cache > 0 {
-                check(&point_cache::module(&config), ports::point_cache(&config));
-            }
-            if config.tree_cache > 0 {
-                check(&tree_cache::module(&config), ports::tree_cache(&config));
-            }
-            if config.neighbor_cache > 0 {
-                let unit = neighbor_cache::unit(&config, &options).unwrap_or_else(|error| panic!("{error}"));
-                check(&unit.module, ports::neighbor_cache(&config));
-            }
-            for (datapath, ports) in [
-                (traversal::datapath(&config, &options), ports::traversal(&config)),
-                (leaf::datapath(&config, &options), ports::leaf(&config)),
-            ] {
-                check(&datapath.unwrap_or_else(|error| panic!("{error}")).module, ports);
+            for (unit, describe) in UNITS.iter().filter(|(unit, _)| (unit.is_present)(&config)) {
+                let module = describe(&config).unwrap_or_else(|error| panic!("{}: {error}", unit.module));
+                assert_eq!(module.unit(), unit.module);
+                check(&module, unit.ports(&config));
             }
         }
     }
@@ -69,7 +79,7 @@ mod tests {
     fn the_core_has_the_specified_ports_in_order() {
         for config in configs() {
             let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-            check_in_order(&core.module, &ports::top(&config));
+            check_in_order(&core.module, &units::top::UNIT.ports(&config));
         }
     }
 }

@@ -4,17 +4,37 @@
 //! A lookup `l` sends a leaf either to `run`, which reads it from its slot, or to the memory; `r` holds the beat on its way
 //! out. What `l` has read of a tag stays, since no leaf is kept in such a slot; nor does one begin to come while `run` reads.
 
-use pointcore_contract::search::{Config, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Beat, BeatPlace, Fetch, Points};
+use pointcore_contract::search::units::point_cache::PORTS;
 use pointcore_contract::splat::config::index_bits;
+use pointcore_contract::{record, width};
 
 use super::parts::sets::{contains, decode};
 use crate::stream::skid;
-use crate::units::records::{Record, event_out, layout, queue_out, stream_in, width};
-use rtl::{Expr, Memory, Module, Reg, Stream, cat, lit};
+use crate::units::ports::{Flow, OutputPorts, StreamInPorts, StreamOutPorts};
+use crate::units::wires::{Bundle, Wires, layout};
+use rtl::{Expr, Memory, Module, Reg, cat, lit};
 
-/// The field beside a record's own that holds its slot.
-const SLOT: &str = "slot";
+/// A request with its leaf's slot.
+#[record(config: Config)]
+struct SlottedFetch {
+    /// The request.
+    fetch: Fetch,
+    /// The slot.
+    #[bits(index_bits(config.point_cache))]
+    slot: u8,
+}
+
+/// A beat with its slot, if it is a leaf's first.
+#[record(config: Config)]
+struct SlottedBeat {
+    /// The beat.
+    beat: Beat,
+    /// The slot.
+    #[bits(index_bits(config.point_cache))]
+    slot: u8,
+}
 
 /// The slot of a leaf, by its first beat's address: all its bits have a say.
 fn slot_of(config: &Config, address: Expr) -> Expr {
@@ -32,58 +52,44 @@ const fn slot_beats(config: &Config) -> u32 {
 }
 
 /// Where a beat of a slot is in the memory of points.
-fn place(config: &Config, slot: Expr, count: Expr) -> Expr {
+fn word_of(config: &Config, slot: Expr, count: Expr) -> Expr {
     match slot_beats(config).ilog2() {
         0 => slot,
         bits => cat([slot, count.trunc(bits)]),
     }
 }
 
-/// The fields of a beat that are points.
-fn point_fields(config: &Config) -> Vec<Field> {
-    let is_place = |(name, _): &Field| ["thread", "address", "last"].contains(&name.as_str());
-    records::beat(config).into_iter().filter(|field| !is_place(field)).collect()
+/// Requests in a queue of two that holds their slots as well: a slot is there when the head is.
+fn fetches(m: &mut Module, config: &Config) -> Flow<SlottedFetch<Wires>> {
+    let ports = PORTS.fetch.declare(m, config);
+    let slotted = ports.map(|fetch| SlottedFetch { fetch, slot: slot_of(config, fetch.address) });
+    slotted.through(m, config, "fetch_queue", skid(&layout::<SlottedFetch>(config)))
 }
 
-/// A stream of records with the address of a leaf's beat, in a queue of two that holds that beat's slot as well: it is there
-/// when the head is.
-fn queue_with_slot(m: &mut Module, config: &Config, name: &str, record: &[Field]) -> Stream {
-    let ports = stream_in(m, name, record);
-    let fields = with_slot(config, record);
-    let queue = m.instance(&format!("{name}_queue"), skid(&layout(&fields)));
-    m.connect(queue, "in_valid", ports.valid);
-    let room = m.out(queue, "in_ready");
-    m.ready(&ports, room);
-    let slot = slot_of(config, ports.field("address"));
-    let item = Record::new(&fields, |name| if name == SLOT { slot } else { ports.field(name) });
-    item.connect(m, queue, "in_");
-    m.stream_from(queue, "out")
-}
-
-/// A record's fields and its slot.
-fn with_slot(config: &Config, record: &[Field]) -> Vec<Field> {
-    [record, &[(SLOT.to_owned(), index_bits(config.point_cache))]].concat()
+/// As [`fetches`], the beats from memory.
+fn fills(m: &mut Module, config: &Config) -> Flow<SlottedBeat<Wires>> {
+    let ports = PORTS.fill.declare(m, config);
+    let slotted = ports.map(|beat| SlottedBeat { beat, slot: slot_of(config, beat.place.address) });
+    slotted.through(m, config, "fill_queue", skid(&layout::<SlottedBeat>(config)))
 }
 
 /// A leaf that is looked up or read.
 struct Leaf {
     valid: Reg,
-    request: Record,
-    slot: Expr,
+    request: SlottedFetch<Wires>,
 }
 
 impl Leaf {
     /// Takes a request where `enable` is set; `valid` is left to be driven.
-    fn new(m: &mut Module, name: &str, enable: Expr, request: &Record) -> Self {
+    fn new(m: &mut Module, config: &Config, name: &str, enable: Expr, request: SlottedFetch<Wires>) -> Self {
         let valid = m.reg_reset(&format!("{name}_valid"), 1, 0);
-        let request = request.register(m, &format!("{name}_"), enable);
-        Self { valid, slot: request.get(SLOT), request }
+        Self { valid, request: request.register(m, config, &format!("{name}_"), enable) }
     }
 }
 
 /// A leaf on its way from the memory.
 struct Fill {
-    head: Stream,
+    head: Flow<SlottedBeat<Wires>>,
     /// Some of its beats are taken, not the last.
     under_way: Reg,
     slot: Expr,
@@ -94,10 +100,10 @@ struct Fill {
 
 impl Fill {
     fn new(m: &mut Module, config: &Config) -> Self {
-        let head = queue_with_slot(m, config, "fill", &records::beat(config));
+        let head = fills(m, config);
         let under_way = m.reg_reset("fill_under_way", 1, 0);
         let slot_before = m.reg("fill_slot_before", index_bits(config.point_cache));
-        let slot = m.wire("fill_slot", under_way.mux(slot_before, head.field(SLOT)));
+        let slot = m.wire("fill_slot", under_way.mux(slot_before, head.record.slot));
         m.next(slot_before, slot);
         let count = m.reg_reset("fill_count", config.beats_bits(), 0);
         Self { head, under_way, slot, count, kept_before: m.reg("fill_kept_before", 1) }
@@ -108,8 +114,9 @@ impl Fill {
     fn store(&self, m: &mut Module, config: &Config, take: Expr, may_keep: Expr) -> (Memory, Memory, Reg) {
         let slots = config.point_cache;
         let Self { ref head, under_way, slot, count, kept_before } = *self;
-        let (last, address) = (head.field("last"), head.field("address"));
-        m.ready(head, take);
+        let Beat { place, points: item } = head.record.beat;
+        let BeatPlace { last, address, .. } = place;
+        m.drive(head.ready, take);
         let taken = m.wire("fill_taken", head.transfer());
         m.next_if(under_way, taken, !last);
         m.next_if(count, taken, last.mux(lit(count.width(), 0), count.add_lit(1)));
@@ -117,9 +124,8 @@ impl Fill {
         m.next_if(kept_before, taken, kept);
 
         let store = m.wire("store", taken & kept);
-        let fields = point_fields(config);
-        let points = m.memory_unordered("points", slots * slot_beats(config), width(&fields));
-        m.write(points, store, place(config, slot, *count), Record::from(head).only(&fields).pack());
+        let points = m.memory_unordered("points", slots * slot_beats(config), width::<Points>(config));
+        m.write(points, store, word_of(config, slot, *count), item.pack(config));
         let begins = store & !under_way;
         let tags = m.memory("tags", slots, address.width());
         m.write(tags, begins, slot, address);
@@ -130,25 +136,24 @@ impl Fill {
     }
 }
 
-/// The unit; ports as in `contract::search::ports::point_cache`.
+/// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let point_fields = point_fields(config);
     let mut m = Module::new("search_point_cache", "Keeps the points of leaves in front of the memory.");
     m.parameter("slots", config.point_cache);
     m.parameter("slot_beats", slot_beats(config));
-    let fetch = queue_with_slot(&mut m, config, "fetch", &records::fetch(config));
-    let miss = queue_out(&mut m, "miss", &records::fetch(config));
-    let beat = queue_out(&mut m, "beat", &records::beat(config));
+    let fetch = fetches(&mut m, config);
+    let miss = PORTS.miss.queue(&mut m, config);
+    let beat = PORTS.beat.queue(&mut m, config);
     let fill = Fill::new(&mut m, config);
 
     let [advance_l, advance_r, enter] = ["advance_l", "advance_r", "enter"].map(|name| m.forward(name, 1));
-    m.ready(&fetch, advance_l);
-    let l = Leaf::new(&mut m, "l", *advance_l, &Record::from(&fetch));
-    let run = Leaf::new(&mut m, "run", *enter, &l.request);
+    m.drive(fetch.ready, advance_l);
+    let l = Leaf::new(&mut m, config, "l", *advance_l, fetch.record);
+    let run = Leaf::new(&mut m, config, "run", *enter, l.request);
     // Asked of the first beat of a leaf only.
-    let (fetch_slot, fill_slot) = (fetch.field(SLOT), fill.head.field(SLOT));
-    let in_lookup = l.valid & l.slot.eq(fill_slot);
+    let (fetch_slot, fill_slot) = (fetch.record.slot, fill.head.record.slot);
+    let in_lookup = l.valid & l.request.slot.eq(fill_slot);
     let in_head = fetch.valid & fetch_slot.eq(fill_slot);
     let may_keep = m.wire("may_keep", !(in_lookup | in_head));
     let runs = m.wire("runs", run.valid & !fill.under_way);
@@ -156,45 +161,38 @@ pub fn module(config: &Config) -> Module {
 
     // A hit waits for the leaf that is read, a miss for the way to the memory.
     let tag = m.read_if(tags, "tag", advance_l, fetch_slot);
-    let hit = m.wire("hit", contains(present, l.slot) & tag.eq(l.request.get("address")));
+    let hit = m.wire("hit", contains(present, l.request.slot) & tag.eq(l.request.fetch.address));
     let hits = m.wire("hits", l.valid & (hit & !run.valid));
     let misses = m.wire("misses", l.valid & (!hit & miss.room));
     m.drive(advance_l, !l.valid | (hits | misses));
     m.next_if(l.valid, advance_l, fetch.valid);
     m.drive(enter, hits);
-    miss.push(&mut m, misses, |name| l.request.get(name));
+    miss.push(&mut m, config, misses, l.request.fetch);
 
     // Beats of the leaf that is read, or of the one that comes.
     let run_count = m.reg_reset("run_count", config.beats_bits(), 0);
-    let run_last = m.wire("run_last", run_count.add_lit(1).eq(run.request.get("beats")));
+    let run_last = m.wire("run_last", run_count.add_lit(1).eq(run.request.fetch.beats));
     let step = m.wire("run_step", advance_r & runs);
     m.next_if(run_count, step, run_last.mux(lit(run_count.width(), 0), run_count.add_lit(1)));
     m.next(run.valid, hits | (run.valid & !(step & run_last)));
     // Never in a cycle in which one is stored: what is written need not be told from what is read.
-    let read = m.read_if(points, "read", step, place(config, run.slot, *run_count));
+    let read = m.read_if(points, "read", step, word_of(config, run.request.slot, *run_count));
 
     let r_valid = m.reg_reset("r_valid", 1, 0);
     m.drive(advance_r, !r_valid | beat.room);
     m.next_if(r_valid, advance_r, runs | fill.head.valid);
     let r_read = m.reg("r_read", 1);
     m.next_if(r_read, advance_r, runs);
-    let next = Record::new(&records::beat(config), |name| match name {
-        "thread" => runs.mux(run.request.get("thread"), fill.head.field("thread")),
-        "address" => {
-            let base = run.request.get("address");
-            runs.mux(base + run_count.resize(base.width()), fill.head.field("address"))
-        }
-        "last" => runs.mux(run_last, fill.head.field("last")),
-        field => fill.head.field(field),
-    });
-    let r = next.register(&mut m, "r_", advance_r);
-    let read = Record::unpack(&point_fields, read);
-    let r_points = read.mux(*r_read, &r.only(&point_fields));
-    let is_point = |name: &str| point_fields.iter().any(|(point, _)| point == name);
-    beat.push(&mut m, r_valid & advance_r, |name| if is_point(name) { r_points.get(name) } else { r.get(name) });
+    let Fetch { thread, address: base, .. } = run.request.fetch;
+    let running = BeatPlace { thread, address: base + run_count.resize(base.width()), last: run_last };
+    let Beat { place, points: filling } = fill.head.record.beat;
+    let next = Beat { place: BeatPlace::choose(config, runs, running, place), points: filling };
+    let r = next.register(&mut m, config, "r_", advance_r);
+    let points = Points::choose(config, r_read, Points::unpack(config, read), r.points);
+    beat.push(&mut m, config, r_valid & advance_r, Beat { place: r.place, points });
 
-    event_out(&mut m, "event_point_hit", hits);
-    event_out(&mut m, "event_point_miss", misses);
-    m.assert("what_is_read_is_there", !run.valid | contains(present, run.slot));
+    PORTS.events.event(&mut m, config, |events| events.hit, hits);
+    PORTS.events.event(&mut m, config, |events| events.miss, misses);
+    m.assert("what_is_read_is_there", !run.valid | contains(present, run.request.slot));
     m
 }

@@ -1,22 +1,26 @@
 //! Thread control (thesis 6.5.2): gives queries to threads, and says when a thread pops and when it is finished;
 //! golden twin: `pointcore_golden::search::threads`.
 
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Descent, Start, Thread};
+use pointcore_contract::search::units::threads::PORTS;
 use pointcore_contract::splat::config::index_bits;
+use pointcore_contract::unit::Out;
 
 use super::parts::sets::{decode, index_of, lowest, set};
-use crate::units::records::{Record, event_out, pulse_in, queue_out, registered_pulse_out, stream_in};
+use crate::units::ports::{PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
 use rtl::{Expr, Module, Reg, lit};
 
 /// Shows a thread and, when it is taken, chooses the next: the first from a pointer on that has a wish, behind which the pointer
 /// moves; returns whose wish is granted. Choice and pointer are sets, the pointer's those behind the thread granted last: a
 /// thread's number is encoded on its way out.
-fn grant(m: &mut Module, name: &str, wishes: Reg, thread_bits: u32) -> Expr {
+fn grant(m: &mut Module, config: &Config, ports: Out<Thread>, wishes: Reg) -> Expr {
+    let name = ports.name;
     let threads = wishes.width();
     let behind = m.reg_reset(&format!("behind_{name}"), threads, 0);
     let chosen = m.reg_reset(&format!("chosen_{name}"), threads, 0);
     let shown = m.reg_reset(&format!("{name}_shown"), 1, 0);
-    let ready = m.stream_out(name, shown, [("thread", index_of(chosen, thread_bits))]);
+    let ready = ports.drive(m, config, shown, Thread { thread: index_of(chosen, config.thread_bits()) });
     let advance = m.wire(&format!("{name}_advance"), ready | !shown);
     m.next_if(shown, advance, wishes.any());
 
@@ -33,40 +37,34 @@ fn grant(m: &mut Module, name: &str, wishes: Reg, thread_bits: u32) -> Expr {
     m.wire(&format!("granted_{name}"), first & advance.repeat(threads))
 }
 
-/// The unit; ports as in `contract::search::ports::threads`.
+/// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let (threads, thread_bits) = (config.threads, config.thread_bits());
-    let thread_only = records::thread_only(config);
+    let threads = config.threads;
     let mut m = Module::new("search_threads", "Gives queries to threads and says what each does next.");
     m.parameter("threads", threads);
     m.parameter("leaves_in_flight", config.leaves_in_flight);
-    let query = stream_in(&mut m, "query", &records::query(config));
+    let query = PORTS.query.declare(&mut m, config);
     let [busy, waiting, exhausted, wants_pop, wants_finish] =
         ["busy", "waiting", "exhausted", "wants_pop", "wants_finish"].map(|name| m.reg_reset(name, threads, 0));
 
     // A query goes to the lowest free thread, whose descent begins at the root a cycle later.
     let free = m.wire("free", lowest(!busy));
     let take = m.wire("take", query.transfer());
-    let started = Record::new(&records::start(config), |name| match name {
-        "thread" => index_of(free, thread_bits),
-        field => query.field(field),
-    });
-    let start = registered_pulse_out(&mut m, "start", take, &started);
-    let descend = queue_out(&mut m, "descend", &records::descent(config));
-    m.ready(&query, (free.any() & !start.valid) & descend.room);
-    descend.push(&mut m, start.valid, |name| match name {
-        "node" => lit(config.node_bits(), 1),
-        field => start.record.get(field),
-    });
+    let thread = Thread { thread: index_of(free, config.thread_bits()) };
+    let start = PORTS.start.registered(&mut m, config, take, Start { thread, query: query.record });
+    let descend = PORTS.descend.queue(&mut m, config);
+    m.drive(query.ready, (free.any() & !start.valid) & descend.room);
+    let root = lit(config.node_bits(), 1);
+    descend.push(&mut m, config, start.valid, Descent { thread: start.record.thread, node: root });
 
-    let popped = grant(&mut m, "pop", wants_pop, thread_bits);
-    let finished = grant(&mut m, "finish", wants_finish, thread_bits);
+    let popped = grant(&mut m, config, PORTS.pop, wants_pop);
+    let finished = grant(&mut m, config, PORTS.finish, wants_finish);
 
-    let pulses = ["reached", "leaf_done", "skipped", "empty", "released"];
-    let [reached, leaf_done, skipped, empty, released] = pulses.map(|name| {
-        let pulse = pulse_in(&mut m, name, &thread_only);
-        m.wire(&format!("{name}_set"), decode(pulse.valid, pulse.record.get("thread"), threads))
+    let pulses = [PORTS.reached, PORTS.leaf_done, PORTS.skipped, PORTS.empty, PORTS.released];
+    let [reached, leaf_done, skipped, empty, released] = pulses.map(|ports| {
+        let pulse = ports.declare(&mut m, config);
+        m.wire(&format!("{}_set", ports.name), decode(pulse.valid, pulse.record.thread, threads))
     });
     let leaf_ended = m.wire("leaf_ended", leaf_done | skipped);
     let count_bits = index_bits(config.leaves_in_flight + 1);
@@ -93,6 +91,6 @@ pub fn module(config: &Config) -> Module {
     m.next(wants_pop, ((wants_pop & !popped) | pop_wishes) & kept);
     let finish_wishes = (empty | leaf_ended) & (exhausted_now & none);
     m.next(wants_finish, ((wants_finish & !finished) | finish_wishes) & kept);
-    event_out(&mut m, "event_thread_wait", query.valid & busy.all());
+    PORTS.event_thread_wait.event(&mut m, query.valid & busy.all());
     m
 }

@@ -3,15 +3,20 @@
 
 use std::collections::BTreeMap;
 
-use pointcore_contract::search::ports::{EVENTS, NEIGHBOR_CACHE_EVENTS, POINT_CACHE_EVENTS, TREE_CACHE_EVENTS};
-use pointcore_contract::search::{Config, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{CachedQuery, CachedResult, Fetch};
+use pointcore_contract::search::units::top::PORTS;
+use pointcore_contract::search::units::{self, Events};
 
 use super::neighbor_cache::NeighborCache;
 use super::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
 use crate::compiler::{CompileError, Manifest, Options};
-use crate::units::records::{Pulse, Record, pulse_in, stream_in};
-use rtl::{Instance, Module, Stream};
+use crate::units::ports::{
+    Flow, InputPorts, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort, pipe,
+    pulse,
+};
+use crate::units::wires::Wires;
+use rtl::{Instance, Module};
 
 /// The core's module and what the compiler decided about its datapaths.
 pub struct Core {
@@ -19,18 +24,6 @@ pub struct Core {
     pub module: Module,
     /// By unit.
     pub manifests: BTreeMap<String, Manifest>,
-}
-
-/// A pulse that a unit puts out.
-fn pulse_from(m: &mut Module, from: Instance, name: &str, fields: &[Field]) -> Pulse {
-    let valid = m.out(from, &format!("{name}_valid"));
-    Pulse { valid, record: Record::new(fields, |field| m.out(from, &format!("{name}_{field}"))) }
-}
-
-/// Leads a pulse into a unit.
-fn pulse_into(m: &mut Module, to: Instance, name: &str, pulse: &Pulse) {
-    m.connect(to, &format!("{name}_valid"), pulse.valid);
-    pulse.record.connect(m, to, &format!("{name}_"));
 }
 
 /// The units of every core.
@@ -48,7 +41,7 @@ impl Units {
     /// Places the units and leads what goes round a search from one to the next; what comes from the host and the memory
     /// is left to do.
     fn connected(m: &mut Module, config: &Config, [traversal, leaf]: [Module; 2]) -> Self {
-        let units = Self {
+        let placed = Self {
             threads: m.instance("threads", threads::module(config)),
             traversal: m.instance("traversal", traversal),
             stack: m.instance("stack", stack::module(config)),
@@ -57,106 +50,147 @@ impl Units {
             sieve: m.instance("sieve", sieve::module(config)),
             queue: m.instance("queue", queue::module(config)),
         };
-        let Self { threads, traversal, stack, recursion, leaf, sieve, queue } = units;
-        let start = pulse_from(m, threads, "start", &records::start(config));
-        for unit in [traversal, recursion, leaf, sieve, queue] {
-            pulse_into(m, unit, "start", &start);
-        }
-        m.pipe((threads, "descend"), (traversal, "descend"));
-        m.pipe((threads, "pop"), (recursion, "in"));
-        m.pipe((threads, "finish"), (queue, "finish"));
-        m.pipe((recursion, "resume"), (traversal, "resume"));
-        m.pipe((leaf, "candidates"), (sieve, "candidates"));
-        m.pipe((sieve, "kept"), (queue, "candidates"));
+        let Self { threads, traversal, recursion, leaf, sieve, queue, .. } = placed;
+        let start = units::threads::PORTS.start.of(m, config, threads);
+        units::traversal::PORTS.start.feed(m, config, traversal, start);
+        units::recursion::PORTS.start.feed(m, config, recursion, start);
+        units::leaf::PORTS.start.feed(m, config, leaf, start);
+        units::sieve::PORTS.start.feed(m, config, sieve, start);
+        units::queue::PORTS.start.feed(m, config, queue, start);
+        placed.streams(m, config);
+        placed.pulses(m, config);
+        placed
+    }
 
-        let thread_only = records::thread_only(config);
-        let path = records::path(config);
-        let pushed: Vec<_> = thread_only.iter().chain(&path).cloned().collect();
-        let push = pulse_from(m, traversal, "push", &pushed);
-        pulse_into(m, stack, "push", &push);
-        let pop = pulse_from(m, recursion, "pop", &thread_only);
-        pulse_into(m, stack, "pop", &pop);
-        let top_empty = m.out(stack, "top_empty");
-        m.connect(recursion, "top_empty", top_empty);
-        Record::new(&path, |field| m.out(stack, &format!("top_{field}"))).connect(m, recursion, "top_");
+    /// Leads streams from one unit to the next.
+    fn streams(&self, m: &mut Module, config: &Config) {
+        let Self { threads, traversal, recursion, leaf, sieve, queue, .. } = *self;
+        let (from_threads, to_queue) = (units::threads::PORTS, units::queue::PORTS);
+        pipe(m, config, (threads, from_threads.descend), (traversal, units::traversal::PORTS.descend));
+        pipe(m, config, (threads, from_threads.pop), (recursion, units::recursion::PORTS.input));
+        pipe(m, config, (threads, from_threads.finish), (queue, to_queue.finish));
+        pipe(m, config, (recursion, units::recursion::PORTS.resume), (traversal, units::traversal::PORTS.resume));
+        pipe(m, config, (leaf, units::leaf::PORTS.candidates), (sieve, units::sieve::PORTS.candidates));
+        pipe(m, config, (sieve, units::sieve::PORTS.kept), (queue, to_queue.candidates));
+    }
 
-        let radius = pulse_from(m, queue, "radius", &records::radius(config));
-        for unit in [recursion, sieve] {
-            pulse_into(m, unit, "radius", &radius);
-        }
-        let leaf_done = Pulse { valid: radius.valid, record: radius.record.only(&thread_only) };
-        pulse_into(m, threads, "leaf_done", &leaf_done);
-        for (unit, name) in [(traversal, "reached"), (sieve, "skipped"), (recursion, "empty"), (queue, "released")] {
-            let pulse = pulse_from(m, unit, name, &thread_only);
-            pulse_into(m, threads, name, &pulse);
-        }
-        units
+    /// Leads what is always taken from one unit to others.
+    fn pulses(&self, m: &mut Module, config: &Config) {
+        let Self { threads, traversal, stack, recursion, sieve, queue, .. } = *self;
+        let to_threads = units::threads::PORTS;
+        pulse(m, config, (traversal, units::traversal::PORTS.push), (stack, units::stack::PORTS.push));
+        pulse(m, config, (recursion, units::recursion::PORTS.pop), (stack, units::stack::PORTS.pop));
+        let top_empty = units::stack::PORTS.top_empty.word_of(m, stack);
+        units::recursion::PORTS.top_empty.feed_word(m, recursion, top_empty);
+        let top = units::stack::PORTS.top.of(m, config, stack);
+        units::recursion::PORTS.top.feed(m, config, recursion, top);
+
+        let radius = units::queue::PORTS.radius.of(m, config, queue);
+        units::recursion::PORTS.radius.feed(m, config, recursion, radius);
+        units::sieve::PORTS.radius.feed(m, config, sieve, radius);
+        let leaf_done = Pulse { valid: radius.valid, record: radius.record.thread };
+        to_threads.leaf_done.feed(m, config, threads, leaf_done);
+        pulse(m, config, (traversal, units::traversal::PORTS.reached), (threads, to_threads.reached));
+        pulse(m, config, (sieve, units::sieve::PORTS.skipped), (threads, to_threads.skipped));
+        pulse(m, config, (recursion, units::recursion::PORTS.empty), (threads, to_threads.empty));
+        pulse(m, config, (queue, units::queue::PORTS.released), (threads, to_threads.released));
     }
 
     /// Leads the tree to the units, from the host or through the cache of a tree in external memory; returns the requests
     /// for points, and the cache.
-    fn tree(&self, m: &mut Module, config: &Config) -> (Stream, Option<Instance>) {
+    fn tree(&self, m: &mut Module, config: &Config) -> (Flow<Fetch<Wires>>, Option<Instance>) {
         let Self { traversal, leaf, .. } = *self;
+        let (of_traversal, of_leaf, of_cache) = (units::traversal::PORTS, units::leaf::PORTS, units::tree_cache::PORTS);
         if config.tree_cache == 0 {
-            let tree = pulse_in(m, "tree", &records::tree_write(config));
-            for unit in [traversal, leaf] {
-                pulse_into(m, unit, "tree", &tree);
-            }
-            m.pipe((traversal, "leaf"), (leaf, "leaf"));
-            return (m.stream_from(leaf, "fetch"), None);
+            let tree = PORTS.tree.declare(m, config);
+            of_traversal.tree.feed(m, config, traversal, tree);
+            of_leaf.tree.feed(m, config, leaf, tree);
+            pipe(m, config, (traversal, of_traversal.leaf), (leaf, of_leaf.leaf));
+            return (of_leaf.fetch.of(m, config, leaf), None);
         }
         let cache = m.instance("tree_cache", tree_cache::module(config));
-        let lookup = m.stream_from(cache, "lookup");
-        m.stream_export("lookup", &lookup);
-        let record = stream_in(m, "record", &records::tree_record(config));
-        m.stream_into(cache, "fill", &record);
-        m.pipe((traversal, "node"), (cache, "node"));
-        m.pipe((traversal, "leaf"), (cache, "leaf"));
-        m.pipe((cache, "record"), (traversal, "record"));
-        (m.stream_from(cache, "fetch"), Some(cache))
+        let lookup = of_cache.lookup.of(m, config, cache);
+        PORTS.lookup.export(m, config, lookup);
+        let record = PORTS.record.declare(m, config);
+        of_cache.fill.feed(m, config, cache, record);
+        pipe(m, config, (traversal, of_traversal.node), (cache, of_cache.node));
+        pipe(m, config, (traversal, of_traversal.leaf), (cache, of_cache.leaf));
+        pipe(m, config, (cache, of_cache.record), (traversal, of_traversal.record));
+        (of_cache.fetch.of(m, config, cache), Some(cache))
     }
 
     /// Leads queries in, through the neighbor cache where there is one.
     fn queries(&self, m: &mut Module, config: &Config, cache: Option<Instance>) {
+        let (of_threads, of_cache) = (units::threads::PORTS, units::neighbor_cache::PORTS);
         let Some(cache) = cache else {
-            let query = stream_in(m, "query", &records::query(config));
-            m.stream_into(self.threads, "query", &query);
+            let query = PORTS.query.declare(m, config).map(|CachedQuery { query, .. }| query);
+            of_threads.query.feed(m, config, self.threads, query);
             return;
         };
-        let setup = pulse_in(m, "setup", &records::cache_setup(config));
-        pulse_into(m, cache, "setup", &setup);
-        let query = stream_in(m, "query", &records::cached_query(config));
-        m.stream_into(cache, "query", &query);
-        m.pipe((cache, "search"), (self.threads, "query"));
+        let setup = PORTS.setup.declare(m, config);
+        of_cache.setup.feed(m, config, cache, setup);
+        let query = PORTS.query.declare(m, config);
+        of_cache.query.feed(m, config, cache, query);
+        pipe(m, config, (cache, of_cache.search), (self.threads, of_threads.query));
     }
 
     /// Leads requests for points to the memory and beats back, through the point cache where there is one; returns it.
-    fn points(&self, m: &mut Module, config: &Config, fetch: &Stream) -> Option<Instance> {
-        let beat_fields = records::beat(config);
+    fn points(&self, m: &mut Module, config: &Config, fetch: Flow<Fetch<Wires>>) -> Option<Instance> {
+        let (of_leaf, of_cache) = (units::leaf::PORTS, units::point_cache::PORTS);
         if config.point_cache == 0 {
-            m.stream_export("fetch", fetch);
-            let beat = stream_in(m, "beat", &beat_fields);
-            m.stream_into(self.leaf, "beat", &beat);
+            PORTS.fetch.export(m, config, fetch);
+            let beat = PORTS.beat.declare(m, config);
+            of_leaf.beat.feed(m, config, self.leaf, beat);
             return None;
         }
         let cache = m.instance("point_cache", point_cache::module(config));
-        m.stream_into(cache, "fetch", fetch);
-        let miss = m.stream_from(cache, "miss");
-        m.stream_export("fetch", &miss);
-        let beat = stream_in(m, "beat", &beat_fields);
-        m.stream_into(cache, "fill", &beat);
-        m.pipe((cache, "beat"), (self.leaf, "beat"));
+        of_cache.fetch.feed(m, config, cache, fetch);
+        let miss = of_cache.miss.of(m, config, cache);
+        PORTS.fetch.export(m, config, miss);
+        let beat = PORTS.beat.declare(m, config);
+        of_cache.fill.feed(m, config, cache, beat);
+        pipe(m, config, (cache, of_cache.beat), (self.leaf, of_leaf.beat));
         Some(cache)
     }
 
     /// Leads results out, through the neighbor cache where there is one.
-    fn results(&self, m: &mut Module, cache: Option<Instance>) {
-        if let Some(cache) = cache {
-            m.pipe((self.queue, "result"), (cache, "found"));
-        }
-        let result = m.stream_from(cache.unwrap_or(self.queue), "result");
-        m.stream_export("result", &result);
+    fn results(&self, m: &mut Module, config: &Config, cache: Option<Instance>) {
+        let (of_queue, of_cache) = (units::queue::PORTS, units::neighbor_cache::PORTS);
+        let result = match cache {
+            Some(cache) => {
+                pipe(m, config, (self.queue, of_queue.result), (cache, of_cache.found));
+                of_cache.result.of(m, config, cache)
+            }
+            None => {
+                of_queue.result.of(m, config, self.queue).map(|result| CachedResult { result, ..Default::default() })
+            }
+        };
+        PORTS.result.export(m, config, result);
     }
+
+    /// What happened in the units and in those caches that there are.
+    fn events(&self, m: &mut Module, config: &Config, caches: Caches) -> Events<Wires> {
+        let Caches { point, tree, neighbor } = caches;
+        let point_cache = point.map(|cache| units::point_cache::PORTS.events.of(m, config, cache));
+        let tree_cache = tree.map(|cache| units::tree_cache::PORTS.events.of(m, config, cache));
+        let neighbor_cache = neighbor.map(|cache| units::neighbor_cache::PORTS.events.of(m, config, cache));
+        Events {
+            node: units::traversal::PORTS.event_node.word_of(m, self.traversal),
+            pop: units::recursion::PORTS.event_pop.word_of(m, self.recursion),
+            queue: units::queue::PORTS.events.of(m, config, self.queue),
+            thread_wait: units::threads::PORTS.event_thread_wait.word_of(m, self.threads),
+            point_cache: point_cache.unwrap_or_default(),
+            tree_cache: tree_cache.unwrap_or_default(),
+            neighbor_cache: neighbor_cache.unwrap_or_default(),
+        }
+    }
+}
+
+/// The caches that a core has.
+struct Caches {
+    point: Option<Instance>,
+    tree: Option<Instance>,
+    neighbor: Option<Instance>,
 }
 
 /// Builds the core.
@@ -176,21 +210,12 @@ pub fn core(config: &Config, options: &Options) -> Result<Core, CompileError> {
             Some(m.instance("neighbor_cache", module))
         }
     };
-    let units = Units::connected(&mut m, config, [traversal.module, leaf.module]);
-    let (fetch, tree_cache) = units.tree(&mut m, config);
-    units.queries(&mut m, config, neighbor_cache);
-    let point_cache = units.points(&mut m, config, &fetch);
-    units.results(&mut m, neighbor_cache);
-
-    let Units { threads, traversal, recursion, queue, .. } = units;
-    let own = EVENTS.into_iter().zip([traversal, recursion, queue, queue, queue, threads]);
-    let point_events = point_cache.into_iter().flat_map(|cache| POINT_CACHE_EVENTS.map(|event| (event, cache)));
-    let tree_events = tree_cache.into_iter().flat_map(|cache| TREE_CACHE_EVENTS.map(|event| (event, cache)));
-    let neighbor_events =
-        neighbor_cache.into_iter().flat_map(|cache| NEIGHBOR_CACHE_EVENTS.map(|event| (event, cache)));
-    for (name, unit) in own.chain(point_events).chain(tree_events).chain(neighbor_events) {
-        let event = m.out(unit, name);
-        m.output(name, event);
-    }
+    let placed = Units::connected(&mut m, config, [traversal.module, leaf.module]);
+    let (fetch, tree) = placed.tree(&mut m, config);
+    placed.queries(&mut m, config, neighbor_cache);
+    let point = placed.points(&mut m, config, fetch);
+    placed.results(&mut m, config, neighbor_cache);
+    let events = placed.events(&mut m, config, Caches { point, tree, neighbor: neighbor_cache });
+    PORTS.events.drive(&mut m, config, events);
     Ok(Core { module: m, manifests })
 }

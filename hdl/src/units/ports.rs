@@ -5,11 +5,11 @@
 
 use std::marker::PhantomData;
 
-use pointcore_contract::Record;
 use pointcore_contract::unit::{In, Input, Out, Output, PulseIn, PulseOut};
+use pointcore_contract::{Record, fields};
 use rtl::{Expr, Instance, Module, Stream, Wire, bit};
 
-use super::wires::{Bundle, Wired, layout};
+use super::wires::{Bundle, Places, Wired, layout, places};
 use crate::stream::{half_buffer, skid};
 
 /// A stream inside a module: what the producer shows, and the consumer's answer, to be driven once.
@@ -29,8 +29,13 @@ impl<B: Bundle> Flow<B> {
         self.valid & self.ready
     }
 
+    /// The stream of what is made of its items.
+    pub fn map<T>(self, item: impl FnOnce(B) -> T) -> Flow<T> {
+        Flow { valid: self.valid, record: item(self.record), ready: self.ready }
+    }
+
     /// The stream field by field.
-    fn plain(self, config: &B::Config) -> Stream {
+    pub fn plain(self, config: &B::Config) -> Stream {
         Stream { valid: self.valid, fields: self.record.named(config).collect(), ready: self.ready }
     }
 
@@ -103,6 +108,9 @@ impl<R: Record> StreamInPorts<R> for In<R> {
 
 /// A stream out of a unit.
 pub(crate) trait StreamOutPorts<R: Record>: Sized {
+    /// Drives the ports on the unit; returns whether an item is taken.
+    fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr;
+
     /// Leads an inner stream out of the unit.
     fn export(self, m: &mut Module, config: &R::Config, stream: Flow<Wired<R>>);
 
@@ -117,6 +125,10 @@ pub(crate) trait StreamOutPorts<R: Record>: Sized {
 }
 
 impl<R: Record> StreamOutPorts<R> for Out<R> {
+    fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr {
+        m.stream_out(self.name, valid, record.named(config))
+    }
+
     fn export(self, m: &mut Module, config: &R::Config, stream: Flow<Wired<R>>) {
         m.stream_export(self.name, &stream.plain(config));
     }
@@ -158,6 +170,28 @@ impl<R: Record> QueueOut<R> {
         m.connect(self.instance, "in_valid", valid);
         record.connect(m, config, self.instance, "in_");
     }
+}
+
+/// Leads a stream from one unit to another.
+pub(crate) fn pipe<R: Record>(
+    m: &mut Module,
+    config: &R::Config,
+    (from, out): (Instance, Out<R>),
+    (to, input): (Instance, In<R>),
+) {
+    let stream = out.of(m, config, from);
+    input.feed(m, config, to, stream);
+}
+
+/// Leads records that are always taken from one unit to another.
+pub(crate) fn pulse<R: Record>(
+    m: &mut Module,
+    config: &R::Config,
+    (from, out): (Instance, PulseOut<R>),
+    (to, input): (Instance, PulseIn<R>),
+) {
+    let pulse = out.of(m, config, from);
+    input.feed(m, config, to, pulse);
 }
 
 /// Records into a unit that are always taken.
@@ -253,11 +287,34 @@ pub(crate) trait OutputPorts<R: Record>: Sized {
     /// Drives the ports on the unit.
     fn drive(self, m: &mut Module, config: &R::Config, record: Wired<R>);
 
+    /// Drives one of the record's bits in the cycle after `happens`.
+    fn event(
+        self,
+        m: &mut Module,
+        config: &R::Config,
+        which: impl FnOnce(R::In<Places>) -> Option<usize>,
+        happens: impl Into<Expr>,
+    );
+
     /// What an instance of the unit puts out.
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Wired<R>;
 }
 
 impl<R: Record> OutputPorts<R> for Output<R> {
+    fn event(
+        self,
+        m: &mut Module,
+        config: &R::Config,
+        which: impl FnOnce(R::In<Places>) -> Option<usize>,
+        happens: impl Into<Expr>,
+    ) {
+        let place = which(places::<R>(config)).expect("a unit has the events that it tells of");
+        let name = format!("{}{}", prefix(self.name), fields::<R>(config)[place].name);
+        let happened = m.reg_reset(&name, 1, 0);
+        m.next(happened, happens);
+        m.output(&name, happened);
+    }
+
     fn drive(self, m: &mut Module, config: &R::Config, record: Wired<R>) {
         record.output(m, config, &prefix(self.name));
     }

@@ -3,7 +3,7 @@
 use pointcore_contract::splat::Field;
 
 use crate::stream::{half_buffer, skid};
-use rtl::{Expr, Instance, Module, Reg, Stream, StreamIn, Wire, bit, cat, lit};
+use rtl::{Expr, Instance, Module, Reg, Stream, StreamIn, Wire, cat, lit};
 
 /// A value for every field of a record, in order.
 #[derive(Clone)]
@@ -122,14 +122,8 @@ pub(crate) fn stream_in(m: &mut Module, name: &str, record: &[Field]) -> StreamI
     m.stream_in(name, &layout(record))
 }
 
-/// Declares the ports of a stream that comes in and puts a queue of two behind them; returns the queue's head.
-#[track_caller]
-pub(crate) fn queue_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
-    buffered_in(m, name, fields, skid(&layout(fields)))
-}
-
-/// As [`queue_in`] at half rate, for records so wide that a register for one is enough to pay.
-#[track_caller]
+/// Declares the ports of a stream that comes in and puts a register behind them; returns what it holds. At half rate: for records so
+/// wide that a register for one is enough to pay.
 pub(crate) fn half_in(m: &mut Module, name: &str, fields: &[Field]) -> Stream {
     buffered_in(m, name, fields, half_buffer(&layout(fields)))
 }
@@ -224,38 +218,6 @@ impl QueueOut {
             m.connect(self.instance, &format!("in_{name}"), value(name));
         }
     }
-}
-
-/// A record that is always taken: it comes with `valid` and without `ready`.
-pub(crate) struct Pulse {
-    /// The record is there.
-    pub valid: Expr,
-    /// Its fields.
-    pub record: Record,
-}
-
-/// Declares the ports of a pulse that comes in.
-#[track_caller]
-pub(crate) fn pulse_in(m: &mut Module, name: &str, fields: &[Field]) -> Pulse {
-    let (valid, values) = m.pulse_in(name, "valid", &layout(fields));
-    let names = fields.iter().map(|(field, _)| field.clone());
-    Pulse { valid, record: Record(names.zip(values).collect()) }
-}
-
-/// Drives the ports of a pulse that goes out.
-#[track_caller]
-pub(crate) fn pulse_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record) {
-    m.pulse_out(name, "valid", valid, record.named());
-}
-
-/// A pulse that goes out in the cycle after `valid`. Its fields follow every cycle: who decides on `valid` need not reach them.
-#[track_caller]
-pub(crate) fn registered_pulse_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record) -> Pulse {
-    let shown = m.reg_reset(&format!("{name}_valid"), 1, 0);
-    m.next(shown, valid);
-    let record = record.register(m, &format!("{name}_"), bit(true));
-    pulse_out(m, name, shown, &record);
-    Pulse { valid: shown.expr(), record }
 }
 
 /// An output that is set in the cycle after `happens`.

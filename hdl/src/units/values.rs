@@ -54,7 +54,13 @@ pub(crate) trait Terms: Record<Domain = Values> {
 
     /// Every field as an input of the program, its bits as they come: [`Value::as_float`] reads them as a number.
     fn inputs(program: &Program, config: &Self::Config) -> Self {
-        Self::from_fields(config, |field| program.input(&field.name, Type::Unsigned(field.width)))
+        Self::prefixed_inputs(program, config, "")
+    }
+
+    /// As [`Terms::inputs`], called `<prefix><field>`.
+    fn prefixed_inputs(program: &Program, config: &Self::Config, prefix: &str) -> Self {
+        let name = |field: &Field| format!("{prefix}{}", field.name);
+        Self::from_fields(config, |field| program.input(&name(field), Type::Unsigned(field.width)))
     }
 
     /// Every field as a uniform of the program that holds a number of `format`.

@@ -3,8 +3,10 @@
 //! A [`Bundle`] is a record whose values are expressions. Ports, registers and packed words take names, widths and order from the
 //! record's own description, so none of them is spelled here.
 
-use pointcore_contract::{Domain, Field, Record, Visitor, Word, fields};
-use rtl::{Expr, Instance, Module, cat, lit};
+use std::ops::Deref;
+
+use pointcore_contract::{Domain, Field, Record, Visit, Visitor, Word, fields};
+use rtl::{Expr, Instance, Module, Reg, cat, lit};
 
 /// The terms of hardware: expressions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,6 +14,31 @@ pub(crate) struct Wires;
 
 impl Domain for Wires {
     type Bits<W: Word> = Expr;
+}
+
+/// The terms of layouts: a value's place among its record's fields, if it is one of the layout.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Places;
+
+impl Domain for Places {
+    type Bits<W: Word> = Option<usize>;
+}
+
+/// Numbers the values of a record.
+struct Counter(usize);
+
+impl Visitor<Places> for Counter {
+    fn bits<W: Word>(&mut self, value: &mut Option<usize>) {
+        *value = Some(self.0);
+        self.0 += 1;
+    }
+}
+
+/// The places of a record's fields.
+pub(crate) fn places<R: Record>(config: &R::Config) -> R::In<Places> {
+    let mut record = <R::In<Places>>::default();
+    record.visit(config, &mut Counter(0));
+    record
 }
 
 /// A record of the contract in hardware.
@@ -125,4 +152,41 @@ impl<R: Record<Domain = Wires>> Bundle for R {}
 /// Names and widths of a record's fields, as the front end takes layouts.
 pub(crate) fn layout<R: Record>(config: &R::Config) -> Vec<(String, u32)> {
     fields::<R>(config).into_iter().map(|field| (field.name, field.width)).collect()
+}
+
+/// Registers that hold a record, to be told once what they take.
+pub(crate) struct Registers<B> {
+    record: B,
+    registers: Vec<Reg>,
+}
+
+impl<B: Bundle> Registers<B> {
+    /// Registers `<prefix><field>`.
+    pub fn new(m: &mut Module, config: &B::Config, prefix: &str) -> Self {
+        let layout = fields::<B>(config);
+        let registers: Vec<_> =
+            layout.iter().map(|field| m.reg(&format!("{prefix}{}", field.name), field.width)).collect();
+        Self { record: B::from_values(config, registers.iter().map(|register| register.expr())), registers }
+    }
+
+    /// They take a record at every clock edge.
+    pub fn next(&self, m: &mut Module, config: &B::Config, record: B) {
+        self.registers.iter().zip(record.values(config)).for_each(|(register, value)| m.next(*register, value));
+    }
+
+    /// They take a record at clock edges where `enable` is set.
+    pub fn next_if(&self, m: &mut Module, config: &B::Config, enable: impl Into<Expr>, record: B) {
+        let enable = enable.into();
+        let registers = self.registers.iter().zip(record.values(config));
+        registers.for_each(|(register, value)| m.next_if(*register, enable, value));
+    }
+}
+
+/// What they hold.
+impl<B> Deref for Registers<B> {
+    type Target = B;
+
+    fn deref(&self) -> &B {
+        &self.record
+    }
 }

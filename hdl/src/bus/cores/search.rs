@@ -3,19 +3,24 @@
 
 use std::rc::Rc;
 
+use pointcore_contract::Record;
 use pointcore_contract::bus::config::TREE_WORD_BITS;
 use pointcore_contract::bus::{Layout, packets, ports, registers as maps};
-use pointcore_contract::search::ports::events;
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, Points, TreeRecord, TreeWrite};
+use pointcore_contract::search::units::events;
+use pointcore_contract::search::units::top::PORTS;
 use pointcore_contract::splat::{Field, Port};
+use pointcore_contract::unit::In;
 
 use super::wiring::{export, feed, place, report, request};
 use crate::bus::{Top, packet_in, packet_out, reader, registers, window};
 use crate::compiler::{CompileError, Options};
 use crate::search::top;
 use crate::stream::fifo;
-use crate::units::records::{Record, layout};
-use rtl::{Expr, Instance, Module, Stream, bit, cat, lit};
+use crate::units::ports::{Flow, Pulse, PulseInPorts, StreamOutPorts};
+use crate::units::wires::{Bundle, Wired, Wires, layout};
+use rtl::{Expr, Instance, Module, bit, cat, lit};
 
 /// Requests to memory that may await their answer.
 const REQUESTS_MAX: u32 = 16;
@@ -31,16 +36,10 @@ fn tree_word() -> Vec<Field> {
     vec![("word".to_owned(), TREE_WORD_BITS)]
 }
 
-/// A field of a node or a leaf in a word of the tree.
-fn field_of(config: &Config, word: Expr, name: &str) -> Expr {
-    let fields = if records::node(config).iter().any(|(field, _)| field == name) {
-        records::node(config)
-    } else {
-        records::bucket(config)
-    };
-    let layout = Layout::of(&fields);
-    let place = layout.places.iter().find(|place| place.name == name).expect("a word holds a node or a leaf");
-    word.bits((place.bit() + place.width) - 1, place.bit())
+/// A record that lies in a word of the tree.
+fn in_word<B: Bundle>(config: &B::Config, word: Expr) -> B {
+    let layout = Layout::record::<B>(config);
+    B::from_values(config, layout.places.iter().map(|place| word.bits((place.bit() + place.width) - 1, place.bit())))
 }
 
 /// Builds the core on its bus; ports as in `contract::bus::ports::search`.
@@ -72,7 +71,7 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     if config.neighbor_cache > 0 {
         setup(&mut m, config, core, control, start);
     }
-    run(&mut m, core, control, queries, results, start);
+    run(&mut m, config, core, control, queries, results, start);
 
     let points = points(&mut m, config, core, control);
     let tree = match config.tree_cache {
@@ -96,15 +95,20 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
 fn setup(m: &mut Module, config: &Config, core: Instance, control: Instance, start: Expr) {
     let valid = m.reg_reset("sets_up", 1, 0);
     m.next(valid, start);
-    m.connect(core, "setup_valid", valid);
-    for (name, _) in records::cache_setup(config) {
-        let value = m.out(control, &format!("cache_{name}"));
-        m.connect(core, &format!("setup_{name}"), value);
-    }
+    let record = CacheSetup::<Wires>::shown_by(m, config, control, "cache_");
+    PORTS.setup.feed(m, config, core, Pulse { valid: valid.expr(), record });
 }
 
 /// Counts queries in, and the last results of queries out.
-fn run(m: &mut Module, core: Instance, control: Instance, queries: Instance, results: Instance, start: Expr) {
+fn run(
+    m: &mut Module,
+    config: &Config,
+    core: Instance,
+    control: Instance,
+    queries: Instance,
+    results: Instance,
+    start: Expr,
+) {
     let wanted = m.out(control, "queries");
     let width = wanted.width();
     let countdown = |m: &mut Module, name: &str, goes: Expr| {
@@ -119,9 +123,9 @@ fn run(m: &mut Module, core: Instance, control: Instance, queries: Instance, res
     let last = taken.mux(queries_left.trunc(2).eq_lit(2), queries_left.trunc(2).eq_lit(1));
     m.connect(queries, "last", few & last);
 
-    let result = m.stream_from(core, "result");
-    m.stream_into(results, "in", &result);
-    let answered = m.wire("answered", result.transfer() & result.field("last"));
+    let result = PORTS.result.of(m, config, core);
+    result.into(m, config, results, "in");
+    let answered = m.wire("answered", result.transfer() & result.record.result.last);
     let answers_left = countdown(m, "answers_left", answered);
     let idle = m.out(results, "idle");
     m.connect(control, "finished", (!answers_left.any() & !start) & idle);
@@ -135,27 +139,23 @@ fn points(m: &mut Module, config: &Config, core: Instance, control: Instance) ->
     let reads = m.instance("points", reader::module(&fields, bits, most));
     export(m, reads, &ports::reader(&fields, bits, most), "m_axi", "m_axi");
     let base = m.out(control, "points_base");
-    let fetch = m.stream_from(core, "fetch");
+    let fetch = PORTS.fetch.of(m, config, core);
     let stride_bits = Layout::of(&fields).stride(bits).ilog2();
-    let address = m.wire("points_address", place(base, fetch.field("address"), stride_bits));
-    let asked = Asked { name: "fetches", fields: records::fetch(config), address, records: fetch.field("beats") };
-    let head = asked.remembered(m, &fetch, reads);
+    let address = m.wire("points_address", place(base, fetch.record.address, stride_bits));
+    let asked = Asked { name: "fetches", address, records: fetch.record.beats };
+    let head = asked.remembered::<Fetch<Wires>>(m, config, fetch, reads);
 
-    let record = m.stream_from(reads, "record");
+    let record = Flow::<Points<Wires>>::from(m, config, reads, "record");
     let place_bits = config.beats_bits();
     let place = m.reg_reset("beat", place_bits, 0);
-    let last = m.wire("last_beat", place.add_lit(1).eq(head.field("beats")));
+    let last = m.wire("last_beat", place.add_lit(1).eq(head.record.beats));
     let gives = m.wire("gives_beat", record.valid & head.valid);
-    let beat = Record::new(&records::beat(config), |name| match name {
-        "thread" => head.field("thread"),
-        "address" => head.field("address") + place.resize(config.beat_bits()),
-        "last" => last,
-        _ => record.field(name),
-    });
-    let taken = give(m, core, "beat", gives, &beat);
-    m.ready(&record, taken & head.valid);
+    let address = head.record.address + place.resize(config.beat_bits());
+    let beat = Beat { place: BeatPlace { thread: head.record.thread, address, last }, points: record.record };
+    let taken = give(m, config, (core, PORTS.beat), gives, beat);
+    m.drive(record.ready, taken & head.valid);
     let moves = m.wire("beat_moves", gives & taken);
-    m.ready(&head, moves & last);
+    m.drive(head.ready, moves & last);
     m.next_if(place, moves, last.mux(lit(place_bits, 0), place.add_lit(1)));
     reads
 }
@@ -166,13 +166,9 @@ fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instanc
     let window = m.instance("tree", window::module(index_bits));
     export(m, window, &ports::window(index_bits), "s_axi", "s_axi");
     let [valid, index, word] = ["write_valid", "write_index", "write_data"].map(|name| m.out(window, name));
-    m.connect(core, "tree_valid", valid);
-    let write = Record::new(&records::tree_write(config), |name| match name {
-        "is_leaf" => index.msb(),
-        "address" => index.trunc(config.tree_depth),
-        _ => field_of(config, word, name),
-    });
-    write.connect(m, core, "tree_");
+    let (node, bucket) = (in_word(config, word), in_word(config, word));
+    let record = TreeWrite { is_leaf: index.msb(), address: index.trunc(config.tree_depth), node, bucket };
+    PORTS.tree.feed(m, config, core, Pulse { valid, record });
     let [busy, refused, occupied] =
         [(control, "busy"), (window, "refused_busy"), (window, "occupied")].map(|(unit, name)| m.out(unit, name));
     m.connect(window, "locked", busy);
@@ -190,49 +186,52 @@ fn tree_memory(m: &mut Module, config: &Config, core: Instance, control: Instanc
     export(m, reads, &unit_ports, "m_axi", "m_axi_tree");
     m.connect(control, "occupied", bit(false));
     let base = m.out(control, "tree_base");
-    let lookup = m.stream_from(core, "lookup");
+    let lookup = PORTS.lookup.of(m, config, core);
     let stride_bits = packets::tree_stride(config, bits).ilog2();
-    let address = m.wire("tree_address", place(base, lookup.field("address"), stride_bits));
-    let asked = Asked { name: "lookups", fields: records::lookup(config), address, records: bit(true) };
-    let head = asked.remembered(m, &lookup, reads);
+    let address = m.wire("tree_address", place(base, lookup.record.address, stride_bits));
+    let asked = Asked { name: "lookups", address, records: bit(true) };
+    let head = asked.remembered::<Lookup<Wires>>(m, config, lookup, reads);
 
     let record = m.stream_from(reads, "record");
     let gives = m.wire("gives_record", record.valid & head.valid);
     let word = record.field("word");
-    let answer = Record::new(&records::tree_record(config), |name| match name {
-        "thread" | "address" => head.field(name),
-        _ => field_of(config, word, name),
-    });
-    let taken = give(m, core, "record", gives, &answer);
+    let (node, bucket) = (in_word(config, word), in_word(config, word));
+    let answer = TreeRecord { lookup: head.record, node, bucket };
+    let taken = give(m, config, (core, PORTS.record), gives, answer);
     m.ready(&record, taken & head.valid);
-    m.ready(&head, taken & record.valid);
+    m.drive(head.ready, taken & record.valid);
     reads
 }
 
 /// A request of the core's to memory.
 struct Asked {
     name: &'static str,
-    fields: Vec<Field>,
     address: Expr,
     records: Expr,
 }
 
 impl Asked {
     /// Hands the request to a reader and remembers whose it is; returns the oldest that is not answered.
-    fn remembered(self, m: &mut Module, stream: &Stream, reads: Instance) -> Stream {
-        let queue = m.instance(self.name, fifo(REQUESTS_MAX, &layout(&self.fields)));
+    fn remembered<B: Bundle>(self, m: &mut Module, config: &B::Config, stream: Flow<B>, reads: Instance) -> Flow<B> {
+        let queue = m.instance(self.name, fifo(REQUESTS_MAX, &layout::<B>(config)));
         let room = m.out(queue, "in_ready");
         let reader_ready = m.out(reads, "request_ready");
         m.connect(queue, "in_valid", stream.valid & reader_ready);
-        Record::from(stream).connect(m, queue, "in_");
-        feed(m, stream, (reads, "request"), room, &request(self.address, self.records));
-        m.stream_from(queue, "out")
+        stream.record.connect(m, config, queue, "in_");
+        feed(m, &stream.plain(config), (reads, "request"), room, &request(self.address, self.records));
+        Flow::from(m, config, queue, "out")
     }
 }
 
 /// Shows a record to the core; returns whether it would be taken.
-fn give(m: &mut Module, core: Instance, name: &str, valid: Expr, record: &Record) -> Expr {
-    m.connect(core, &format!("{name}_valid"), valid);
-    record.connect(m, core, &format!("{name}_"));
-    m.out(core, &format!("{name}_ready"))
+fn give<R: Record>(
+    m: &mut Module,
+    config: &R::Config,
+    (core, ports): (Instance, In<R>),
+    valid: Expr,
+    record: Wired<R>,
+) -> Expr {
+    m.connect(core, &format!("{}_valid", ports.name), valid);
+    record.connect(m, config, core, &format!("{}_", ports.name));
+    m.out(core, &format!("{}_ready", ports.name))
 }

@@ -46,13 +46,13 @@ pub(super) fn report(
     control: Instance,
     core: Instance,
     [receiver, sender]: [Instance; 2],
-    events: impl IntoIterator<Item = &'static str>,
+    events: impl IntoIterator<Item = impl AsRef<str>>,
 ) {
     let packets =
         [(receiver, "refused", "packet_error"), (receiver, "taken", "packet_taken"), (sender, "sent", "packet_sent")];
     join(m, control, &packets);
     for event in events {
-        join(m, control, &[(core, event, event)]);
+        join(m, control, &[(core, event.as_ref(), event.as_ref())]);
     }
     let irq = m.out(control, "irq");
     m.output("irq", irq);

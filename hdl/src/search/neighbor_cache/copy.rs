@@ -1,14 +1,18 @@
 //! Neighbor copy (thesis 6.5.3): takes the results of searches into the cache, each in place of the least recently used
 //! neighborhood.
 
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::QueryResult;
+use pointcore_contract::search::units::neighbor_cache::PORTS;
 
-use super::cover::reach_fields;
+use super::cover::Reach;
 use super::deliver::Answer;
 use super::lru::{Chosen, Entries};
 use super::neighborhoods::Neighborhoods;
 use super::tickets::Tickets;
-use crate::units::records::{Record, queue_in};
+use crate::search::parts::neighbor::Neighbor;
+use crate::units::ports::StreamInPorts;
+use crate::units::wires::Wires;
 use rtl::{Expr, Module, bit, lit};
 
 /// What becomes of results in a cycle.
@@ -20,7 +24,7 @@ pub(super) struct Copy {
     /// A query is answered, and its entry complete but for the comparison value.
     pub end: Answer,
     /// What that follows from.
-    pub reach: Record,
+    pub reach: Reach<Wires>,
     /// The number of the search that ends: its ticket.
     pub ticket: Expr,
 }
@@ -34,16 +38,16 @@ pub(super) fn copy(
     (is_ball, hits, room): (Expr, Expr, Expr),
 ) -> Copy {
     let rank_bits = config.rank_bits();
-    let found = queue_in(m, "found", &records::result(config));
-    let (distance2, is_found, last) = (found.field("distance2"), found.field("found"), found.field("last"));
+    let found = PORTS.found.queue(m, config);
+    let QueryResult { number: ticket, last, found: is_found, index, distance2 } = found.record;
     let copying = m.reg_reset("copying", 1, 0);
     let starts = m.wire("copy_starts", (found.valid & !copying) & (entries.victim.valid & !hits));
     let target = m.reg("copy_entry", config.entry_bits());
     m.next_if(target, starts, entries.victim.entry);
-    let query = tickets.query(m, config, starts, found.field("number"));
+    let query = tickets.query(m, config, starts, ticket);
 
     let ready = m.wire("copy_ready", copying & (!last | (room & !hits)));
-    m.ready(&found, ready);
+    m.drive(found.ready, ready);
     let takes = m.wire("copy_takes", found.valid & ready);
     let ends = m.wire("copy_ends", takes & last);
     m.next(copying, starts | (copying & !ends));
@@ -58,27 +62,27 @@ pub(super) fn copy(
     m.next_if(rank, starts | stores, starts.mux(lit(rank_bits, 0), total));
     m.next_if(previous, starts | stores, starts.mux(zero, distance2));
     let place = Chosen { valid: stores, entry: target.expr() };
-    neighborhoods.store(m, &place, *rank, &Record::from(&found));
+    neighborhoods.store(m, config, place, *rank, Neighbor { index, distance2 });
 
     // Whether this neighbor is one only chooses among comparisons that need not wait for it.
-    let wanted = query.get("k");
+    let wanted = query.k;
     let left = |more: u128| if more < 1 << rank_bits { rank.add_lit(more).eq(wanted) } else { bit(false) };
     let [none_left, one_left, two_left] = [0, 1, 2].map(left);
     let full = m.wire("copy_full", is_found.mux(one_left, none_left));
     let one_less = is_found.mux(two_left, one_left);
     let surplus = full & !is_ball;
     let end = Chosen { valid: ends, entry: target.expr() };
-    neighborhoods.close(m, &end, total - surplus.zext(rank_bits));
+    neighborhoods.close(m, end, total - surplus.zext(rank_bits));
 
-    let radius2 = query.get("radius2");
+    let radius2 = query.radius2;
     let near2 = full.mux(previous, one_less.mux(latest, radius2));
-    let reach = Record::new(&reach_fields(config), |name| match name {
-        "entry" => target.expr(),
-        "far2" => full.mux(distance2, radius2),
-        "near2" => is_ball.mux(zero, near2),
-        field => query.get(field),
-    });
+    let reach = Reach {
+        entry: target.expr(),
+        point: query.point,
+        far2: full.mux(distance2, radius2),
+        near2: is_ball.mux(zero, near2),
+    };
     let start = Chosen { valid: starts, entry: entries.victim.entry };
     let target = Chosen { valid: copying.expr(), entry: target.expr() };
-    Copy { start, target, end: Answer { by: end, number: query.get("number") }, reach, ticket: found.field("number") }
+    Copy { start, target, end: Answer { by: end, number: query.number }, reach, ticket }
 }

@@ -1,61 +1,92 @@
 //! How far a neighborhood reaches: each entry's query with the comparison value `c` (thesis eq. 6.5, 6.6 and table 6.1).
 
 use pointcore_contract::search::Config;
-use pointcore_contract::splat::Field;
+use pointcore_contract::search::records::{AXES, CacheSetup};
+use pointcore_contract::{record, width};
 
 use super::lru::Chosen;
 use super::neighborhoods::entry_words;
-use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, compile};
-use crate::units::datapath::{Inputs, uniform};
-use crate::units::records::{Record, width};
+use crate::compiler::{CompileError, Datapath, Manifest, Options, Program, Value, compile};
+use crate::units::ports::Flow;
+use crate::units::values::{Terms, Values};
+use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, Memory, Module, bit};
 
-fn numbers(config: &Config, names: &[&str]) -> Vec<Field> {
-    names.iter().map(|&name| (name.to_owned(), config.geometry.width())).collect()
-}
-
 /// What a query is compared with.
-pub(super) fn cover_fields(config: &Config) -> Vec<Field> {
-    numbers(config, &["x", "y", "z", "c"])
+#[record(config: Config)]
+pub(super) struct Cover {
+    /// Where the query is that the neighborhood was found for.
+    #[name(AXES[i])]
+    #[bits(config.geometry.width())]
+    pub point: [u32; 3],
+    /// The comparison value.
+    #[bits(config.geometry.width())]
+    pub c: u32,
 }
 
 /// A neighborhood that is to be judged: its entry, its query, the squared distances that say how far it reaches.
-pub(super) fn reach_fields(config: &Config) -> Vec<Field> {
-    let mut fields = vec![("entry".to_owned(), config.entry_bits())];
-    fields.extend(numbers(config, &["x", "y", "z", "far2", "near2"]));
-    fields
+#[record(config: Config)]
+pub(super) struct Reach {
+    /// The entry.
+    #[bits(config.entry_bits())]
+    pub entry: u8,
+    /// Where its query is.
+    #[name(AXES[i])]
+    #[bits(config.geometry.width())]
+    pub point: [u32; 3],
+    /// Within this squared distance all points are known.
+    #[bits(config.geometry.width())]
+    pub far2: u32,
+    /// Within this one lie all that are wanted.
+    #[bits(config.geometry.width())]
+    pub near2: u32,
+}
+
+/// A setting.
+#[record(config: Config)]
+struct FarScale {
+    /// As in the setup.
+    #[bits(config.geometry.width())]
+    far_scale: u32,
+}
+
+/// A neighborhood that is judged.
+#[record(config: Config)]
+struct EntryCover {
+    /// The entry.
+    #[bits(config.entry_bits())]
+    entry: u8,
+    /// What queries are compared with.
+    cover: Cover,
 }
 
 /// The comparison value from the squared distances.
 fn comparison_value(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("search_cover", "How far a neighborhood reaches.");
-    let reach = Inputs::new(&program, &reach_fields(config));
-    let root = |name: &str| reach.float(config.geometry, name).sqrt();
-    let far = root("far2") * uniform(&program, config.geometry, "far_scale");
-    let computed = [("c", far - root("near2"))];
-    program.output("entry", reach.bits("entry"));
-    reach.output(&program, &cover_fields(config), &computed);
+    let Reach { entry, point, far2, near2 } = Reach::<Values>::inputs(&program, config);
+    let root = |square: Value| square.as_float(config.geometry).sqrt();
+    let far = root(far2);
+    let FarScale { far_scale } = FarScale::<Values>::uniforms(&program, config, config.geometry);
+    let cover = Cover { point, c: far * far_scale - root(near2) };
+    EntryCover { entry, cover }.outputs(&program, config);
     compile(&program, options)
 }
 
 /// A memory of them by entry.
 pub(super) struct Covers {
-    fields: Vec<Field>,
     memory: Memory,
 }
 
 impl Covers {
     /// Unknown contents.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let fields = cover_fields(config);
-        let memory = m.memory("covers", entry_words(config), width(&fields));
-        Self { fields, memory }
+        Self { memory: m.memory("covers", entry_words(config), width::<Cover>(config)) }
     }
 
     /// An entry's, in the cycle after `enable`.
-    pub fn read(&self, m: &mut Module, enable: Expr, entry: Expr) -> Record {
+    pub fn read(&self, m: &mut Module, config: &Config, enable: Expr, entry: Expr) -> Cover<Wires> {
         let cover = m.read_if(self.memory, "entry_cover", enable, entry);
-        Record::unpack(&self.fields, cover)
+        Cover::unpack(config, cover)
     }
 
     /// Judges a neighborhood where `valid`; returns the entry whose comparison value is written, some time later.
@@ -64,21 +95,21 @@ impl Covers {
         m: &mut Module,
         config: &Config,
         options: &Options,
-        settings: &Record,
-        (valid, reach): (Expr, &Record),
+        settings: CacheSetup<Wires>,
+        (valid, reach): (Expr, Reach<Wires>),
     ) -> Result<(Chosen, Manifest), CompileError> {
         let Datapath { module, manifest } = comparison_value(config, options)?;
         let datapath = m.instance("judge", module);
         let reach_valid = m.reg_reset("reach_valid", 1, 0);
         m.next(reach_valid, valid);
-        let reach = reach.register(m, "reach_", bit(true));
+        let reach = reach.register(m, config, "reach_", bit(true));
         m.connect(datapath, "in_valid", reach_valid);
-        reach.connect(m, datapath, "in_");
-        m.connect(datapath, "far_scale", settings.get("far_scale"));
-        let out = m.stream_from(datapath, "out");
-        m.ready(&out, bit(true));
-        let entry = out.field("entry");
-        m.write(self.memory, out.valid, entry, Record::from(&out).only(&self.fields).pack());
+        reach.connect(m, config, datapath, "in_");
+        FarScale { far_scale: settings.far_scale }.connect(m, config, datapath, "");
+        let out = Flow::<EntryCover<Wires>>::from(m, config, datapath, "out");
+        m.drive(out.ready, bit(true));
+        let EntryCover { entry, cover } = out.record;
+        m.write(self.memory, out.valid, entry, cover.pack(config));
         Ok((Chosen { valid: out.valid, entry }, manifest))
     }
 }

@@ -1,32 +1,58 @@
 //! Delivers neighborhoods: an entry's neighbors one after the other, under the number of the query they answer.
 
-use pointcore_contract::search::{Config, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::record;
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{CachedResult, QueryResult};
+use pointcore_contract::search::units::neighbor_cache::PORTS;
 
 use super::lru::Chosen;
-use super::neighborhoods::{Neighborhoods, neighbor_fields};
+use super::neighborhoods::Neighborhoods;
+use crate::search::parts::neighbor::Neighbor;
 use crate::stream::fifo;
-use crate::units::records::{QueueOut, Record, layout, queue_out};
+use crate::units::ports::{Flow, QueueOut, StreamOutPorts};
+use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Instance, Module, lit};
 
 /// Answers that may wait.
 pub(super) const DEPTH: u32 = 4;
 
 /// What is known of an answer.
-fn fields(config: &Config) -> Vec<Field> {
-    let number = ("number".to_owned(), config.index_bits);
-    vec![("entry".to_owned(), config.entry_bits()), number, ("cached".to_owned(), 1)]
+#[record(config: Config)]
+struct Delivery {
+    /// The entry that holds the neighbors.
+    #[bits(config.entry_bits())]
+    entry: u8,
+    /// The query's number.
+    #[bits(config.index_bits)]
+    number: u32,
+    /// The neighborhood is reused.
+    cached: bool,
+}
+
+/// What of a result is not read from memory.
+#[record(config: Config)]
+struct Known {
+    /// The query's number.
+    #[bits(config.index_bits)]
+    number: u32,
+    /// Closes the query.
+    last: bool,
+    /// There is a neighbor.
+    found: bool,
+    /// The neighborhood is reused.
+    cached: bool,
 }
 
 /// The answers that wait.
 pub(super) struct Deliveries {
     queue: Instance,
-    result: QueueOut,
+    result: QueueOut<CachedResult>,
     /// An answer can be pushed in this cycle.
     pub room: Expr,
 }
 
 /// A query answered in this cycle, if at all.
+#[derive(Clone, Copy)]
 pub(super) struct Answer {
     pub by: Chosen,
     pub number: Expr,
@@ -35,9 +61,9 @@ pub(super) struct Answer {
 impl Deliveries {
     /// None after reset.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let queue = m.instance("deliver_queue", fifo(DEPTH, &layout(&fields(config))));
+        let queue = m.instance("deliver_queue", fifo(DEPTH, &layout::<Delivery>(config)));
         let room = m.out(queue, "in_ready");
-        Self { queue, result: queue_out(m, "result", &records::cached_result(config)), room }
+        Self { queue, result: PORTS.result.queue(m, config), room }
     }
 
     /// Sends one answer after the other; of `cached` and `searched` never both are there. Returns the entry that has been
@@ -46,23 +72,27 @@ impl Deliveries {
         self,
         m: &mut Module,
         config: &Config,
-        [cached, searched]: [&Answer; 2],
+        [cached, searched]: [Answer; 2],
         from: &Neighborhoods,
     ) -> Chosen {
         let Self { queue, result, .. } = self;
-        let is_cached = &cached.by.valid;
-        m.connect(queue, "in_valid", *is_cached | searched.by.valid);
-        m.connect(queue, "in_entry", is_cached.mux(cached.by.entry, searched.by.entry));
-        m.connect(queue, "in_number", is_cached.mux(cached.number, searched.number));
-        m.connect(queue, "in_cached", *is_cached);
+        let is_cached = cached.by.valid;
+        m.connect(queue, "in_valid", is_cached | searched.by.valid);
+        let [cached, searched] = [cached, searched].map(|answer| Delivery {
+            entry: answer.by.entry,
+            number: answer.number,
+            cached: is_cached,
+        });
+        let delivery = Delivery { cached: is_cached, ..Delivery::choose(config, is_cached, cached, searched) };
+        delivery.connect(m, config, queue, "in_");
 
         // d0: an answer and the rank of its next neighbor.
-        let head = m.stream_from(queue, "out");
+        let head = Flow::<Delivery<Wires>>::from(m, config, queue, "out");
         let d0_valid = m.reg_reset("d0_valid", 1, 0);
         let takes = m.wire("d0_takes", !d0_valid & head.valid);
-        m.ready(&head, !d0_valid);
-        let answer = Record::from(&head).register(m, "d0_", takes);
-        let count = from.count(m, takes, head.field("entry"));
+        m.drive(head.ready, !d0_valid);
+        let answer = head.record.register(m, config, "d0_", takes);
+        let count = from.count(m, takes, head.record.entry);
         let rank_bits = config.rank_bits();
         let rank = m.reg("d0_rank", rank_bits);
         let next_rank = m.reg("d0_next_rank", rank_bits);
@@ -78,25 +108,13 @@ impl Deliveries {
         m.next_if(next_rank, takes | reads, takes.mux(lit(rank_bits, 1), next_rank.add_lit(1)));
         m.next(d0_valid, takes | (d0_valid & !releases));
         m.next_if(d1_valid, advance, d0_valid);
-        let known = Record::new(&known_fields(config), |name| match name {
-            "last" => last,
-            "found" => count.any(),
-            field => answer.get(field),
-        });
-        let known = known.register(m, "d1_", reads);
-        let neighbor = from.neighbor(m, reads, answer.get("entry"), *rank);
-        let neighbor = neighbor.mux(known.get("found"), &Record::zeros(&neighbor_fields(config)));
+        let known = Known { number: answer.number, last, found: count.any(), cached: answer.cached };
+        let Known { number, last, found, cached } = known.register(m, config, "d1_", reads);
+        let neighbor = from.neighbor(m, config, reads, answer.entry, *rank);
+        let Neighbor { index, distance2 } = Neighbor::choose(config, found, neighbor, Neighbor::zeros(config));
         let sends = d1_valid & result.room;
-        result.push(m, sends, |name| match name {
-            "index" | "distance2" => neighbor.get(name),
-            field => known.get(field),
-        });
-        Chosen { valid: releases, entry: answer.get("entry") }
+        let next = QueryResult { number, last, found, index, distance2 };
+        result.push(m, config, sends, CachedResult { result: next, cached });
+        Chosen { valid: releases, entry: answer.entry }
     }
-}
-
-/// What of a result is not read from memory.
-fn known_fields(config: &Config) -> Vec<Field> {
-    let read = neighbor_fields(config);
-    records::cached_result(config).into_iter().filter(|field| !read.contains(field)).collect()
 }

@@ -16,25 +16,26 @@ use rtl::{Expr, Module, Reg, bit, lit};
 pub(super) const VERSION_BITS: u32 = 8;
 
 /// An entry that something happens to in a cycle, if at all.
+#[derive(Clone, Copy)]
 pub(super) struct Chosen {
     pub valid: Expr,
     pub entry: Expr,
 }
 
 /// What happens to the entries in a cycle.
-pub(super) struct Uses<'a> {
+pub(super) struct Uses {
     /// The settings change.
     pub setup: Expr,
     /// A query is answered from an entry.
-    pub hit: &'a Chosen,
+    pub hit: Chosen,
     /// An entry is given to another neighborhood.
-    pub start: &'a Chosen,
+    pub start: Chosen,
     /// It has all of it, and is to be delivered.
-    pub end: &'a Chosen,
+    pub end: Chosen,
     /// Its comparison value is known.
-    pub judged: &'a Chosen,
+    pub judged: Chosen,
     /// Its neighbors have been delivered once.
-    pub release: &'a Chosen,
+    pub release: Chosen,
 }
 
 /// The state of all entries.
@@ -101,7 +102,7 @@ impl Entries {
     }
 
     /// The entries as they are after a cycle. A hit and a start never come together.
-    pub fn update(self, m: &mut Module, uses: &Uses<'_>) {
+    pub fn update(self, m: &mut Module, uses: &Uses) {
         let Self { present, writing, stale, versions, readers, older, .. } = self;
         let count = present.width();
         let events = [

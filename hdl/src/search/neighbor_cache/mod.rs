@@ -9,10 +9,12 @@ mod lru;
 mod neighborhoods;
 mod tickets;
 
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::units::neighbor_cache::PORTS;
 
 use crate::compiler::{CompileError, Manifest, Options};
-use crate::units::records::pulse_in;
+use crate::units::ports::PulseInPorts;
+use crate::units::wires::Bundle;
 use rtl::Module;
 
 use check::{Check, Resources};
@@ -33,7 +35,7 @@ pub struct NeighborCache {
     pub cover: Manifest,
 }
 
-/// The unit; ports as in `contract::search::ports::neighbor_cache`.
+/// The unit.
 ///
 /// # Errors
 /// What the compiler rejects.
@@ -42,8 +44,8 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     m.parameter("entries", config.neighbor_cache);
     m.parameter("neighbors", config.neighbors);
     m.parameter("tickets", config.tickets());
-    let setup = pulse_in(&mut m, "setup", &records::cache_setup(config));
-    let settings = setup.record.register(&mut m, "", setup.valid);
+    let setup = PORTS.setup.declare(&mut m, config);
+    let settings = setup.record.register(&mut m, config, "", setup.valid);
     let entries = Entries::new(&mut m, config);
     let covers = Covers::new(&mut m, config);
     let neighborhoods = Neighborhoods::new(&mut m, config);
@@ -54,25 +56,17 @@ pub fn unit(config: &Config, options: &Options) -> Result<NeighborCache, Compile
     let copying = m.forward("copied", 1);
     let target = m.forward("copied_entry", config.entry_bits());
     let copied = Chosen { valid: copying.expr(), entry: target.expr() };
-    let resources =
-        Resources { entries: &entries, covers: &covers, tickets: &tickets, settings: &settings, copied: &copied, room };
+    let resources = Resources { entries: &entries, covers: &covers, tickets: &tickets, settings, copied, room };
     let check = Check::new(&mut m, config, options, &resources)?;
-    let (hit, is_ball) = (&check.hit, settings.get("ball"));
-    let copy = copy(&mut m, config, (&entries, &tickets, &neighborhoods), (is_ball, hit.by.valid, room));
+    let hit = check.hit;
+    let copy = copy(&mut m, config, (&entries, &tickets, &neighborhoods), (settings.ball, hit.by.valid, room));
     m.drive(copying, copy.target.valid);
     m.drive(target, copy.target.entry);
-    let (judged, cover) = covers.judge(&mut m, config, options, &settings, (copy.end.by.valid, &copy.reach))?;
-    let release = deliveries.send(&mut m, config, [hit, &copy.end], &neighborhoods);
+    let (judged, cover) = covers.judge(&mut m, config, options, settings, (copy.end.by.valid, copy.reach))?;
+    let release = deliveries.send(&mut m, config, [hit, copy.end], &neighborhoods);
 
-    tickets.update(&mut m, &check, copy.end.by.valid, copy.ticket);
-    let uses = Uses {
-        setup: setup.valid,
-        hit: &hit.by,
-        start: &copy.start,
-        end: &copy.end.by,
-        judged: &judged,
-        release: &release,
-    };
+    tickets.update(&mut m, config, &check, copy.end.by.valid, copy.ticket);
+    let uses = Uses { setup: setup.valid, hit: hit.by, start: copy.start, end: copy.end.by, judged, release };
     entries.update(&mut m, &uses);
     Ok(NeighborCache { module: m, check: check.manifest, cover })
 }

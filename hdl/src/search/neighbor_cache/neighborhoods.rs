@@ -1,17 +1,12 @@
 //! The neighbors of all entries.
 
-use pointcore_contract::search::{Config, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::search::Config;
+use pointcore_contract::width;
 
 use super::lru::Chosen;
-use crate::units::records::{Record, width};
+use crate::search::parts::neighbor::Neighbor;
+use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, Memory, Module, address_width, cat};
-
-/// What is kept of a neighbor.
-pub(super) fn neighbor_fields(config: &Config) -> Vec<Field> {
-    let kept = |(name, _): &Field| ["index", "distance2"].contains(&name.as_str());
-    records::result(config).into_iter().filter(kept).collect()
-}
 
 /// Words of a memory with one for each entry; a memory has two at least.
 pub(super) fn entry_words(config: &Config) -> u32 {
@@ -20,7 +15,6 @@ pub(super) fn entry_words(config: &Config) -> u32 {
 
 /// A memory of neighbors by entry and rank, and one of their numbers by entry.
 pub(super) struct Neighborhoods {
-    fields: Vec<Field>,
     neighbors: Memory,
     counts: Memory,
     rank_bits: u32,
@@ -29,11 +23,11 @@ pub(super) struct Neighborhoods {
 impl Neighborhoods {
     /// Unknown contents.
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let (fields, words) = (neighbor_fields(config), entry_words(config));
+        let words = entry_words(config);
         let rank_bits = address_width(config.neighbors);
-        let neighbors = m.memory_unordered("neighborhoods", words << rank_bits, width(&fields));
+        let neighbors = m.memory_unordered("neighborhoods", words << rank_bits, width::<Neighbor>(config));
         let counts = m.memory("counts", words, config.rank_bits());
-        Self { fields, neighbors, counts, rank_bits }
+        Self { neighbors, counts, rank_bits }
     }
 
     fn address(&self, entry: Expr, rank: Expr) -> Expr {
@@ -41,9 +35,9 @@ impl Neighborhoods {
     }
 
     /// The neighbor of a rank, in the cycle after `enable`.
-    pub fn neighbor(&self, m: &mut Module, enable: Expr, entry: Expr, rank: Expr) -> Record {
+    pub fn neighbor(&self, m: &mut Module, config: &Config, enable: Expr, entry: Expr, rank: Expr) -> Neighbor<Wires> {
         let neighbor = m.read_if(self.neighbors, "neighbor", enable, self.address(entry, rank));
-        Record::unpack(&self.fields, neighbor)
+        Neighbor::unpack(config, neighbor)
     }
 
     /// The number of an entry's neighbors, in the cycle after `enable` and until the next.
@@ -52,12 +46,12 @@ impl Neighborhoods {
     }
 
     /// Writes a neighbor.
-    pub fn store(&self, m: &mut Module, to: &Chosen, rank: Expr, neighbor: &Record) {
-        m.write(self.neighbors, to.valid, self.address(to.entry, rank), neighbor.only(&self.fields).pack());
+    pub fn store(&self, m: &mut Module, config: &Config, to: Chosen, rank: Expr, neighbor: Neighbor<Wires>) {
+        m.write(self.neighbors, to.valid, self.address(to.entry, rank), neighbor.pack(config));
     }
 
     /// Writes how many neighbors there are.
-    pub fn close(&self, m: &mut Module, to: &Chosen, count: Expr) {
+    pub fn close(&self, m: &mut Module, to: Chosen, count: Expr) {
         m.write(self.counts, to.valid, to.entry, count);
     }
 }

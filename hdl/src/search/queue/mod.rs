@@ -10,46 +10,60 @@ mod readout;
 mod row;
 mod tokens;
 
-use pointcore_contract::search::{Config, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Candidates, Radius, Start, Thread};
+use pointcore_contract::search::units::queue::PORTS;
+use pointcore_contract::{record, width};
 
 use super::parts::head_queue::HeadQueue;
-use super::parts::radii::{Writer, radii_now};
+use super::parts::radii::radii_now;
 use super::parts::sets::{contains, decode, set};
-use crate::units::records::{Pulse, Record, event_out, pulse_in, queue_in, registered_pulse_out, stream_in, width};
+use crate::units::ports::{OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts};
+use crate::units::wires::{Bundle, Wires};
 use readout::{Readout, Rows, Whose};
-use row::{entries, initial, insert, row, row_bits, sentinels};
+use row::{Entry, entries, initial, insert, row, row_bits, sentinels};
 use rtl::{Expr, Module, Reg, Wire, bit};
 use tokens::{Beat, Choice, Insertion, Item, near_lanes};
 
 /// Beats that wait.
 const BEATS: u32 = 2;
 
-/// What is kept of a thread's query, in the order of the word that holds it: what `start` says, and what follows for its row.
-fn query_fields(config: &Config) -> Vec<Field> {
-    let kept = |(name, _): &Field| ["number", "k", "radius2"].contains(&name.as_str());
-    let sentinels = ("sentinels".to_owned(), config.neighbors);
-    records::start(config).into_iter().filter(kept).chain([sentinels]).collect()
+/// What is kept of a thread's query: what `start` says, and what follows for its row.
+#[record(config: Config)]
+struct KeptQuery {
+    /// Its number.
+    #[bits(config.index_bits)]
+    number: u32,
+    /// Neighbors wanted.
+    #[bits(config.rank_bits())]
+    k: u8,
+    /// Squared radius within which neighbors count.
+    #[bits(config.geometry.width())]
+    radius2: u32,
+    /// The entries that stay empty in its row, a bit each.
+    #[bits(config.neighbors)]
+    sentinels: u64,
 }
 
 /// A memory of the queries: written at their start, read as the rows are.
-fn queries(m: &mut Module, config: &Config, start: &Pulse, thread: Expr) -> Record {
-    let fields = query_fields(config);
-    let memory = m.memory("queries", 1 << config.thread_bits(), width(&fields));
-    let query = Record::new(&fields, |name| match name {
-        "sentinels" => sentinels(config, start.record.get("k")),
-        field => start.record.get(field),
-    });
-    m.write(memory, start.valid, start.record.get("thread"), query.pack());
+fn queries(m: &mut Module, config: &Config, start: &Pulse<Start<Wires>>, thread: Expr) -> KeptQuery<Wires> {
+    let memory = m.memory("queries", 1 << config.thread_bits(), width::<KeptQuery>(config));
+    let Start { thread: starting, query } = start.record;
+    let sentinels = sentinels(config, query.k);
+    let kept = KeptQuery { number: query.number, k: query.k, radius2: query.radius2, sentinels };
+    m.write(memory, start.valid, starting.thread, kept.pack(config));
     let word = m.read(memory, "query", thread);
-    Record::unpack(&fields, word)
+    KeptQuery::unpack(config, word)
 }
 
-/// A beat on its way, with the squared radius of its thread's last leaf as it came in.
-fn arrival_fields(config: &Config) -> Vec<Field> {
-    let mut fields = records::candidates(config);
-    fields.push(("limit".to_owned(), config.geometry.width()));
-    fields
+/// A beat on its way.
+#[record(config: Config)]
+struct Arrival {
+    /// The beat.
+    candidates: Candidates,
+    /// The squared radius of its thread's last leaf as it came in.
+    #[bits(config.geometry.width())]
+    limit: u32,
 }
 
 /// The working row and whose it is.
@@ -78,7 +92,7 @@ struct Inserted {
     /// The distance of its last neighbor.
     farthest: Expr,
     /// What the other units are told.
-    radius: Pulse,
+    radius: Pulse<Radius<Wires>>,
 }
 
 /// The farthest neighbor of the row that was the working row a cycle ago.
@@ -97,14 +111,14 @@ struct Fetch {
     reads: Expr,
     /// A thread's row, its query, and the row of a query that has met no point.
     stored: Expr,
-    query: Record,
+    query: KeptQuery<Wires>,
     initial: Expr,
 }
 
 /// What the stages refer to.
 struct Stages<'a> {
     config: &'a Config,
-    arrivals: HeadQueue,
+    arrivals: HeadQueue<Arrival<Wires>>,
     working: Working,
     beat: Beat,
     item: Item,
@@ -114,14 +128,14 @@ struct Stages<'a> {
 impl Stages<'_> {
     /// The thread of the beat at work.
     fn thread(&self) -> Expr {
-        self.beat.record.get("thread")
+        self.beat.record.place.thread.thread
     }
 
     /// a: the next beat. A row that the beat at work will drive out is not in memory when the next beat's is read. Returns
     /// whether the beat is taken, and whether its row is to be read then.
     fn arrive(&self, m: &mut Module, free: Wire, fetch: &Fetch, choice: &Choice) -> (Expr, Expr) {
         let Self { arrivals, beat, item, working, .. } = self;
-        let head_thread = arrivals.head.get("thread");
+        let head_thread = arrivals.head.candidates.place.thread.thread;
         let tail = m.wire("tail", item.valid.mux(item.thread, working.owner));
         let follows_tail = m.wire("follows_tail", (item.valid | working.owned) & tail.eq(head_thread));
         let follows_beat = m.wire("follows_beat", self.thread().eq(head_thread));
@@ -137,15 +151,22 @@ impl Stages<'_> {
 
     /// a: pending are the lanes nearer than the radius of the thread's last leaf and than what is farthest now.
     fn arriving_lanes(&self, m: &mut Module, farthest: &Farthest, take_reads: Expr) -> Expr {
-        let head = &self.arrivals.head;
-        let will_be_known = farthest.is_current & (farthest.thread.eq(head.get("thread")) & !take_reads);
+        let Arrival { candidates, limit } = &self.arrivals.head;
+        let is_farthest = farthest.thread.eq(candidates.place.thread.thread);
+        let will_be_known = farthest.is_current & (is_farthest & !take_reads);
         let will_be_known = m.wire("farthest_will_be_known", will_be_known);
-        near_lanes(self.config, head, &[(bit(true), head.get("limit")), (will_be_known, *farthest.distance)])
+        near_lanes(self.config, candidates, &[(bit(true), *limit), (will_be_known, *farthest.distance)])
     }
 
     /// b: the lowest pending lane goes on; whether others are nearer than what is farthest by now shows in the next cycle.
     /// Returns the choice, the lanes that are left, and the candidate.
-    fn choose(&self, m: &mut Module, fetch: &Fetch, farthest: &Farthest, start: &Pulse) -> (Choice, Expr, Record) {
+    fn choose(
+        &self,
+        m: &mut Module,
+        fetch: &Fetch,
+        farthest: &Farthest,
+        start: &Pulse<Start<Wires>>,
+    ) -> (Choice, Expr, Entry<Wires>) {
         let Self { config, beat, item, working, .. } = self;
         let thread = self.thread();
         let choice = Choice::new(m, config, beat);
@@ -156,25 +177,25 @@ impl Stages<'_> {
         m.next(item.reads, fetch.reads);
         m.next(item.inserts, fetch.moves & choice.any);
         let done = m.wire("done", fetch.moves & !choice.stays);
-        m.next(item.last, done & beat.record.get("last"));
+        m.next(item.last, done & beat.record.place.last);
         m.next(item.fresh, contains(working.fresh, thread));
         m.next(item.thread, thread);
-        let candidate = choice.neighbor.register(m, "item_", bit(true));
-        let started = decode(start.valid, start.record.get("thread"), config.threads);
+        let candidate = choice.entry.register(m, config, "item_", bit(true));
+        let started = decode(start.valid, start.record.thread.thread, config.threads);
         m.next(working.fresh, (working.fresh & !decode(fetch.reads, thread, config.threads)) | started);
         (choice, left, candidate)
     }
 
     /// c: which entries the candidate is nearer than, in the row as it will be; in an initial row, the placeholders. Both
     /// rows are compared: to choose one of them first would take as much and come before the comparison.
-    fn compare(&self, m: &mut Module, candidate: &Record, fetch: &Fetch, inserted: &Inserted) {
+    fn compare(&self, m: &mut Module, candidate: Entry<Wires>, fetch: &Fetch, inserted: &Inserted) {
         let Self { config, working, item, insertion, .. } = self;
-        let is_nearer = |entry: &Record| candidate.get("distance2").lt(entry.get("distance2"));
+        let is_nearer = |entry: &Entry<Wires>| candidate.neighbor.distance2.lt(entry.neighbor.distance2);
         let [nearer, nearer_stored] = [working.row.expr(), fetch.stored]
             .map(|row| entries(config, row).iter().map(is_nearer).collect::<Vec<_>>());
         let nearer_now =
-            insert(&nearer, *insertion.nearer, &is_nearer(&insertion.neighbor), |here, a, b| here.mux(*a, *b));
-        let nearer_read = item.fresh.mux(!fetch.query.get("sentinels"), set(&nearer_stored));
+            insert(&nearer, *insertion.nearer, &is_nearer(&insertion.entry), |here, a, b| here.mux(*a, *b));
+        let nearer_read = item.fresh.mux(!fetch.query.sentinels, set(&nearer_stored));
         let nearer = m.wire("nearer_entries", item.reads.mux(nearer_read, set(&nearer_now)));
         insertion.take(m, config, item, nearer, candidate);
         let read_row = item.fresh.mux(fetch.initial, fetch.stored);
@@ -187,15 +208,13 @@ impl Stages<'_> {
     fn insert(&self, m: &mut Module) -> Inserted {
         let Self { config, working, insertion, .. } = self;
         let working_entries = entries(config, *working.row);
-        let inserted = insert(&working_entries, *insertion.nearer, &insertion.neighbor, |here, a, b| a.mux(here, b));
-        let row = m.wire("inserted_row", row(&inserted));
-        let farthest = inserted[inserted.len() - 1].get("distance2");
-        let radius = Record::new(&records::radius(config), |name| match name {
-            "thread" => insertion.thread.expr(),
-            _ => farthest,
-        });
-        let radius = registered_pulse_out(m, "radius", insertion.last, &radius);
-        event_out(m, "event_insert", insertion.nearer.msb());
+        let choose = |here: Expr, a: &Entry<Wires>, b: &Entry<Wires>| Entry::choose(config, here, *a, *b);
+        let inserted = insert(&working_entries, *insertion.nearer, &*insertion.entry, choose);
+        let row = m.wire("inserted_row", row(config, &inserted));
+        let farthest = inserted[inserted.len() - 1].neighbor.distance2;
+        let radius = Radius { thread: Thread { thread: *insertion.thread }, radius2: farthest };
+        let radius = PORTS.radius.registered(m, config, insertion.last, radius);
+        PORTS.events.event(m, config, |events| events.insert, insertion.nearer.msb());
         Inserted { row, farthest, radius }
     }
 
@@ -213,7 +232,14 @@ impl Stages<'_> {
     }
 
     /// Rows and queries are read for a beat that moves on or for a readout that may start, never for both.
-    fn fetch(&self, m: &mut Module, start: &Pulse, readout: &Readout, finished: Expr, inserted: &Inserted) -> Fetch {
+    fn fetch(
+        &self,
+        m: &mut Module,
+        start: &Pulse<Start<Wires>>,
+        readout: &Readout,
+        finished: Expr,
+        inserted: &Inserted,
+    ) -> Fetch {
         let Self { config, working, beat, item, .. } = self;
         let waits = m.wire("waits", beat.reads & readout.reads);
         let moves = m.wire("moves", beat.valid & !waits);
@@ -224,26 +250,26 @@ impl Stages<'_> {
         m.write(rows, write_back, working.owner, inserted.row);
         let stored = m.read(rows, "stored", read_thread);
         let query = queries(m, config, start, read_thread);
-        let initial = m.wire("initial_row", initial(config, query.get("sentinels"), query.get("radius2")));
+        let initial = m.wire("initial_row", initial(config, query.sentinels, query.radius2));
         Fetch { waits, moves, reads, stored, query, initial }
     }
 }
 
-/// The unit; ports as in `contract::search::ports::queue`.
+/// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
     let mut m = Module::new("search_queue", "A sorted row of neighbors for each thread.");
     m.parameter("threads", config.threads);
     m.parameter("neighbors", config.neighbors);
     m.parameter("lanes", config.lanes);
-    let start = pulse_in(&mut m, "start", &records::start(config));
-    let candidates = stream_in(&mut m, "candidates", &records::candidates(config));
-    let finish = queue_in(&mut m, "finish", &records::thread_only(config));
-    let arrivals = HeadQueue::new(&mut m, "arrivals", BEATS, &arrival_fields(config));
-    m.ready(&candidates, arrivals.room);
+    let start = PORTS.start.declare(&mut m, config);
+    let candidates = PORTS.candidates.declare(&mut m, config);
+    let finish = PORTS.finish.queue(&mut m, config);
+    let arrivals = HeadQueue::<Arrival<Wires>>::new(&mut m, config, "arrivals", BEATS);
+    m.drive(candidates.ready, arrivals.room);
     let working = Working::new(&mut m, config);
     let free = m.forward("beat_free", 1);
-    let beat = Beat::new(&mut m, config, &arrivals.head, free);
+    let beat = Beat::new(&mut m, config, arrivals.head.candidates, free);
     let item = Item::new(&mut m, config);
     let insertion = Insertion::new(&mut m, config);
     let stages = Stages { config, arrivals, working, beat, item, insertion };
@@ -254,25 +280,20 @@ pub fn module(config: &Config) -> Module {
     let farthest = stages.farthest(&mut m, &inserted);
     let whose = Whose { fresh: *working.fresh, owned: *working.owned, owner: *working.owner, displaced: *item.reads };
     let readout = Readout::new(&mut m, config, &finish, &whose);
-    let fetch = stages.fetch(&mut m, &start, &readout, finish.field("thread"), &inserted);
+    let fetch = stages.fetch(&mut m, &start, &readout, finish.record.thread, &inserted);
     let (choice, left, candidate) = stages.choose(&mut m, &fetch, &farthest, &start);
     let (take, take_reads) = stages.arrive(&mut m, free, &fetch, &choice);
-    let writers = [&start, &inserted.radius].map(|writer| {
-        let (thread, radius2) = (writer.record.get("thread"), writer.record.get("radius2"));
-        Writer { valid: writer.valid, thread, radius2 }
-    });
-    let limit = radii_now(&mut m, config, writers, candidates.field("thread"));
-    let arriving = Record::from(&candidates);
-    let arriving =
-        Record::new(&arrival_fields(config), |name| if name == "limit" { limit } else { arriving.get(name) });
-    arrivals.update(&mut m, candidates.transfer(), &arriving, take);
+    let writers = [start.into(), inserted.radius.into()];
+    let limit = radii_now(&mut m, config, writers, candidates.record.place.thread.thread);
+    let arriving = Arrival { candidates: candidates.record, limit };
+    arrivals.update(&mut m, config, candidates.transfer(), arriving, take);
     let arriving_lanes = stages.arriving_lanes(&mut m, &farthest, take_reads);
     m.next(beat.pending, take.mux(arriving_lanes, left));
-    stages.compare(&mut m, &candidate, &fetch, &inserted);
+    stages.compare(&mut m, candidate, &fetch, &inserted);
 
     let rows = Rows { initial: fetch.initial, working: *working.row, stored: fetch.stored };
     readout.send(&mut m, config, &rows, &fetch.query);
-    event_out(&mut m, "event_beat", fetch.moves & !choice.stays);
-    event_out(&mut m, "event_insert_wait", fetch.moves & choice.stays);
+    PORTS.events.event(&mut m, config, |events| events.beat, fetch.moves & !choice.stays);
+    PORTS.events.event(&mut m, config, |events| events.insert_wait, fetch.moves & choice.stays);
     m
 }

@@ -1,11 +1,15 @@
 //! Readout of the priority queues: a finished thread's row, sent neighbor by neighbor.
 
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{QueryResult, Thread};
+use pointcore_contract::search::units::queue::PORTS;
 
-use super::row::{entries, row_bits};
+use super::KeptQuery;
+use super::row::{Entry, entries, row_bits};
 use crate::search::parts::sets::contains;
-use crate::units::records::{Record, registered_pulse_out};
-use rtl::{Expr, Module, Reg, Stream, address_width, lit};
+use crate::units::ports::{Flow, PulseOutPorts, StreamOutPorts};
+use crate::units::wires::Wires;
+use rtl::{Expr, Module, Reg, address_width, lit};
 
 /// Idle, *fetch* or *send*.
 pub(super) struct Readout {
@@ -38,15 +42,15 @@ pub(super) struct Rows {
 
 impl Readout {
     /// Takes a finished thread when idle, unless its row is written back in this cycle.
-    pub fn new(m: &mut Module, config: &Config, finish: &Stream, rows: &Whose) -> Self {
+    pub fn new(m: &mut Module, config: &Config, finish: &Flow<Thread<Wires>>, rows: &Whose) -> Self {
         let [fetching, sending] = ["fetching", "sending"].map(|name| m.reg_reset(name, 1, 0));
         // Not `sending`, which is where the results leave: beats ask whether a row is read.
         let idle = m.reg_reset("readout_idle", 1, 1);
         let reads = m.wire("readout_reads", finish.valid & idle);
-        let finished = finish.field("thread");
+        let finished = finish.record.thread;
         let owns = m.wire("finished_owns", rows.owned & rows.owner.eq(finished));
         let starts = m.wire("readout_starts", reads & !(rows.displaced & owns));
-        m.ready(finish, starts);
+        m.drive(finish.ready, starts);
         m.next(fetching, starts);
         let thread = m.reg("readout_thread", config.thread_bits());
         m.next_if(thread, starts, finished);
@@ -62,39 +66,38 @@ impl Readout {
     }
 
     /// Fetches the row from where it is and sends it.
-    pub fn send(self, m: &mut Module, config: &Config, rows: &Rows, query: &Record) {
+    pub fn send(self, m: &mut Module, config: &Config, rows: &Rows, query: &KeptQuery<Wires>) {
         let Self { starts, fetching, sending, idle, from_working, from_nothing, thread, .. } = self;
         let fetched = from_nothing.mux(rows.initial, from_working.mux(rows.working, rows.stored));
         let row = m.reg("sent_row", row_bits(config));
         m.next_if(row, fetching, fetched);
         let number = m.reg("sent_number", config.index_bits);
-        m.next_if(number, fetching, query.get("number"));
-        let released = Record::new(&records::thread_only(config), |_| thread.expr());
-        registered_pulse_out(m, "released", fetching, &released);
+        m.next_if(number, fetching, query.number);
+        PORTS.released.registered(m, config, fetching, Thread { thread: *thread });
 
         let neighbors = config.neighbors;
         let rank_bits = config.rank_bits();
         let position = m.reg("position", rank_bits);
         let next_position = m.wire("next_position", position.add_lit(1));
         let transfer = m.forward("result_transfer", 1);
-        let first = lit(rank_bits, neighbors as u128) - query.get("k");
+        let first = lit(rank_bits, neighbors as u128) - query.k;
         m.next_if(position, fetching | transfer, fetching.mux(first, next_position));
 
         let words = entries(config, *row);
         let entry_bits = address_width(neighbors);
-        let at = |position: Expr, field: &str| {
-            let values: Vec<_> = words.iter().map(|entry| entry.get(field)).collect();
-            position.trunc(entry_bits).pick(values)
+        let at = |position: Expr, value: fn(&Entry<Wires>) -> Expr| {
+            position.trunc(entry_bits).pick(words.iter().map(value).collect::<Vec<_>>())
         };
         let at_end = position.eq_lit(neighbors as u128 - 1);
-        let last = m.wire("last_result", at_end | !at(next_position, "found"));
-        let result = Record::new(&records::result(config), |name| match name {
-            "number" => number.expr(),
-            "last" => last,
-            field => at(*position, field),
-        });
-        let fields = records::result(config).into_iter().map(|(name, _)| (result.get(&name), name));
-        let ready = m.stream_out("result", sending, fields.map(|(value, name)| (name, value)));
+        let last = m.wire("last_result", at_end | !at(next_position, |entry| entry.found));
+        let result = QueryResult {
+            number: *number,
+            last,
+            found: at(*position, |entry| entry.found),
+            index: at(*position, |entry| entry.neighbor.index),
+            distance2: at(*position, |entry| entry.neighbor.distance2),
+        };
+        let ready = PORTS.result.drive(m, config, sending, result);
         m.drive(transfer, sending & ready);
         let ends = m.wire("result_ends", transfer & last);
         m.next(sending, fetching | (sending & !ends));

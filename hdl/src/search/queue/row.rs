@@ -1,37 +1,37 @@
 //! A row of the priority queues: a thread's neighbors, nearest first, side by side in one word.
 
 use pointcore_contract::search::Config;
-use pointcore_contract::splat::Field;
+use pointcore_contract::{record, width};
 
+use crate::search::parts::neighbor::Neighbor;
 use crate::search::parts::sets::set;
-use crate::units::records::{Record, width};
+use crate::units::wires::{Bundle, Wires};
 use rtl::{Expr, cat, lit};
 
 /// A neighbor in a row.
-pub(super) fn entry_fields(config: &Config) -> Vec<Field> {
-    vec![
-        ("found".to_owned(), 1),
-        ("index".to_owned(), config.index_bits),
-        ("distance2".to_owned(), config.geometry.width()),
-    ]
+#[record(config: Config)]
+pub(super) struct Entry {
+    /// There is one.
+    pub found: bool,
+    /// Which.
+    pub neighbor: Neighbor,
 }
 
 /// The bits of a row.
 pub(super) fn row_bits(config: &Config) -> u32 {
-    config.neighbors * width(&entry_fields(config))
+    config.neighbors * width::<Entry>(config)
 }
 
 /// The neighbors of a row, nearest first.
-pub(super) fn entries(config: &Config, row: Expr) -> Vec<Record> {
-    let fields = entry_fields(config);
-    let bits = width(&fields);
-    let entry = |number: u32| Record::unpack(&fields, row.bits((number + 1) * bits - 1, number * bits));
+pub(super) fn entries(config: &Config, row: Expr) -> Vec<Entry<Wires>> {
+    let bits = width::<Entry>(config);
+    let entry = |number: u32| Entry::unpack(config, row.bits((number + 1) * bits - 1, number * bits));
     (0..config.neighbors).map(entry).collect()
 }
 
 /// The word of a row.
-pub(super) fn row(entries: &[Record]) -> Expr {
-    cat(entries.iter().rev().map(Record::pack))
+pub(super) fn row(config: &Config, entries: &[Entry<Wires>]) -> Expr {
+    cat(entries.iter().rev().map(|entry| entry.pack(config)))
 }
 
 /// The entries that stay empty in a row for `k` neighbors, a bit each.
@@ -42,15 +42,13 @@ pub(super) fn sentinels(config: &Config, k: Expr) -> Expr {
 /// The row of a query that has met no point: sentinels of distance 0 that leave `k` entries, then placeholders at the
 /// radius.
 pub(super) fn initial(config: &Config, sentinels: Expr, radius2: Expr) -> Expr {
-    let nothing = Record::zeros(&entry_fields(config));
+    let nothing = Entry::<Wires>::zeros(config);
     let entry = |number: u32| {
-        let is_sentinel = sentinels.bit(number);
-        Record::new(&entry_fields(config), |name| match name {
-            "distance2" => is_sentinel.mux(lit(radius2.width(), 0), radius2),
-            field => nothing.get(field),
-        })
+        let mut entry = nothing;
+        entry.neighbor.distance2 = sentinels.bit(number).mux(lit(radius2.width(), 0), radius2);
+        entry
     };
-    row(&(0..config.neighbors).map(entry).collect::<Vec<_>>())
+    row(config, &(0..config.neighbors).map(entry).collect::<Vec<_>>())
 }
 
 /// A row of anything after an insertion: the neighbor before those entries that it is `nearer` than, a bit each and the last

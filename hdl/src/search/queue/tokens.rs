@@ -1,10 +1,12 @@
 //! What is on its way through the stages: a beat, the item that is chosen of it, and the neighbor that is inserted.
 
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::Candidates;
 
-use super::row::entry_fields;
+use super::row::Entry;
+use crate::search::parts::neighbor::Neighbor;
 use crate::search::parts::sets::{index_of, lowest, set, several};
-use crate::units::records::Record;
+use crate::units::wires::{Bundle, Registers, Wires};
 use rtl::{Expr, Module, Reg, Wire, bit, cat};
 
 /// The beat that chooses its candidates.
@@ -14,17 +16,17 @@ pub(super) struct Beat {
     pub reads: Reg,
     /// Lanes that are to be chosen.
     pub pending: Reg,
-    pub record: Record,
+    pub record: Candidates<Wires>,
 }
 
 impl Beat {
     /// Takes its record from `head` where `free` is set.
-    pub fn new(m: &mut Module, config: &Config, head: &Record, free: Wire) -> Self {
+    pub fn new(m: &mut Module, config: &Config, head: Candidates<Wires>, free: Wire) -> Self {
         Self {
             valid: m.reg_reset("beat_valid", 1, 0),
             reads: m.reg_reset("beat_reads", 1, 0),
             pending: m.reg("beat_pending", config.lanes),
-            record: head.only(&records::candidates(config)).register(m, "beat_", free),
+            record: head.register(m, config, "beat_", free),
         }
     }
 }
@@ -35,20 +37,16 @@ pub(super) struct Choice {
     pub rest: Expr,
     pub any: Expr,
     pub stays: Expr,
-    pub neighbor: Record,
-}
-
-fn lane_distance(beat: &Record, lane: u32) -> Expr {
-    beat.get(&format!("distance{lane}"))
+    pub entry: Entry<Wires>,
 }
 
 /// The lanes of a beat that are nearer than each of the limits that counts.
-pub(super) fn near_lanes(config: &Config, beat: &Record, limits: &[(Expr, Expr)]) -> Expr {
+pub(super) fn near_lanes(config: &Config, beat: &Candidates<Wires>, limits: &[(Expr, Expr)]) -> Expr {
     let is_near = |distance: Expr| {
         let within = limits.iter().map(|(counts, limit)| !*counts | distance.lt(*limit));
         within.fold(bit(true), |all, one| all & one)
     };
-    let near: Vec<_> = (0..config.lanes).map(|lane| is_near(lane_distance(beat, lane))).collect();
+    let near: Vec<_> = beat.distances[..config.lanes as usize].iter().copied().map(is_near).collect();
     set(&near)
 }
 
@@ -57,22 +55,18 @@ impl Choice {
     pub fn new(m: &mut Module, config: &Config, beat: &Beat) -> Self {
         let chosen = m.wire("chosen", lowest(beat.pending));
         let rest = m.wire("rest", beat.pending & !chosen);
-        let nearest_lane =
-            (1..config.lanes).rev().fold(lane_distance(&beat.record, config.lanes - 1), |other, lane| {
-                chosen.bit(lane - 1).mux(lane_distance(&beat.record, lane - 1), other)
-            });
-        let address = beat.record.get("address");
+        let distances = &beat.record.distances[..config.lanes as usize];
+        let lanes = distances.iter().enumerate().rev().map(|(lane, &distance)| (lane as u32, distance));
+        let nearest = lanes.reduce(|(_, other), (lane, distance)| (lane, chosen.bit(lane).mux(distance, other)));
+        let (_, distance2) = nearest.expect("a beat has a lane");
+        let address = beat.record.place.address;
         let index = match config.lanes.ilog2() {
             0 => address,
             bits => cat([address, index_of(chosen, bits)]),
         };
-        let neighbor = Record::new(&entry_fields(config), |name| match name {
-            "found" => bit(true),
-            "index" => index,
-            _ => nearest_lane,
-        });
+        let entry = Entry { found: bit(true), neighbor: Neighbor { index, distance2 } };
         let stays = m.wire("stays", beat.valid & several(beat.pending));
-        Self { any: beat.pending.any(), rest, stays, neighbor }
+        Self { any: beat.pending.any(), rest, stays, entry }
     }
 }
 
@@ -101,33 +95,23 @@ impl Item {
 pub(super) struct Insertion {
     /// The entries that it is nearer than: none where it is not to be inserted.
     pub nearer: Reg,
-    fields: Vec<Reg>,
-    pub neighbor: Record,
+    pub entry: Registers<Entry<Wires>>,
     pub last: Reg,
     pub thread: Reg,
 }
 
 impl Insertion {
     pub fn new(m: &mut Module, config: &Config) -> Self {
-        let names = entry_fields(config);
-        let fields: Vec<_> = names.iter().map(|(name, width)| m.reg(&format!("new_{name}"), *width)).collect();
-        let mut values = fields.iter();
-        let neighbor = Record::new(&names, |_| values.next().expect("a register for every field").expr());
-        Self {
-            nearer: m.reg_reset("nearer", config.neighbors, 0),
-            fields,
-            neighbor,
-            last: m.reg_reset("new_last", 1, 0),
-            thread: m.reg("new_thread", config.thread_bits()),
-        }
+        let entry = Registers::new(m, config, "new_");
+        let nearer = m.reg_reset("nearer", config.neighbors, 0);
+        let (last, thread) = (m.reg_reset("new_last", 1, 0), m.reg("new_thread", config.thread_bits()));
+        Self { nearer, entry, last, thread }
     }
 
     /// Takes an item's candidate, which is `nearer` than some entries.
-    pub fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: Expr, candidate: &Record) {
+    pub fn take(&self, m: &mut Module, config: &Config, item: &Item, nearer: Expr, candidate: Entry<Wires>) {
         m.next(self.nearer, nearer & item.inserts.repeat(self.nearer.width()));
-        for ((name, _), register) in entry_fields(config).iter().zip(&self.fields) {
-            m.next(*register, candidate.get(name));
-        }
+        self.entry.next(m, config, candidate);
         m.next(self.last, item.last);
         m.next(self.thread, item.thread);
     }

@@ -7,36 +7,52 @@
 
 mod nodes;
 
-use pointcore_contract::search::{Config, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::record;
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Descent, LeafVisit, Path, Push};
+use pointcore_contract::search::units::traversal::PORTS;
 
-use super::parts::coordinates::{AXES, coordinates};
+use super::parts::coordinates::coordinates;
 use crate::compiler::{CompileError, Datapath, Options, Program, compile};
 use crate::float::compare;
-use crate::units::datapath::Inputs;
-use crate::units::records::{Record, event_out, pulse_in, pulse_out, queue_in, queue_out};
+use crate::units::ports::{Flow, PulseInPorts, PulseOutPorts, StreamInPorts, StreamOutPorts, WordPort};
+use crate::units::values::{Terms, Values};
+use crate::units::wires::{Bundle, Wires};
 use nodes::{Nodes, Place, Token};
 use rtl::{Expr, Instance, Module, bit, cat};
 
-/// What `t2` sends through the path datapath: a leaf that is reached, or a path not taken with what its distance follows
-/// from.
-fn steps(config: &Config) -> Vec<Field> {
-    let mut fields = vec![("is_leaf".to_owned(), 1)];
-    fields.extend(records::descent(config));
-    fields.extend(["coordinate", "split"].map(|name| (name.to_owned(), config.geometry.width())));
-    fields
+/// What `s` sends through the path datapath.
+#[record(config: Config)]
+struct Step {
+    /// A leaf is reached.
+    is_leaf: bool,
+    /// Else the path not taken.
+    descent: Descent,
+    /// The query's coordinate in the dimension that the plane cuts.
+    #[bits(config.geometry.width())]
+    coordinate: u32,
+    /// Where the plane cuts it.
+    #[bits(config.geometry.width())]
+    split: u32,
+}
+
+/// What becomes of it.
+#[record(config: Config)]
+struct Passed {
+    /// A leaf is reached.
+    is_leaf: bool,
+    /// Else the path not taken.
+    push: Push,
 }
 
 /// The squared distance from the query to the splitting plane.
 fn distance(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("search_path", "Squared distance of a query to a splitting plane.");
-    let step = Inputs::new(&program, &steps(config));
-    let [coordinate, split] = ["coordinate", "split"].map(|name| step.float(config.geometry, name));
+    let Step { is_leaf, descent, coordinate, split } = Step::<Values>::inputs(&program, config);
+    let [coordinate, split] = [coordinate, split].map(|value| value.as_float(config.geometry));
     let distance = coordinate - split;
-    for name in ["is_leaf", "thread", "node"] {
-        program.output(name, step.bits(name));
-    }
-    program.output("distance2", distance * distance);
+    let path = Path { node: descent.node, distance2: distance * distance };
+    Passed { is_leaf, push: Push { thread: descent.thread, path } }.outputs(&program, config);
     compile(&program, options)
 }
 
@@ -54,16 +70,14 @@ fn leaf_number(node: Expr) -> Expr {
 
 /// What leaves the datapath is always taken: a path not taken, or a leaf that is reached.
 fn show(m: &mut Module, config: &Config, path: Instance) {
-    let out = m.stream_from(path, "out");
-    m.ready(&out, bit(true));
-    let (is_leaf, passed) = (out.field("is_leaf"), Record::from(&out));
-    let thread_only = records::thread_only(config);
-    let push_fields = [thread_only.clone(), records::path(config)].concat();
-    pulse_out(m, "push", out.valid & !is_leaf, &passed.only(&push_fields));
-    pulse_out(m, "reached", out.valid & is_leaf, &passed.only(&thread_only));
+    let out = Flow::<Passed<Wires>>::from(m, config, path, "out");
+    m.drive(out.ready, bit(true));
+    let Passed { is_leaf, push } = out.record;
+    PORTS.push.drive(m, config, out.valid & !is_leaf, push);
+    PORTS.reached.drive(m, config, out.valid & is_leaf, push.thread);
 }
 
-/// The unit; ports as in `contract::search::ports::traversal`.
+/// The unit.
 ///
 /// # Errors
 /// What the compiler rejects.
@@ -73,10 +87,10 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let mut m = Module::new("search_traversal", "Descends to leaves and stacks the paths not taken.");
     m.parameter("threads", config.threads);
     m.parameter("tree_depth", tree_depth);
-    let start = pulse_in(&mut m, "start", &records::start(config));
-    let descend = queue_in(&mut m, "descend", &records::descent(config));
-    let resume = queue_in(&mut m, "resume", &records::descent(config));
-    let leaf = queue_out(&mut m, "leaf", &records::leaf(config));
+    let start = PORTS.start.declare(&mut m, config);
+    let descend = PORTS.descend.queue(&mut m, config);
+    let resume = PORTS.resume.queue(&mut m, config);
+    let leaf = PORTS.leaf.queue(&mut m, config);
     let Datapath { module, manifest } = distance(config, options)?;
     let path = m.instance("path", module);
     let nodes = Nodes::new(&mut m, config);
@@ -90,59 +104,51 @@ pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileE
     let advance = m.forward("advance", 1);
 
     // f → v: a child's lowest bit says on which side of its parent's plane the query is.
-    let low = f_is_child.mux(!left, f.node.bit(0));
-    let node = cat([f.node.bits(tree_depth, 1), low]);
-    let wanted = Place { valid: f.valid.expr(), thread: f.thread.expr(), node };
+    let low = f_is_child.mux(!left, f.descent.node.bit(0));
+    let node = cat([f.descent.node.bits(tree_depth, 1), low]);
+    let wanted = Place { valid: f.valid.expr(), descent: Descent { thread: f.descent.thread, node } };
     let next_node = m.forward("next_node", tree_depth + 1);
     let nodes_room = nodes.room();
     let (entering, node) = nodes.fetch(&mut m, config, *advance, *next_node, (wanted, &v));
-    v.take(&mut m, *advance, &entering);
-    let point = coordinates(&mut m, config, &start, *advance, entering.thread);
+    v.take(&mut m, config, *advance, &entering);
+    let point = coordinates(&mut m, config, start, *advance, entering.descent.thread.thread);
 
     // v: a leaf goes out, the children of another node are fetched, else a newcomer.
-    let at_leaf = m.wire("at_leaf", v.node.msb() | node.get("internal_leaf"));
+    let Descent { thread: v_thread, node: v_node } = *v.descent;
+    let at_leaf = m.wire("at_leaf", v_node.msb() | node.internal_leaf);
     let reaches = m.wire("reaches", v.valid & at_leaf);
     let proceeds = m.wire("proceeds", nodes_room & (!reaches | leaf.room));
     m.drive(advance, accepts & proceeds);
-    leaf.push(&mut m, advance & reaches, |name| if name == "thread" { v.thread.expr() } else { leaf_number(*v.node) });
-    event_out(&mut m, "event_node", advance & v.valid);
+    leaf.push(&mut m, config, advance & reaches, LeafVisit { thread: v_thread, leaf: leaf_number(v_node) });
+    PORTS.event_node.event(&mut m, advance & v.valid);
     let descends = m.wire("descends", v.valid & !at_leaf);
     let resumes = m.wire("resumes", resume.valid & !descends);
-    let newcomer = |name: &str| resume.valid.mux(resume.field(name), descend.field(name));
-    let child = cat([v.node.trunc(tree_depth), bit(false)]);
-    m.drive(next_node, descends.mux(child, newcomer("node")));
-    let next = Place {
-        valid: descends | (resume.valid | descend.valid),
-        thread: descends.mux(v.thread, newcomer("thread")),
-        node: next_node.expr(),
-    };
-    f.take(&mut m, *advance, &next);
+    let newcomer = Descent::choose(config, resume.valid, resume.record, descend.record);
+    let child = Descent { thread: v_thread, node: cat([v_node.trunc(tree_depth), bit(false)]) };
+    let next = Descent::choose(config, descends, child, newcomer);
+    m.drive(next_node, next.node);
+    let descent = Descent { thread: next.thread, node: next_node.expr() };
+    f.take(&mut m, config, *advance, &Place { valid: descends | (resume.valid | descend.valid), descent });
     m.next_if(f_is_child, advance, descends);
-    m.ready(&resume, advance & !descends);
-    m.ready(&descend, advance & !(descends | resumes));
+    m.drive(resume.ready, advance & !descends);
+    m.drive(descend.ready, advance & !(descends | resumes));
 
     // v → s: the decision.
-    s.take(&mut m, *advance, &v.place());
+    s.take(&mut m, config, *advance, &v.place());
     m.next_if(s_at_leaf, advance, at_leaf);
-    let axes = AXES.map(|axis| point.get(axis));
-    let coordinate = m.wire("coordinate", node.get("dimension").pick(axes));
+    let coordinate = m.wire("coordinate", node.dimension.pick(point));
     m.next_if(s_coordinate, advance, coordinate);
-    m.next_if(s_split, advance, node.get("split"));
+    m.next_if(s_split, advance, node.split);
     m.connect(less, "enable", advance);
     m.connect(less, "a", coordinate);
-    m.connect(less, "b", node.get("split"));
+    m.connect(less, "b", node.split);
 
     // s: the far child, or that the leaf is reached, goes through the path datapath.
-    let far = cat([s.node.trunc(tree_depth), left]);
-    let step = Record::new(&steps(config), |name| match name {
-        "is_leaf" => s_at_leaf.expr(),
-        "thread" => s.thread.expr(),
-        "node" => far,
-        "coordinate" => s_coordinate.expr(),
-        _ => s_split.expr(),
-    });
+    let far = cat([s.descent.node.trunc(tree_depth), left]);
     m.connect(path, "in_valid", s.valid & proceeds);
-    step.connect(&mut m, path, "in_");
+    let (is_leaf, descent) = (s_at_leaf.expr(), Descent { thread: s.descent.thread, node: far });
+    let step = Step { is_leaf, descent, coordinate: s_coordinate.expr(), split: s_split.expr() };
+    step.connect(&mut m, config, path, "in_");
 
     show(&mut m, config, path);
     Ok(Datapath { module: m, manifest })

@@ -1,42 +1,39 @@
 //! Where the traversal's nodes come from: its own memory, or the tree cache.
 
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Descent, Node, NodeRecord};
+use pointcore_contract::search::units::traversal::PORTS;
 
-use crate::units::records::{QueueOut, Record, pulse_in, queue_in, queue_out};
+use crate::units::ports::{Flow, PulseInPorts, QueueOut, StreamInPorts, StreamOutPorts, held};
 use crate::units::sliced::Sliced;
-use rtl::{Expr, Module, Reg, Stream, bit};
+use crate::units::wires::{Bundle, Registers, Wires};
+use rtl::{Expr, Module, Reg, bit};
 
 /// A thread at a node, or nothing.
 pub(super) struct Place {
     pub valid: Expr,
-    pub thread: Expr,
-    pub node: Expr,
+    pub descent: Descent<Wires>,
 }
 
 /// A stage of the ring.
 pub(super) struct Token {
     pub valid: Reg,
-    pub thread: Reg,
-    pub node: Reg,
+    pub descent: Registers<Descent<Wires>>,
 }
 
 impl Token {
     pub fn new(m: &mut Module, config: &Config, stage: &str) -> Self {
-        Self {
-            valid: m.reg_reset(&format!("{stage}_valid"), 1, 0),
-            thread: m.reg(&format!("{stage}_thread"), config.thread_bits()),
-            node: m.reg(&format!("{stage}_node"), config.node_bits()),
-        }
+        let valid = m.reg_reset(&format!("{stage}_valid"), 1, 0);
+        Self { valid, descent: Registers::new(m, config, &format!("{stage}_")) }
     }
 
     pub fn place(&self) -> Place {
-        Place { valid: self.valid.expr(), thread: self.thread.expr(), node: self.node.expr() }
+        Place { valid: self.valid.expr(), descent: *self.descent }
     }
 
-    pub fn take(&self, m: &mut Module, advance: Expr, place: &Place) {
+    pub fn take(&self, m: &mut Module, config: &Config, advance: Expr, place: &Place) {
         m.next_if(self.valid, advance, place.valid);
-        m.next_if(self.thread, advance, place.thread);
-        m.next_if(self.node, advance, place.node);
+        self.descent.next_if(m, config, advance, place.descent);
     }
 }
 
@@ -45,7 +42,7 @@ pub(super) enum Nodes {
     /// Memories of the even and the odd nodes, which are read together.
     Memories([Sliced; 2]),
     /// Nodes are sent out and their records come back.
-    Cache { node: QueueOut, record: Stream },
+    Cache { node: QueueOut<Descent>, record: Flow<NodeRecord<Wires>> },
 }
 
 /// Bits of a pair of siblings' address; a memory has two words at least.
@@ -62,16 +59,15 @@ impl Nodes {
     /// Declares the ports.
     pub fn new(m: &mut Module, config: &Config) -> Self {
         if config.tree_cache > 0 {
-            let node = queue_out(m, "node", &records::descent(config));
-            return Self::Cache { node, record: queue_in(m, "record", &records::node_record(config)) };
+            let node = PORTS.node.queue(m, config);
+            return Self::Cache { node, record: PORTS.record.queue(m, config) };
         }
-        let tree = pulse_in(m, "tree", &records::tree_write(config));
-        let fields = records::node(config);
-        let address = tree.record.get("address");
-        let writes = tree.valid & !tree.record.get("is_leaf");
+        let tree = PORTS.tree.declare(m, config);
+        let address = tree.record.address;
+        let writes = tree.valid & !tree.record.is_leaf;
         let written = pair(config, address.resize(config.node_bits()));
         let is_odd = address.bit(0);
-        let word = tree.record.only(&fields).pack();
+        let word = tree.record.node.pack(config);
         Self::Memories([("even", !is_odd), ("odd", is_odd)].map(|(name, is_here)| {
             let writes = m.wire(&format!("writes_{name}"), writes & is_here);
             Sliced::new(m, &format!("{name}_nodes"), writes, written, word)
@@ -95,34 +91,29 @@ impl Nodes {
         advance: Expr,
         next: Expr,
         (wanted, v): (Place, &Token),
-    ) -> (Place, Record) {
-        let fields = records::node(config);
+    ) -> (Place, Node<Wires>) {
         match self {
             Self::Memories(memories) => {
                 let address = pair(config, next);
                 let [even, odd] = [("even", &memories[0]), ("odd", &memories[1])].map(|(name, memory)| {
-                    Record::unpack(&fields, memory.read_if(m, &format!("{name}_node"), advance, address))
+                    Node::<Wires>::unpack(config, memory.read_if(m, &format!("{name}_node"), advance, address))
                 });
                 // The split is chosen behind registers: in one cycle a block RAM only gets as far as these. The few bits that
                 // choose the coordinate, and so are needed early, are chosen in front of them.
-                let (wide, few): (Vec<_>, Vec<_>) = fields.iter().cloned().partition(|(name, _)| name == "split");
-                let splits = [("even", &even), ("odd", &odd)];
-                let [even_split, odd_split] =
-                    splits.map(|(name, node)| node.only(&wide).register(m, &format!("v_{name}_"), advance));
-                let chosen = odd.only(&few).mux(wanted.node.bit(0), &even.only(&few)).register(m, "v_", advance);
-                let split = odd_split.mux(v.node.bit(0), &even_split);
-                let record = |name: &str| if name == "split" { split.get(name) } else { chosen.get(name) };
-                (wanted, Record::new(&fields, record))
+                let [even_split, odd_split] = [("even", even), ("odd", odd)]
+                    .map(|(name, node)| held(m, &format!("v_{name}_split"), advance, node.split));
+                let is_odd = wanted.descent.node.bit(0);
+                let dimension = held(m, "v_dimension", advance, is_odd.mux(odd.dimension, even.dimension));
+                let is_leaf = is_odd.mux(odd.internal_leaf, even.internal_leaf);
+                let internal_leaf = held(m, "v_internal_leaf", advance, is_leaf);
+                let split = v.descent.node.bit(0).mux(odd_split, even_split);
+                (wanted, Node { split, dimension, internal_leaf })
             }
             Self::Cache { node, record } => {
-                node.push(m, advance & wanted.valid, |name| match name {
-                    "thread" => wanted.thread,
-                    _ => wanted.node,
-                });
-                m.ready(&record, advance);
-                let [thread, node] = ["thread", "node"].map(|name| record.field(name));
-                let place = Place { valid: record.valid, thread, node };
-                (place, Record::from(&record).only(&fields).register(m, "v_", advance))
+                node.push(m, config, advance & wanted.valid, wanted.descent);
+                m.drive(record.ready, advance);
+                let NodeRecord { descent, node } = record.record;
+                (Place { valid: record.valid, descent }, node.register(m, config, "v_", advance))
             }
         }
     }
