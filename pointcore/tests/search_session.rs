@@ -193,11 +193,13 @@ fn caches_leave_answers_exact() {
                 .interleaved(RUNS);
             let outcome = session.search(&queries).unwrap_or_else(|error| panic!("{error}"));
             assert!(check("surface", &config, &points, &queries, &outcome) > 1000);
-            for (size, hit) in [(config.tree_cache, "event_tree_hit"), (config.neighbor_cache, "event_cache_hit")] {
-                let hits = outcome.counters.event(hit);
-                assert_eq!(hits > 10, size > 0, "{hit}: {hits} with {config:?}, radius {radius:?}");
+            let events = outcome.counters.events(&config);
+            for (size, hits) in
+                [(config.tree_cache, events.tree_cache.hit), (config.neighbor_cache, events.neighbor_cache.hit)]
+            {
+                assert_eq!(hits > 10, size > 0, "{hits} hits with {config:?}, radius {radius:?}");
             }
-            assert_eq!(outcome.counters.records, outcome.counters.event("event_tree_miss"));
+            assert_eq!(outcome.counters.records, events.tree_cache.miss);
         }
     }
 }
@@ -242,7 +244,7 @@ fn approximate_neighbors_keep_their_tolerance() {
         let checked = pointcore::search::check(&points, &queries, &outcome.neighbors, epsilon);
         let checked = checked.unwrap_or_else(|difference| panic!("{difference}"));
         assert_eq!(checked.exact == queries.len(), epsilon == 0.0, "{checked:?}");
-        outcome.counters.event("event_cache_hit")
+        outcome.counters.events(&config).neighbor_cache.hit
     };
     let (exact, approximate) = (hits(0.0), hits(EPSILON));
     assert!(exact < approximate, "{exact} hits exactly, {approximate} with tolerance");

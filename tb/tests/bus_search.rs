@@ -1,7 +1,8 @@
 //! The search core on AXI finds what a search through all points does: tree through the window or in memory, with caches and without.
 
 use pointcore_contract::bus::{Config as Widths, Layout, packets, registers};
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Bucket, Node, Points};
 use pointcore_hdl::bus::search;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::seeds;
@@ -17,7 +18,7 @@ const MEMORY_BYTES: usize = 0x10000;
 
 /// The words of the tree: places, and what lies there.
 fn tree_words(config: &Config, tree: &Tree) -> Vec<(u64, u64)> {
-    let [node, leaf] = [records::node(config), records::bucket(config)].map(|fields| Layout::of(&fields));
+    let (node, leaf) = (Layout::record::<Node>(config), Layout::record::<Bucket>(config));
     let word = |write: &Vec<u64>| {
         let bytes = if write[0] == 0 { node.encode(&write[2..5], 8) } else { leaf.encode(&write[5..7], 8) };
         let place = write[1] + (write[0] << config.tree_depth);
@@ -39,7 +40,7 @@ fn host(config: &Config, tree: &Tree, seed: u64) -> Host {
         memory: MEMORY_BYTES,
     };
     let mut host = Host::new(top.module, config.bus, around, seed);
-    let points = Layout::of(&packets::points(config));
+    let points = Layout::record::<Points>(config);
     let stride = points.stride(config.bus.memory_bits);
     for (beat, lanes) in tree.points.chunks(config.lanes as usize).enumerate() {
         let values: Vec<u64> = lanes.iter().flatten().map(|coordinate| word(config, *coordinate)).collect();

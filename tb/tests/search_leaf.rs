@@ -1,6 +1,6 @@
 //! Leaf processing against its model on small random trees.
 
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::Leaf;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::search::leaf;
@@ -84,7 +84,7 @@ fn leaves_agree_with_the_model() {
             visits
         };
         let model = Leaf::new(&config, unit.manifest.latency);
-        lockstep(&config, &unit.module, &model, &ports::leaf(&config), begin, all, |_, report| {
+        lockstep(&config, &unit.module, &model, &units::leaf::UNIT.ports(&config), begin, all, |_, report| {
             assert_eq!(report.transfers("fetch"), if config.tree_cache == 0 { LEAVES } else { 0 });
             assert!(report.transfers("candidates") >= LEAVES, "every leaf has a beat");
             assert_eq!(report.transfers("candidates"), report.transfers("beat"));

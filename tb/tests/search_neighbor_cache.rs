@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use pointcore_contract::Format;
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::{CacheLatencies, NeighborCache};
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::search::neighbor_cache;
@@ -291,17 +291,25 @@ fn neighborhoods_agree_with_the_model_and_with_brute_force() {
         let model =
             NeighborCache::new(&config, CacheLatencies { check: unit.check.latency, cover: unit.cover.latency });
         let begin = |feeds: &mut Feeds| Surroundings::begin(&config, feeds);
-        lockstep(&config, &unit.module, &model, &ports::neighbor_cache(&config), begin, all, |surroundings, report| {
-            assert_eq!(surroundings.closed, PHASES.len() * QUERIES);
-            for query in &surroundings.queries {
-                check(&config, &surroundings.clouds[query.phase], query, &mut seen.borrow_mut());
-            }
-            let cached = surroundings.queries.iter().filter(|query| query.cached).count() as u64;
-            let misses = surroundings.queries.len() as u64 - cached;
-            assert!(cached > 0 && misses > 0, "{cached} hits, {misses} misses");
-            assert_eq!(["event_cache_hit", "event_cache_miss"].map(|event| report.events(event)), [cached, misses]);
-            assert_eq!(report.transfers("search"), misses);
-        });
+        lockstep(
+            &config,
+            &unit.module,
+            &model,
+            &units::neighbor_cache::UNIT.ports(&config),
+            begin,
+            all,
+            |surroundings, report| {
+                assert_eq!(surroundings.closed, PHASES.len() * QUERIES);
+                for query in &surroundings.queries {
+                    check(&config, &surroundings.clouds[query.phase], query, &mut seen.borrow_mut());
+                }
+                let cached = surroundings.queries.iter().filter(|query| query.cached).count() as u64;
+                let misses = surroundings.queries.len() as u64 - cached;
+                assert!(cached > 0 && misses > 0, "{cached} hits, {misses} misses");
+                assert_eq!(["event_cache_hit", "event_cache_miss"].map(|event| report.events(event)), [cached, misses]);
+                assert_eq!(report.transfers("search"), misses);
+            },
+        );
     }
     let seen = seen.into_inner();
     let Seen { cached_nearest, cached_balls, full_nearest, full_balls, sparse_nearest, sparse_balls, empty } = seen;

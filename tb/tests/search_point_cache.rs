@@ -1,6 +1,6 @@
 //! The point cache against its model, with leaves that compete for slots and a memory that answers out of order.
 
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::PointCache;
 use pointcore_hdl::search::point_cache;
 
@@ -112,7 +112,7 @@ fn leaves_are_kept_and_replaced_as_in_the_model() {
             requests
         };
         let (module, model) = (point_cache::module(&config), PointCache::new(&config));
-        lockstep(&config, &module, &model, &ports::point_cache(&config), begin, all, |requests, report| {
+        lockstep(&config, &module, &model, &units::point_cache::UNIT.ports(&config), begin, all, |requests, report| {
             assert!(requests.left == 0 && requests.open.is_empty() && requests.answer.is_none());
             let [hits, misses] = ["event_point_hit", "event_point_miss"].map(|event| report.events(event));
             assert_eq!((hits + misses, misses), (REQUESTS, report.transfers("miss")));

@@ -1,6 +1,6 @@
 //! The priority queues against their model and against sorting.
 
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::Queue;
 use pointcore_hdl::search::queue;
 
@@ -97,7 +97,7 @@ fn queues_agree_with_the_model_and_with_sorting() {
             searches
         };
         let (module, model) = (queue::module(&config), Queue::new(&config));
-        lockstep(&config, &module, &model, &ports::queue(&config), begin, all, |searches, report| {
+        lockstep(&config, &module, &model, &units::queue::UNIT.ports(&config), begin, all, |searches, report| {
             assert_eq!(report.transfers("finish"), QUERIES);
             assert_eq!(searches.found, searches.expected);
         });

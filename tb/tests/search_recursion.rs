@@ -1,6 +1,6 @@
 //! Stack recursion against its model, on random stacks.
 
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::Recursion;
 use pointcore_hdl::search::recursion;
 
@@ -80,11 +80,19 @@ fn recursion_agrees_with_the_model() {
             surroundings
         };
         let (module, model) = (recursion::module(&config), Recursion::new(&config));
-        lockstep(&config, &module, &model, &ports::recursion(&config), begin, all, |surroundings, report| {
-            assert_eq!(surroundings.paths_left, 0);
-            let resumed = report.transfers("resume");
-            assert!(resumed > PATHS / 8 && resumed < PATHS, "{resumed} of {PATHS} paths were near");
-            assert_eq!(report.transfers("empty"), report.transfers("start"));
-        });
+        lockstep(
+            &config,
+            &module,
+            &model,
+            &units::recursion::UNIT.ports(&config),
+            begin,
+            all,
+            |surroundings, report| {
+                assert_eq!(surroundings.paths_left, 0);
+                let resumed = report.transfers("resume");
+                assert!(resumed > PATHS / 8 && resumed < PATHS, "{resumed} of {PATHS} paths were near");
+                assert_eq!(report.transfers("empty"), report.transfers("start"));
+            },
+        );
     }
 }

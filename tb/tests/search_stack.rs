@@ -1,6 +1,6 @@
 //! The stacks against their model.
 
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::Stack;
 use pointcore_hdl::search::stack;
 
@@ -92,9 +92,17 @@ fn stacks_agree_with_the_model() {
             batches
         };
         let (module, model) = (stack::module(&config), Stack::new(&config));
-        lockstep(&config, &module, &model, &ports::stack(&config), begin, top_of_nothing, |batches, report| {
-            assert_eq!(batches.left, 0);
-            assert!(report.transfers("push") > 0 && report.transfers("pop") > report.transfers("push") / 2);
-        });
+        lockstep(
+            &config,
+            &module,
+            &model,
+            &units::stack::UNIT.ports(&config),
+            begin,
+            top_of_nothing,
+            |batches, report| {
+                assert_eq!(batches.left, 0);
+                assert!(report.transfers("push") > 0 && report.transfers("pop") > report.transfers("push") / 2);
+            },
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! Thread control against its model, with surroundings that end searches sooner or later.
 
-use pointcore_contract::search::ports;
+use pointcore_contract::search::units;
 use pointcore_golden::search::Threads;
 use pointcore_hdl::search::threads;
 
@@ -41,7 +41,7 @@ fn threads_agree_with_the_model_until_every_query_is_finished() {
             Searches
         };
         let (module, model) = (threads::module(&config), Threads::new(&config));
-        lockstep(&config, &module, &model, &ports::threads(&config), begin, all, |_, report| {
+        lockstep(&config, &module, &model, &units::threads::UNIT.ports(&config), begin, all, |_, report| {
             assert_eq!(report.transfers("finish"), QUERIES);
             let [done, skipped] = ["leaf_done", "skipped"].map(|end| report.transfers(end));
             assert_eq!(report.transfers("reached"), done + skipped);

@@ -4,7 +4,7 @@
 use std::cell::Cell;
 use std::collections::BTreeSet;
 
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::{CacheLatencies, Latencies, Top};
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::search::top;
@@ -211,7 +211,7 @@ fn searches_agree_with_the_model_and_with_brute_force() {
             &config,
             &core.module,
             &Top::new(&config, latencies),
-            &ports::top(&config),
+            &units::top::UNIT.ports(&config),
             begin,
             all,
             |host, report| {

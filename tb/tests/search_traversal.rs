@@ -1,6 +1,6 @@
 //! Node traversal against its model on small random trees.
 
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::{Config, units};
 use pointcore_golden::search::Traversal;
 use pointcore_hdl::compiler::Options;
 use pointcore_hdl::search::traversal;
@@ -92,10 +92,18 @@ fn descents_agree_with_the_model_and_visit_every_leaf() {
             threads
         };
         let model = Traversal::new(&config, unit.manifest.latency);
-        lockstep(&config, &unit.module, &model, &ports::traversal(&config), begin, all, |threads, report| {
-            assert_eq!(report.transfers("descend"), DESCENTS);
-            assert_eq!(report.transfers("leaf"), DESCENTS + report.transfers("push"), "a path ends in a leaf each");
-            assert!(threads.paths.iter().all(Vec::is_empty));
-        });
+        lockstep(
+            &config,
+            &unit.module,
+            &model,
+            &units::traversal::UNIT.ports(&config),
+            begin,
+            all,
+            |threads, report| {
+                assert_eq!(report.transfers("descend"), DESCENTS);
+                assert_eq!(report.transfers("leaf"), DESCENTS + report.transfers("push"), "a path ends in a leaf each");
+                assert!(threads.paths.iter().all(Vec::is_empty));
+            },
+        );
     }
 }

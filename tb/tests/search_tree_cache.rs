@@ -1,7 +1,8 @@
 //! The tree cache against its model, with records that compete for lines and a memory that answers out of order.
 
-use pointcore_contract::search::{Config, ports, records};
-use pointcore_contract::splat::Field;
+use pointcore_contract::search::records::{Bucket, Node};
+use pointcore_contract::search::{Config, units};
+use pointcore_contract::{Record, fields};
 use pointcore_golden::search::TreeCache;
 use pointcore_hdl::search::tree_cache;
 
@@ -27,9 +28,9 @@ struct Requests {
 }
 
 /// The fields of a record, as good as any.
-fn content(address: u64, fields: &[Field]) -> Vec<u64> {
+fn content<R: Record>(config: &R::Config, address: u64) -> Vec<u64> {
     let mut random = fastrand::Rng::with_seed(address);
-    fields.iter().map(|(_, width)| random.u64(..1 << width)).collect()
+    fields::<R>(config).iter().map(|field| random.u64(..1 << field.width)).collect()
 }
 
 impl Requests {
@@ -60,12 +61,12 @@ impl Requests {
 
 /// A record as the memory sends it: what is not its own is noise.
 fn answer(config: &Config, feeds: &mut Feeds, request: &[u64]) {
-    let noise = |feeds: &mut Feeds, fields: &[Field]| content(feeds.random.u64(..), fields);
-    let (node, bucket) = (records::node(config), records::bucket(config));
-    let fields = match request[1] >> config.tree_depth {
-        0 => [content(request[1], &node), noise(feeds, &bucket)],
-        _ => [noise(feeds, &node), content(request[1], &bucket)],
+    let noise = feeds.random.u64(..);
+    let (node, bucket) = match request[1] >> config.tree_depth {
+        0 => (request[1], noise),
+        _ => (noise, request[1]),
     };
+    let fields = [content::<Node>(config, node), content::<Bucket>(config, bucket)];
     feeds.feed("fill", [request, &fields.concat()].concat());
 }
 
@@ -83,15 +84,14 @@ impl Rule for Requests {
             "record" => {
                 let &[thread, node, ..] = fields else { panic!("a record begins with its thread and node") };
                 let of_deepest = node >> self.config.tree_depth != 0;
-                let expected = content(node, &records::node(&self.config));
+                let expected = content::<Node>(&self.config, node);
                 assert_eq!(fields[2..], if of_deepest { vec![0; 3] } else { expected }, "node {node}");
                 close(&mut self.nodes, |request| *request == [thread, node]);
                 self.ask_node(feeds, thread);
             }
             "fetch" => {
-                let bucket = records::bucket(&self.config);
                 let is_of = |&[thread, leaf]: &[u64; 2]| {
-                    let place = content((1 << self.config.tree_depth) + leaf, &bucket);
+                    let place = content::<Bucket>(&self.config, (1 << self.config.tree_depth) + leaf);
                     fields[0] == thread && fields[1..] == place
                 };
                 close(&mut self.leaves, is_of);
@@ -117,7 +117,7 @@ fn records_are_kept_and_replaced_as_in_the_model() {
             requests
         };
         let (module, model) = (tree_cache::module(&config), TreeCache::new(&config));
-        lockstep(&config, &module, &model, &ports::tree_cache(&config), begin, all, |requests, report| {
+        lockstep(&config, &module, &model, &units::tree_cache::UNIT.ports(&config), begin, all, |requests, report| {
             assert!(requests.left == 0 && requests.nodes.is_empty() && requests.leaves.is_empty());
             let [hits, misses] = ["event_tree_hit", "event_tree_miss"].map(|event| report.events(event));
             assert_eq!((hits + misses, misses), (REQUESTS - requests.deepest, report.transfers("lookup")));

@@ -124,19 +124,20 @@ impl Task<'_> {
         let memory = MemorySettings { latency_cycles: LATENCY_CYCLES, ..MemorySettings::default() };
         let runs_on =
             if engine == PointEngine::Lockstep { search::SearchEngine::Lockstep } else { search::SearchEngine::Golden };
-        let session = Session::open(config, tree, memory, runs_on)?
+        let session = Session::open(config.clone(), tree, memory, runs_on)?
             .reusing(Reuse { epsilon, ..Reuse::default() })?
             .interleaved(entries.max(1) as usize);
         let outcome = session.search(&queries)?;
         let checked = check(points, &queries, &outcome.neighbors, epsilon).map_err(LabError::Neighbors)?;
         let share = |count: u64| count as f64 / queries.len() as f64;
+        let events = outcome.counters.events(&config);
         Ok(Found {
             setting,
             engine,
             queries: queries.len(),
             exact: checked.exact as f64 / checked.queries as f64,
             worst_ratio: checked.worst_ratio.into(),
-            saved: share(outcome.counters.event("event_cache_hit")),
+            saved: share(events.neighbor_cache.hit),
             cycles_per_query: share(outcome.counters.cycles),
             proxy: Proxy::of(&session.core().design),
         })

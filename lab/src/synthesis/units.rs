@@ -3,7 +3,7 @@
 use pointcore::configuration::{Configuration, ecp5, knn};
 use pointcore::generated::GenerateError;
 use pointcore::package::place_and_route::Crowding;
-use pointcore_contract::{Fixed, Format, Signedness, search as search_spec, splat as splat_spec};
+use pointcore_contract::{Fixed, Format, Signedness, Unit, search as search_spec, splat as splat_spec};
 use pointcore_hdl::compiler::{CompileError, Datapath, Options};
 use pointcore_hdl::float::{self, Operator};
 use pointcore_hdl::{search, splat};
@@ -202,29 +202,15 @@ fn splat_units() -> Vec<MeasuredUnit> {
 
 /// Every unit of the search core, at `knn`; the two caches that it leaves out, too.
 fn search_units() -> Vec<MeasuredUnit> {
-    use search::{leaf, neighbor_cache, point_cache, queue, recursion, sieve, stack, threads, traversal, tree_cache};
-    type Config = search_spec::Config;
-    let module = |name: &str, module: fn(&Config) -> Module| {
-        MeasuredUnit::new(format!("search_{name}"), move || Ok(module(&knn())))
-    };
-    let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
-        MeasuredUnit::new(format!("search_{name}"), move || Ok(datapath(&knn(), &Options::default())?.module))
-    };
-    vec![
-        module("threads", threads::module),
-        datapath("traversal", traversal::datapath),
-        module("stack", stack::module),
-        module("recursion", recursion::module),
-        datapath("leaf", leaf::datapath),
-        module("point_cache", point_cache::module),
-        module("sieve", sieve::module),
-        module("queue", queue::module),
-        MeasuredUnit::new("search_tree_cache", || Ok(tree_cache::module(&Config { tree_cache: TREE_CACHE, ..knn() }))),
-        MeasuredUnit::new("search_neighbor_cache", || {
-            let config = Config { neighbor_cache: NEIGHBOR_CACHE, ..knn() };
-            Ok(neighbor_cache::unit(&config, &Options::default())?.module)
-        }),
-    ]
+    let of_core = |unit: &Unit<search_spec::Config>| unit.module != search_spec::units::top::UNIT.module;
+    let units = search::UNITS.into_iter().filter(|(unit, _)| of_core(unit));
+    let measured = units.map(|(unit, describe)| {
+        MeasuredUnit::new(unit.module, move || {
+            let caches = search_spec::Config { tree_cache: TREE_CACHE, neighbor_cache: NEIGHBOR_CACHE, ..knn() };
+            describe(&if (unit.is_present)(&knn()) { knn() } else { caches })
+        })
+    });
+    measured.collect()
 }
 
 /// Every unit between a core and AXI, the packets and points of the search core, the pixels of the renderer.

@@ -2,14 +2,13 @@
 
 use super::Tree;
 use super::answers::Answers;
+use super::counters::SearchCounters;
 use super::memory::{PointMemory, RequestSize};
 use super::query::Neighbor;
 use super::work::Work;
 use crate::generated::Progress;
-use pointcore_contract::search::ports;
 use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, TreeRecord, TreeWrite};
-use pointcore_contract::search::units::Events;
-use pointcore_contract::{Visit, Visitor, Word, Words, read, write};
+use pointcore_contract::{read, write};
 use pointcore_golden::search::top::{In, Out};
 use pointcore_tb::lockstep::{Flow, Stalls, Stimulus};
 use std::sync::Arc;
@@ -24,37 +23,6 @@ const PORTS: usize = 2;
 const PROGRESS_INTERVAL_CYCLES: u64 = 1024;
 /// Cycles without a transfer after which a core counts as stuck: the longest search among cached points takes fewer.
 const QUIET_CYCLES: u64 = 1_000_000;
-
-/// What a run counted.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SearchCounters {
-    /// Cycles from the first query offered to the last result.
-    pub cycles: u64,
-    /// Cycles in which the core reported each of [`ports::events`].
-    pub events: Vec<(&'static str, u64)>,
-    /// Requests to the memory.
-    pub requests: u64,
-    /// Records of the tree taken from the memory.
-    pub records: u64,
-    /// Beats taken from the memory.
-    pub beats: u64,
-    /// Bytes that the memory moved, whole bursts.
-    pub bytes: u64,
-    /// Cycles in which a beat was on offer and not taken.
-    pub beat_wait: u64,
-    /// Cycles in which a query was on offer and not taken.
-    pub query_wait: u64,
-    /// Neighbors that came out; with a neighbor cache, more than were wanted.
-    pub results: u64,
-}
-
-impl SearchCounters {
-    /// The count of an event; 0 for one that this core does not have.
-    #[must_use]
-    pub fn event(&self, name: &str) -> u64 {
-        self.events.iter().find(|(event, _)| *event == name).map_or(0, |(_, count)| *count)
-    }
-}
 
 /// Why a host has finished.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,7 +69,6 @@ impl<'a> SearchHost<'a> {
         let memory = PointMemory::new(memory, PORTS, tree.beat_bytes(), seed);
         let beats = config.bucket.div_ceil(config.lanes);
         let longest = memory.answer_cycles(RequestSize { beats, beat_bytes: tree.beat_bytes() });
-        let events = ports::events(config).into_iter().map(|event| (event, 0)).collect();
         let writes: Arc<[TreeWrite]> = if config.tree_cache > 0 { Arc::default() } else { tree.writes().collect() };
         let setup = (config.neighbor_cache > 0).then(|| work.reuse.setup(config.geometry, work.kind));
         Self {
@@ -119,7 +86,7 @@ impl<'a> SearchHost<'a> {
             quiet_cycles: QUIET_CYCLES + longest,
             answers: Answers::new(work),
             end: None,
-            counters: SearchCounters { events, ..SearchCounters::default() },
+            counters: SearchCounters::new(config),
         }
     }
 
@@ -212,8 +179,7 @@ impl<'a> SearchHost<'a> {
             self.counters.results += u64::from(result.result.found);
             self.answers.collect(result);
         }
-        let mut events: Events = outputs.events;
-        events.visit(self.work.config, &mut EventCounter(self.counters.events.iter_mut()));
+        self.counters.count(self.work.config, outputs.events);
         if query_moved || beat_moved || record_moved || fetch.is_some() || lookup.is_some() || result.is_some() {
             self.last_transfer = cycle;
         }
@@ -254,16 +220,6 @@ impl<'a> SearchHost<'a> {
     fn record(&self, request: Request) -> Option<TreeRecord> {
         let Request::Record(lookup) = request else { return None };
         Some(self.work.tree.record(lookup))
-    }
-}
-
-/// Adds up events, which come in the order of [`ports::events`].
-struct EventCounter<'a>(std::slice::IterMut<'a, (&'static str, u64)>);
-
-impl Visitor<Words> for EventCounter<'_> {
-    fn bits<W: Word>(&mut self, value: &mut W) {
-        let (_, count) = self.0.next().expect("the core has the events of its configuration");
-        *count += value.to_word();
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod answers;
 mod check;
+mod counters;
 mod derive;
 mod error;
 mod generate;
@@ -21,10 +22,10 @@ mod session;
 mod work;
 
 pub use check::{Checked, WrongAnswer, check};
+pub use counters::{Counts, SearchCounters};
 pub use derive::config_for;
 pub use error::SearchError;
 pub use generate::SearchCore;
-pub use host::SearchCounters;
 pub use kdtree::{Splitting, Tree};
 pub use memory::{MemorySettings, PointMemory, RequestSize};
 pub use order::Order;

@@ -5,7 +5,7 @@ use super::kdtree::TreeStatistics;
 use super::memory::MemorySettings;
 use super::reuse::Reuse;
 use super::run::SearchOutcome;
-use pointcore_contract::search::{Config, ports};
+use pointcore_contract::search::Config;
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -30,13 +30,6 @@ pub struct HitRate {
     /// Share of the requests that it answered.
     pub rate: f64,
 }
-
-/// Caches with the events that count their hits and misses.
-const CACHES: [(&str, [&str; 2]); 3] = [
-    ("point cache", ports::POINT_CACHE_EVENTS),
-    ("tree cache", ports::TREE_CACHE_EVENTS),
-    ("neighbor cache", ports::NEIGHBOR_CACHE_EVENTS),
-];
 
 /// The run behind a report.
 pub struct SearchRun<'a> {
@@ -144,20 +137,18 @@ impl SearchReport {
         let each = |count: f64| count / queries.max(1) as f64;
         let share = |count: u64| count as f64 / cycles.max(1) as f64;
         let bytes_per_cycle = run.memory.bytes_per_cycle.unwrap_or(run.beat_bytes.into());
-        let insertions = counters.event("event_insert");
+        let events = counters.events(run.config);
+        let insertions = events.queue.insert;
         // No event counts the beats that the point cache answers with: its leaves are taken to be as large as those from memory.
-        let [cached, fetched] = ports::POINT_CACHE_EVENTS.map(|event| counters.event(event) as f64);
-        let beats = counters.beats as f64 * (1.0 + cached / fetched.max(1.0));
+        let points = events.point_cache;
+        let beats = counters.beats as f64 * (1.0 + points.hit as f64 / (points.miss as f64).max(1.0));
         let bounds: Vec<Bound> = [
-            ("nodes visited", counters.event("event_node") as f64),
-            ("paths popped", counters.event("event_pop") as f64),
+            ("nodes visited", events.node as f64),
+            ("paths popped", events.pop as f64),
             ("beats of points", beats),
             ("records of the tree from memory", counters.records as f64),
             ("insertions", insertions as f64),
-            (
-                "beats in the priority queues",
-                (counters.event("event_beat") + counters.event("event_insert_wait")) as f64,
-            ),
+            ("beats in the priority queues", (events.queue.beat + events.queue.insert_wait) as f64),
             ("results", counters.results as f64),
             ("memory bus", counters.bytes as f64 / bytes_per_cycle),
         ]
@@ -165,11 +156,17 @@ impl SearchReport {
         .into();
         let by_cycles = |a: &&Bound, b: &&Bound| a.cycles_per_query.total_cmp(&b.cycles_per_query);
         let bound = bounds.iter().max_by(by_cycles).expect("a search uses resources").clone();
-        let rate = |(cache, [hit, miss]): (&'static str, [&str; 2])| {
-            let (hits, misses) = (counters.event(hit), counters.event(miss));
-            let present = counters.events.iter().any(|(event, _)| *event == hit);
-            present.then(|| HitRate { cache, hits, misses, rate: hits as f64 / (hits + misses).max(1) as f64 })
-        };
+        let (config, tree, neighbors) = (run.config, events.tree_cache, events.neighbor_cache);
+        let caches = [
+            ("point cache", config.point_cache, points.hit, points.miss),
+            ("tree cache", config.tree_cache, tree.hit, tree.miss),
+            ("neighbor cache", config.neighbor_cache, neighbors.hit, neighbors.miss),
+        ];
+        let present = caches.into_iter().filter(|(_, lines, ..)| *lines > 0);
+        let hit_rates = present.map(|(cache, _, hits, misses)| {
+            let rate = hits as f64 / (hits + misses).max(1) as f64;
+            HitRate { cache, hits, misses, rate }
+        });
         Self {
             points: run.points.to_owned(),
             engine: run.engine.to_owned(),
@@ -195,9 +192,9 @@ impl SearchReport {
             share_of_bound: bound.cycles_per_query / each(cycles as f64).max(f64::MIN_POSITIVE),
             bounds,
             bound,
-            hit_rates: CACHES.into_iter().filter_map(rate).collect(),
-            thread_wait: share(counters.event("event_thread_wait")),
-            insert_wait: share(counters.event("event_insert_wait")),
+            hit_rates: hit_rates.collect(),
+            thread_wait: share(events.thread_wait),
+            insert_wait: share(events.queue.insert_wait),
             beat_wait: share(counters.beat_wait),
             simulated_cycles_per_second: run.outcome.simulated_cycles as f64 / run.outcome.elapsed.as_secs_f64(),
         }

@@ -1,14 +1,15 @@
 //! Queries on the hardware, on its golden model, or on both in lockstep.
 
 use super::SearchError;
+use super::counters::SearchCounters;
 use super::generate::SearchCore;
-use super::host::{End, SearchCounters, SearchHost};
+use super::host::{End, SearchHost};
 use super::query::Neighbor;
 use super::work::Work;
 use crate::generated::Progress;
 use crate::recording::Recording;
 use pointcore_contract::count;
-use pointcore_contract::search::ports;
+use pointcore_contract::search::units;
 use pointcore_golden::search::Top;
 use pointcore_golden::search::top::Out;
 use pointcore_golden::unit::{Model, Ported, Unit};
@@ -74,7 +75,7 @@ impl<'a> SearchRunner<'a> {
     /// # Errors
     /// The core is stuck.
     pub fn record(&self, core: &SearchCore) -> Result<Recording, SearchError> {
-        let list = ports::top(self.work.config);
+        let list = units::top::UNIT.ports(self.work.config);
         let (inputs, outputs) = count(&list);
         let (mut inputs, mut outputs) = (vec![0; inputs], vec![0; outputs]);
         let mut golden = Ported::new(self.work.config, Top::new(self.work.config, core.latencies()));

@@ -5,8 +5,8 @@ use crate::number::encode;
 use crate::search::{MemorySettings, Neighbor, Query, QueryKind, Reuse, SearchEngine, Session, Tree};
 use pointcore_contract::bus::config::TREE_WORD_BITS;
 use pointcore_contract::bus::{Layout, packets, registers};
-use pointcore_contract::search::records::Lookup;
-use pointcore_contract::search::{Config, records};
+use pointcore_contract::search::Config;
+use pointcore_contract::search::records::{Bucket, Lookup, Node, Points};
 use std::collections::HashMap;
 
 /// A search, with points, and the tree unless the core holds it, in memory from `base` on.
@@ -81,7 +81,7 @@ pub fn search(
 
 /// The points, a beat a record.
 fn points(config: &Config, tree: &Tree, memory: &mut AddressSpace) -> Result<Region, VectorsError> {
-    let layout = Layout::of(&packets::points(config));
+    let layout = Layout::record::<Points>(config);
     let stride = layout.stride(config.bus.memory_bits);
     let beat = |points: &[[u32; 3]]| {
         let values: Vec<u64> = points.iter().flatten().map(|number| (*number).into()).collect();
@@ -96,7 +96,7 @@ fn points(config: &Config, tree: &Tree, memory: &mut AddressSpace) -> Result<Reg
 
 /// Nodes and leaves: written through the window, or read from memory.
 fn nodes(config: &Config, tree: &Tree, memory: &mut AddressSpace) -> Result<Region, VectorsError> {
-    let [node, leaf] = [records::node(config), records::bucket(config)].map(|fields| Layout::of(&fields));
+    let (node, leaf) = (Layout::record::<Node>(config), Layout::record::<Bucket>(config));
     let in_memory = config.tree_cache > 0;
     let stride = packets::tree_stride(config, if in_memory { config.bus.memory_bits } else { TREE_WORD_BITS });
     let first_leaf = 1 << config.tree_depth;

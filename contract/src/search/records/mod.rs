@@ -7,7 +7,6 @@ mod cache;
 mod points;
 mod tree;
 
-pub use super::lists::*;
 pub use cache::{CacheSetup, CachedQuery, CachedResult};
 pub use points::{Beat, BeatPlace, Candidates, Fetch, LANES_MAX, Points, Radius};
 pub use tree::{Bucket, Descent, LeafVisit, Lookup, Node, NodeRecord, Path, Push, TreeRecord, TreeWrite};

@@ -53,7 +53,7 @@ fn run(cloud: &Cloud, queries: &[Query], entries: usize, reuse: Reuse) -> Result
     let found = search(cloud, setting, queries)?;
     let checked =
         check(&cloud.points, queries, &found.outcome.neighbors, reuse.epsilon).map_err(LabError::Neighbors)?;
-    let hits = found.outcome.counters.event("event_cache_hit");
+    let hits = found.outcome.counters.events(&config).neighbor_cache.hit;
     Ok(Saved {
         saved: hits as f64 / queries.len() as f64,
         worst_ratio: checked.worst_ratio.into(),

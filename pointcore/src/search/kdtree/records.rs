@@ -2,9 +2,9 @@
 
 use super::{Bucket, Node, Tree};
 use crate::number::encode;
+use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{self, Lookup, TreeRecord, TreeWrite};
-use pointcore_contract::search::{Config, records as contract};
-use pointcore_contract::splat::Field;
+use pointcore_contract::width;
 
 impl Tree {
     fn node(&self, address: u32) -> Option<records::Node> {
@@ -48,7 +48,7 @@ impl Tree {
     /// Bytes of a record in external memory, a power of two.
     #[must_use]
     pub fn record_bytes(config: &Config) -> u32 {
-        let bits = |fields: Vec<Field>| fields.iter().map(|(_, width)| width).sum::<u32>();
-        bits(contract::node(config)).max(bits(contract::bucket(config))).div_ceil(u8::BITS).next_power_of_two()
+        let bits = width::<records::Node>(config).max(width::<records::Bucket>(config));
+        bits.div_ceil(u8::BITS).next_power_of_two()
     }
 }
