@@ -1,8 +1,11 @@
 //! The ternary depth test against the normalized stored depth, cross-multiplied instead of divided (eq. 5.8, 5.9); golden
 //! twin: `pointcore_golden::splat::depth_test`.
 
-use pointcore_contract::splat::config::{Config, DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_SUM_BITS};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::config::{DEPTH_BITS, DEPTH_SUM_BITS, WEIGHT_SUM_BITS};
+use pointcore_contract::splat::units::depth_test::PORTS;
 
+use crate::units::ports::WordPort;
 use rtl::{Expr, Module};
 
 /// Cycles from inputs to outputs.
@@ -33,24 +36,21 @@ fn product(m: &mut Module, name: &str, left: Expr, right: Expr) -> Expr {
     delayed(m, name, outer + first + second)
 }
 
-/// The unit; ports as in `contract::splat::ports::depth_test`.
+/// The unit.
 #[must_use]
 pub fn module(_config: &Config) -> Module {
     let mut m = Module::new("splat_depth_test", "Compares a pixel's normalized depth with a splat's depth band.");
-    let weight = m.input("weight", WEIGHT_SUM_BITS);
-    let depth = m.input("depth", DEPTH_SUM_BITS);
-    let low = m.input("depth_low", DEPTH_BITS);
-    let high = m.input("depth_high", DEPTH_BITS);
+    let weight = PORTS.weight.declare_word(&mut m, WEIGHT_SUM_BITS);
+    let depth = PORTS.depth.declare_word(&mut m, DEPTH_SUM_BITS);
+    let low = PORTS.depth_low.declare_word(&mut m, DEPTH_BITS);
+    let high = PORTS.depth_high.declare_word(&mut m, DEPTH_BITS);
 
     let arrived = delayed(&mut m, "arrived", depth);
     let stored = delayed(&mut m, "stored", arrived);
     let low_bound = product(&mut m, "low_bound", low, weight);
     let high_bound = product(&mut m, "high_bound", high, weight);
-    for (name, outcome) in [("fail", stored.lt(low_bound)), ("pass", stored.gt(high_bound))] {
-        // Of what was there before the reset nothing shows.
-        let register = m.reg_reset(name, 1, 0);
-        m.next(register, outcome);
-        m.output(name, register);
-    }
+    // Of what was there before the reset nothing shows.
+    PORTS.fail.event(&mut m, stored.lt(low_bound));
+    PORTS.pass.event(&mut m, stored.gt(high_bound));
     m
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod datapath;
 pub(crate) mod ports;
+pub(crate) mod queue;
 pub(crate) mod records;
 pub(crate) mod sliced;
 pub(crate) mod values;

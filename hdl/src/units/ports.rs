@@ -84,6 +84,16 @@ pub(crate) trait StreamInPorts<R: Record>: Sized {
 
     /// Feeds an instance of the unit.
     fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, stream: Flow<Wired<R>>);
+
+    /// Offers an instance of the unit a record in cycles where `valid` is set; returns whether it can take one.
+    fn offer(
+        self,
+        m: &mut Module,
+        config: &R::Config,
+        instance: Instance,
+        valid: impl Into<Expr>,
+        record: Wired<R>,
+    ) -> Expr;
 }
 
 impl<R: Record> StreamInPorts<R> for In<R> {
@@ -103,6 +113,19 @@ impl<R: Record> StreamInPorts<R> for In<R> {
 
     fn feed(self, m: &mut Module, config: &R::Config, instance: Instance, stream: Flow<Wired<R>>) {
         stream.into(m, config, instance, self.name);
+    }
+
+    fn offer(
+        self,
+        m: &mut Module,
+        config: &R::Config,
+        instance: Instance,
+        valid: impl Into<Expr>,
+        record: Wired<R>,
+    ) -> Expr {
+        m.connect(instance, &format!("{}_valid", self.name), valid);
+        record.connect(m, config, instance, &format!("{}_", self.name));
+        m.out(instance, &format!("{}_ready", self.name))
     }
 }
 
@@ -125,12 +148,12 @@ pub(crate) trait StreamOutPorts<R: Record>: Sized {
 }
 
 impl<R: Record> StreamOutPorts<R> for Out<R> {
-    fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr {
-        m.stream_out(self.name, valid, record.named(config))
-    }
-
     fn export(self, m: &mut Module, config: &R::Config, stream: Flow<Wired<R>>) {
         m.stream_export(self.name, &stream.plain(config));
+    }
+
+    fn drive(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) -> Expr {
+        m.stream_out(self.name, valid, record.named(config))
     }
 
     fn queue(self, m: &mut Module, config: &R::Config) -> QueueOut<R> {
@@ -296,6 +319,9 @@ pub(crate) trait OutputPorts<R: Record>: Sized {
         happens: impl Into<Expr>,
     );
 
+    /// Drives them in the cycle after; after reset they are zero.
+    fn events(self, m: &mut Module, config: &R::Config, happens: Wired<R>);
+
     /// What an instance of the unit puts out.
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Wired<R>;
 }
@@ -317,6 +343,19 @@ impl<R: Record> OutputPorts<R> for Output<R> {
 
     fn drive(self, m: &mut Module, config: &R::Config, record: Wired<R>) {
         record.output(m, config, &prefix(self.name));
+    }
+
+    fn events(self, m: &mut Module, config: &R::Config, happens: Wired<R>) {
+        let prefix = prefix(self.name);
+        let registers: Vec<_> = happens
+            .named(config)
+            .map(|(name, value)| {
+                let register = m.reg_reset(&format!("{prefix}{name}"), value.width(), 0);
+                m.next(register, value);
+                register.expr()
+            })
+            .collect();
+        self.drive(m, config, Bundle::from_values(config, registers));
     }
 
     fn of(self, m: &mut Module, config: &R::Config, instance: Instance) -> Wired<R> {

@@ -38,13 +38,15 @@ pub const LOCAL_BITS: u32 = index_bits(TILE_SIZE);
 pub const PIXEL_BITS: u32 = index_bits(TILE_PIXELS);
 
 /// The name of an attribute by its place.
-fn attribute_name(config: &Config, place: usize) -> String {
+#[must_use]
+pub fn attribute_name(config: &Config, place: usize) -> String {
     let continuous = config.continuous as usize;
     if place < continuous { format!("attribute_{place}") } else { format!("cardinal_{}", place - continuous) }
 }
 
 /// Bits of what is made of an attribute: cardinal ones stay as they are.
-fn made_bits(config: &Config, place: usize, continuous_width: u32) -> u32 {
+#[must_use]
+pub fn made_bits(config: &Config, place: usize, continuous_width: u32) -> u32 {
     if place < config.continuous as usize { continuous_width } else { config.attribute.width() }
 }
 

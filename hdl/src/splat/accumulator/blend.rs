@@ -1,12 +1,16 @@
 //! What the accumulator makes of a pixel and a sample: depth test, sums, and the choice among them (eq. 5.8 to 5.12).
 
 use pointcore_contract::Format;
-use pointcore_contract::splat::config::WEIGHT_SUM_BITS;
-use pointcore_contract::splat::{AttributeFormat, Config, records};
+use pointcore_contract::splat::config::{DEPTH_SUM_BITS, WEIGHT_SUM_BITS};
+use pointcore_contract::splat::records::{Pixel, attribute_name};
+use pointcore_contract::splat::units::depth_test::PORTS;
+use pointcore_contract::splat::{AttributeFormat, Config};
 
+use super::sample::Contribution;
 use crate::float::{Operator, add};
 use crate::splat::depth_test;
-use crate::units::records::Record;
+use crate::units::ports::WordPort;
+use crate::units::wires::Wires;
 use rtl::{Expr, Module, bit, cat, lit};
 
 /// Cycles in which pixels are read and a sample's slot is chosen.
@@ -69,59 +73,60 @@ pub(super) struct Blend {
     /// The sample changes the pixel.
     pub writes: Expr,
     /// Its new value.
-    pub pixel: Record,
+    pub pixel: Pixel<Wires>,
+}
+
+/// Whether the pixel hides the sample, and whether the sample hides the pixel.
+fn compare(m: &mut Module, config: &Config, sample: &Contribution<Wires>, stored: &Pixel<Wires>) -> [Expr; 2] {
+    let test = m.instance("depth_test", depth_test::module(config));
+    PORTS.weight.feed_word(m, test, stored.weight);
+    PORTS.depth.feed_word(m, test, stored.depth);
+    PORTS.depth_low.feed_word(m, test, sample.depth_low);
+    PORTS.depth_high.feed_word(m, test, sample.depth_high);
+    [PORTS.fail, PORTS.pass].map(|port| {
+        let outcome = port.word_of(m, test);
+        delay(m, &format!("late_{}", port.name), outcome, config.accumulate_stages - CHOICE - depth_test::LATENCY)
+    })
 }
 
 /// Compares and adds: `sample` and `stored` are those of stage 3.
-pub(super) fn blend(m: &mut Module, config: &Config, sample: &Record, stored: &Record) -> Blend {
+pub(super) fn blend(m: &mut Module, config: &Config, sample: &Contribution<Wires>, stored: &Pixel<Wires>) -> Blend {
     let cycles = config.accumulate_stages - CHOICE;
-    let test = m.instance("depth_test", depth_test::module(config));
-    m.connect(test, "weight", stored.get("weight"));
-    m.connect(test, "depth", stored.get("depth"));
-    for name in ["depth_low", "depth_high"] {
-        m.connect(test, name, sample.get(name));
-    }
-    let [fail, pass] = ["fail", "pass"].map(|name| {
-        let outcome = m.out(test, name);
-        delay(m, &format!("late_{name}"), outcome, cycles - depth_test::LATENCY)
-    });
+    let [fail, pass] = compare(m, config, sample, stored);
 
-    let weight_bits = WEIGHT_SUM_BITS;
-    let weight = sample.get("weight");
-    let weight_sum = stored.get("weight").add_carry(weight.zext(weight_bits));
+    let weight_sum = stored.weight.add_carry(sample.weight.zext(WEIGHT_SUM_BITS));
     let weight_sum = delay(m, "weight_sum", weight_sum, cycles);
-    let late_weight = delay(m, "weight", weight, cycles);
-    let weighted_depth = sample.get("weighted_depth");
-    let depth_sum = stored.get("depth") + weighted_depth.zext(stored.get("depth").width());
+    let late_weight = delay(m, "weight", sample.weight, cycles);
+    let depth_sum = stored.depth + sample.weighted_depth.zext(DEPTH_SUM_BITS);
     let depth_sum = delay(m, "depth_sum", depth_sum, cycles);
-    let late_depth = delay(m, "depth", weighted_depth, cycles);
-    let stronger = match config.cardinal {
-        0 => pass,
-        _ => {
-            let stronger = delay(m, "stronger", stored.get("peak").lt(weight), cycles);
-            m.wire("selected", pass | stronger)
-        }
+    let late_depth = delay(m, "depth", sample.weighted_depth, cycles);
+    let mut pixel = Pixel {
+        weight: pass.mux(late_weight.zext(WEIGHT_SUM_BITS), weight_sum.trunc(WEIGHT_SUM_BITS)),
+        depth: pass.mux(late_depth.zext(DEPTH_SUM_BITS), depth_sum),
+        ..Pixel::default()
     };
 
+    // The cardinal attributes are those of the largest weight.
+    let mut stronger = pass;
+    if config.cardinal > 0 {
+        let is_stronger = delay(m, "stronger", stored.peak.lt(sample.weight), cycles);
+        stronger = m.wire("selected", pass | is_stronger);
+        let late_peak = delay(m, "peak", stored.peak, cycles);
+        pixel.peak = stronger.mux(late_weight, late_peak);
+    }
     let adder = Adder::new(config.attribute, cycles);
-    let pixel = Record::new(&records::pixel(config), |name| match name {
-        "weight" => pass.mux(late_weight.zext(weight_bits), weight_sum.trunc(weight_bits)),
-        "depth" => pass.mux(late_depth.zext(depth_sum.width()), depth_sum),
-        "peak" => {
-            let late_peak = delay(m, "peak", stored.get("peak"), cycles);
-            stronger.mux(late_weight, late_peak)
-        }
-        attribute => {
-            let late = delay(m, attribute, sample.get(attribute), cycles);
-            if attribute.starts_with("cardinal") {
-                let late_stored = delay(m, &format!("stored_{attribute}"), stored.get(attribute), cycles);
-                return stronger.mux(late, late_stored);
-            }
-            let operands = [stored.get(attribute), sample.get(attribute)];
-            let sum = adder.sum(m, attribute, operands, cycles);
+    for place in 0..config.attributes() as usize {
+        let name = attribute_name(config, place);
+        let (contribution, stored) = (sample.attributes[place], stored.attributes[place]);
+        let late = delay(m, &name, contribution, cycles);
+        pixel.attributes[place] = if place < config.continuous as usize {
+            let sum = adder.sum(m, &name, [stored, contribution], cycles);
             pass.mux(late.sext(sum.width()), sum)
-        }
-    });
+        } else {
+            let late_stored = delay(m, &format!("stored_{name}"), stored, cycles);
+            stronger.mux(late, late_stored)
+        };
+    }
     let overflows = weight_sum.msb();
     Blend { writes: !fail & (pass | !overflows), pixel }
 }

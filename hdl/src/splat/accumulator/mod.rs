@@ -5,16 +5,22 @@
 //! block RAM only gets as far as a register. It writes the pixel from stage `accumulate_stages + 1`.
 
 mod blend;
+mod sample;
 
+use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::{SAMPLE_QUEUE_DEPTH, TILE_PIXELS};
-use pointcore_contract::splat::ports::EVENTS;
-use pointcore_contract::splat::records::PIXEL_BITS;
-use pointcore_contract::splat::{Config, Field, records};
+use pointcore_contract::splat::records::{Fill, PIXEL_BITS, Pixel, Slot, SlotPixel, WeightedSample};
+use pointcore_contract::splat::units::AccumulatorEvents;
+use pointcore_contract::splat::units::accumulator::PORTS;
+use pointcore_contract::width;
 
 use crate::stream::{fifo, fifo_distributed};
-use crate::units::records::{Head, Record, layout, stream_in, width};
+use crate::units::ports::{Flow, OutputPorts, Pulse, PulseInPorts, PulseOutPorts, StreamInPorts, WordPort, held};
+use crate::units::queue::{Head, Pushed};
+use crate::units::wires::{Bundle, Wires, layout};
 use blend::blend;
-use rtl::{Expr, Module, Reg, Stream, bit, cat};
+use rtl::{Expr, Module, Reg, bit, cat};
+use sample::{Contribution, Place, Queued};
 
 /// What travels with a sample through every stage.
 struct Stage {
@@ -37,32 +43,32 @@ impl Stage {
     }
 
     /// Takes a sample that issues.
-    fn enter(&self, m: &mut Module, head: &Head, issue: &Issue) {
+    fn enter(&self, m: &mut Module, place: &Place<Wires>, issue: &Issue) {
         m.next(self.valid, issue.sample);
         m.next(self.inside, issue.inside);
-        for (register, name) in [(&self.last, "last"), (&self.slot, "slot"), (&self.pixel, "pixel")] {
-            m.next(*register, head.record.get(name));
-        }
+        m.next(self.last, place.last);
+        m.next(self.slot, place.slot);
+        m.next(self.pixel, place.pixel);
     }
 
     /// Takes what the stage before holds.
     fn follow(&self, m: &mut Module, before: &Self) {
-        let registers =
-            |stage: &Self| [&stage.valid, &stage.inside, &stage.last, &stage.slot, &stage.pixel].map(Reg::clone);
-        for (register, value) in registers(self).iter().zip(registers(before)) {
-            m.next(*register, value);
-        }
+        m.next(self.valid, before.valid);
+        m.next(self.inside, before.inside);
+        m.next(self.last, before.last);
+        m.next(self.slot, before.slot);
+        m.next(self.pixel, before.pixel);
     }
 }
 
 /// A bit for each stage that holds an inside sample of the head's pixel, known without comparing in the cycle in which the head
 /// issues or waits: compared when the sample came in, shifted as the stages move.
-fn collisions(m: &mut Module, head: &Head, stages: &[Stage]) -> Expr {
-    let place = |record: &Record| cat([record.get("slot"), record.get("pixel")]);
-    let arriving = place(&head.arriving);
-    let inside = head.valid & (head.record.get("inside") & !head.record.get("end"));
+fn collisions(m: &mut Module, head: &Head<Queued<Wires>>, stages: &[Stage]) -> Expr {
+    let pixel = |place: Place<Wires>| cat([place.slot, place.pixel]);
+    let (place, arriving) = (head.record.place, pixel(head.arriving.place));
+    let inside = head.valid & (place.inside & !place.end);
     // Bit i: what will be in stage i + 1 in the next cycle.
-    let mut collide = vec![inside & arriving.eq(place(&head.record))];
+    let mut collide = vec![inside & arriving.eq(pixel(place))];
     let moving = &stages[..stages.len() - 1];
     collide.extend(moving.iter().map(|stage| stage.inside & arriving.eq(cat([stage.slot, stage.pixel]))));
     let collide = cat(collide.iter().rev().copied());
@@ -84,18 +90,19 @@ struct Issue {
 }
 
 impl Issue {
-    fn new(m: &mut Module, head: &Head, slot_ready: Expr, stages: &[Stage]) -> Self {
+    fn new(m: &mut Module, head: &Head<Queued<Wires>>, slot_ready: Expr, stages: &[Stage]) -> Self {
         let on_the_way = collisions(m, head, stages).any();
         let on_the_way = m.wire("on_the_way", on_the_way);
         let occupied = stages.iter().fold(bit(false), |any, stage| any | stage.valid);
         // Chosen a cycle before it is asked for: what the head's going depends on reaches as far as the queue's memories.
         let arrived = m.reg("arrived", 1);
-        let is_ready = |record: &Record| slot_ready.shr_by(record.get("slot")).bit(0);
-        m.next(arrived, head.takes.mux(is_ready(&head.arriving), is_ready(&head.record)));
+        let place = head.record.place;
+        let is_ready = |slot: Expr| slot_ready.shr_by(slot).bit(0);
+        m.next(arrived, head.takes.mux(is_ready(head.arriving.place.slot), is_ready(place.slot)));
 
-        let end = head.valid & head.record.get("end");
-        let sample = head.valid & !head.record.get("end");
-        let inside = m.wire("may_issue_inside", sample & head.record.get("inside"));
+        let end = head.valid & place.end;
+        let sample = head.valid & !place.end;
+        let inside = m.wire("may_issue_inside", sample & place.inside);
         let slot_wait = m.wire("slot_wait", inside & !arrived);
         let hazard = m.wire("hazard", inside & (arrived & on_the_way));
         let inside = m.wire("issue_inside", inside & (arrived & !on_the_way));
@@ -105,153 +112,117 @@ impl Issue {
     }
 }
 
-/// What decides when and where a sample issues.
-const PLACE: [&str; 5] = ["end", "last", "inside", "slot", "pixel"];
-
 /// The queue of samples: two that move together, as what decides comes out of flip-flops and the rest out of block memory.
-fn queue(m: &mut Module, input: &Stream, fields: &[Field]) -> Stream {
-    let (place, rest): (Vec<_>, Vec<_>) = fields.iter().cloned().partition(|(name, _)| PLACE.contains(&name.as_str()));
+fn queue(m: &mut Module, config: &Config, input: Flow<WeightedSample<Wires>>) -> Flow<Queued<Wires>> {
     let depth = SAMPLE_QUEUE_DEPTH;
-    let places = m.instance("places", fifo_distributed(depth, &layout(&place)));
-    let samples = m.instance("samples", fifo(depth, &layout(&rest)));
-    for (queue, fields) in [(&places, &place), (&samples, &rest)] {
-        m.connect(*queue, "in_valid", input.valid);
-        fields.iter().for_each(|(name, _)| m.connect(*queue, &format!("in_{name}"), input.field(name)));
-    }
-    let has_room = m.out(places, "in_ready");
-    m.ready(input, has_room);
-    let [places, samples] = [&places, &samples].map(|queue| m.stream_from(*queue, "out"));
-    m.assert("queues_move_together", places.valid.eq(samples.valid));
+    let places = fifo_distributed(depth, &layout::<Place>(config));
+    let (places, place) = Pushed::<Place>::place(m, config, "places", places);
+    let samples = fifo(depth, &layout::<Contribution>(config));
+    let (samples, contribution) = Pushed::<Contribution>::place(m, config, "samples", samples);
+    let item = Queued::from(input.record);
+    m.drive(input.ready, places.room);
+    places.push(m, config, input.valid, item.place);
+    samples.push(m, config, input.valid, item.contribution);
+    m.assert("queues_move_together", place.valid.eq(contribution.valid));
     let ready = m.forward("queue_ready", 1);
-    m.ready(&places, ready);
-    m.ready(&samples, ready);
-    let fields = places.fields.into_iter().chain(samples.fields).collect();
-    Stream { valid: places.valid, fields, ready }
+    m.drive(place.ready, ready);
+    m.drive(contribution.ready, ready);
+    let record = Queued { place: place.record, contribution: contribution.record };
+    Flow { valid: place.valid, record, ready }
 }
 
 /// The ports through which the tile cache reaches the slots.
 struct SlotPorts {
     ready: Expr,
-    fill_valid: Expr,
-    fill_slot: Expr,
-    fill_pixel: Expr,
-    fill: Expr,
-    drain_enable: Expr,
-    drain_slot: Expr,
-    drain_pixel: Expr,
+    fill: Pulse<Fill<Wires>>,
+    drain: Pulse<SlotPixel<Wires>>,
 }
 
 /// Accesses of the samples to the slots.
 struct Accesses {
-    read: Expr,
-    read_slot: Expr,
-    read_pixel: Expr,
-    write: Expr,
-    write_slot: Expr,
-    write_pixel: Expr,
+    read: Pulse<SlotPixel<Wires>>,
+    write: Pulse<SlotPixel<Wires>>,
+    /// The pixel that is written, as a word.
     result: Expr,
 }
 
 /// A memory for each slot, read and written by samples when it is ready and by the tile cache when it is not; returns
 /// the register behind each: what was read a cycle ago, or before the tile cache's last read.
 fn slots(m: &mut Module, config: &Config, ports: &SlotPorts, accesses: &Accesses) -> Vec<Expr> {
-    let pixel_bits = width(&records::pixel(config));
+    let pixel_bits = width::<Pixel>(config);
+    let SlotPorts { fill, drain, .. } = *ports;
+    let Fill { place: filled, value } = fill.record;
+    let value = value.pack(config);
     let mut slot = |number: u32| {
         let is = |slot: Expr| slot.eq_lit(number.into());
         let memory = m.memory_unordered(&format!("slot_{number}_pixels"), TILE_PIXELS, pixel_bits);
-        let filling = m.wire(&format!("filling_{number}"), ports.fill_valid & is(ports.fill_slot));
-        let write = filling | (accesses.write & is(accesses.write_slot));
-        let address = filling.mux(ports.fill_pixel, accesses.write_pixel);
-        m.write(memory, write, address, filling.mux(ports.fill, accesses.result));
+        let filling = m.wire(&format!("filling_{number}"), fill.valid & is(filled.slot));
+        let write = filling | (accesses.write.valid & is(accesses.write.record.slot));
+        let address = filling.mux(filled.pixel, accesses.write.record.pixel);
+        m.write(memory, write, address, filling.mux(value, accesses.result));
 
         let ready = ports.ready.bit(number);
-        let read = accesses.read & is(accesses.read_slot);
-        let drain = ports.drain_enable & is(ports.drain_slot);
-        let address = ready.mux(accesses.read_pixel, ports.drain_pixel);
-        let read = m.read_if(memory, &format!("slot_{number}_read"), ready.mux(read, drain), address);
-        let register = m.reg(&format!("slot_{number}_pixel"), pixel_bits);
-        m.next_if(register, ready | drain, read);
-        register.expr()
+        let read = accesses.read.valid & is(accesses.read.record.slot);
+        let drained = drain.valid & is(drain.record.slot);
+        let address = ready.mux(accesses.read.record.pixel, drain.record.pixel);
+        let read = m.read_if(memory, &format!("slot_{number}_read"), ready.mux(read, drained), address);
+        held(m, &format!("slot_{number}_pixel"), ready | drained, read)
     };
     (0..config.tile_slots).map(&mut slot).collect()
 }
 
-/// The unit; ports as in `contract::splat::ports::accumulator`.
+/// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let slot_bits = config.slot_bits();
-    let (sample_fields, pixel_fields) = (records::weighted_sample(config), records::pixel(config));
     let mut m = Module::new("splat_accumulator", "Blends samples into the pixels of the tile slots.");
     m.parameter("slots", config.tile_slots);
     m.parameter("stages", config.accumulate_stages);
-    let input = stream_in(&mut m, "in", &sample_fields);
-    let queued = queue(&mut m, &input, &sample_fields);
-
-    let ready = m.input("slot_ready", config.tile_slots);
-    let retire_valid = m.reg_reset("retire_valid", 1, 0);
-    let retire_slot = m.reg("retire_slot", slot_bits);
+    let input = PORTS.input.declare(&mut m, config);
+    let queued = queue(&mut m, config, input);
+    let ready = PORTS.slot_ready.declare_word(&mut m, config.tile_slots);
+    let (retires, retired_slot) = (m.reg_reset("retire_valid", 1, 0), m.reg("retire_slot", config.slot_bits()));
+    PORTS.retire.drive(&mut m, config, retires, Slot { slot: *retired_slot });
     let frame_end = m.reg_reset("frame_end", 1, 0);
-    m.pulse_out("retire", "valid", retire_valid, [("slot", retire_slot)]);
-    m.output("frame_end", frame_end);
-    let place = [("slot".to_owned(), slot_bits), ("pixel".to_owned(), PIXEL_BITS)];
-    let (fill_valid, fill) = m.pulse_in("fill", "valid", &[place.as_slice(), &pixel_fields].concat());
-    let (drain_enable, drain) = m.pulse_in("drain", "enable", &place);
-    let ports = SlotPorts {
-        ready,
-        fill_valid,
-        fill_slot: fill[0],
-        fill_pixel: fill[1],
-        fill: cat(fill[2..].iter().copied()),
-        drain_enable,
-        drain_slot: drain[0],
-        drain_pixel: drain[1],
-    };
+    PORTS.frame_end.drive_word(&mut m, frame_end);
+    let ports =
+        SlotPorts { ready, fill: PORTS.fill.declare(&mut m, config), drain: PORTS.drain.declare(&mut m, config) };
 
     let stages: Vec<_> = (1..=config.accumulate_stages + 1).map(|number| Stage::new(&mut m, config, number)).collect();
-    let head = Head::new(&mut m, &queued);
+    let head = Head::new(&mut m, config, queued);
+    let Queued { place, contribution } = head.record;
     let issue = Issue::new(&mut m, &head, ports.ready, &stages);
     head.leaves(&mut m, issue.sample | issue.end);
     m.next(frame_end, issue.end);
-    stages[0].enter(&mut m, &head, &issue);
+    stages[0].enter(&mut m, &place, &issue);
     for pair in stages.windows(2) {
         pair[1].follow(&mut m, &pair[0]);
     }
     let last_stage = &stages[stages.len() - 1];
-    m.next(retire_valid, last_stage.valid & last_stage.last);
-    m.next(retire_slot, last_stage.slot);
+    m.next(retires, last_stage.valid & last_stage.last);
+    m.next(retired_slot, last_stage.slot);
 
-    let result = m.forward("result", width(&pixel_fields));
+    let pixel_bits = width::<Pixel>(config);
+    let result = m.forward("result", pixel_bits);
     let writes = m.forward("writes", 1);
     let accesses = Accesses {
-        read: issue.inside,
-        read_slot: head.record.get("slot"),
-        read_pixel: head.record.get("pixel"),
-        write: *writes,
-        write_slot: *last_stage.slot,
-        write_pixel: *last_stage.pixel,
+        read: Pulse { valid: issue.inside, record: SlotPixel { slot: place.slot, pixel: place.pixel } },
+        write: Pulse { valid: *writes, record: SlotPixel { slot: *last_stage.slot, pixel: *last_stage.pixel } },
         result: *result,
     };
     let read = slots(&mut m, config, &ports, &accesses);
-    let stored = m.reg("stored", width(&pixel_fields));
+    let stored = m.reg("stored", pixel_bits);
     m.next(stored, stages[1].slot.pick(read.iter().copied()));
-    let drained_slot = m.reg("drained_slot", slot_bits);
-    m.next_if(drained_slot, ports.drain_enable, ports.drain_slot);
+    let drained_slot = held(&mut m, "drained_slot", ports.drain.valid, ports.drain.record.slot);
     let drained = m.wire("drained", drained_slot.pick(read));
-    Record::unpack(&pixel_fields, drained).output(&mut m, "drain_");
+    PORTS.drained.drive(&mut m, config, Pixel::unpack(config, drained));
 
-    let carried: Vec<_> = sample_fields.into_iter().filter(|(name, _)| !PLACE.contains(&name.as_str())).collect();
-    let sample = head.record.only(&carried).register(&mut m, "sample_1_", bit(true));
-    let sample = sample.register(&mut m, "sample_2_", bit(true));
-    let sample = sample.register(&mut m, "sample_3_", bit(true));
-    let blend = blend(&mut m, config, &sample, &Record::unpack(&pixel_fields, stored));
+    let stage_3 = ["sample_1_", "sample_2_", "sample_3_"]
+        .into_iter()
+        .fold(contribution, |sample, name| sample.register(&mut m, config, name, bit(true)));
+    let blend = blend(&mut m, config, &stage_3, &Pixel::unpack(config, stored));
     m.drive(writes, last_stage.inside & blend.writes);
-    m.drive(result, blend.pixel.pack());
-
-    let events = [issue.inside, issue.hazard, issue.slot_wait];
-    for (name, event) in EVENTS[3..].iter().zip(events) {
-        let register = m.reg_reset(name, 1, 0);
-        m.next(register, event);
-        m.output(name, register);
-    }
+    m.drive(result, blend.pixel.pack(config));
+    let Issue { inside: accumulate, hazard, slot_wait, .. } = issue;
+    PORTS.events.events(&mut m, config, AccumulatorEvents { accumulate, hazard, slot_wait });
     m
 }

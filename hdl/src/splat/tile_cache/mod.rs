@@ -5,12 +5,15 @@ mod directory;
 mod moves;
 mod state;
 
-use pointcore_contract::splat::records::PIXEL_BITS;
-use pointcore_contract::splat::{Config, Field, records};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{PIXEL_BITS, PlacedCopy, SlotPixel, SplatCopy, Tile};
+use pointcore_contract::splat::units::tile_cache::PORTS;
 
-use crate::units::records::{Head, QueueOut, Record, half_in, half_out, queue_out, stream_in};
+use crate::units::ports::{InputPorts, PulseInPorts, PulseOutPorts, QueueOut, StreamInPorts, StreamOutPorts, WordPort};
+use crate::units::queue::Head;
+use crate::units::wires::Wires;
 use directory::{Changes, Directory, Hit, Lookup};
-use moves::{exchange, fill_ports, push_pixels};
+use moves::{exchange, fill, push_pixels};
 use rtl::{Expr, Module, lit};
 use state::{Mode, State};
 
@@ -22,16 +25,23 @@ struct Placement {
 }
 
 /// Sends the head with its slot on a hit, starts a job on a miss.
-fn place(m: &mut Module, state: &State, directory: &Directory, head: &Head, out: QueueOut) -> Placement {
+fn place(
+    m: &mut Module,
+    config: &Config,
+    state: &State,
+    directory: &Directory,
+    head: &Head<SplatCopy<Wires>>,
+    out: QueueOut<PlacedCopy>,
+) -> Placement {
     let ready = m.wire("head_waits", state.is(Mode::Run) & head.valid);
-    let end = head.record.get("end");
+    let end = head.record.end;
     let send_end = m.wire("send_end", ready & (end & out.room));
     let copy = ready & !end;
     let send = m.wire("send", copy & (directory.copy.found & (out.room & directory.has_room)));
     let start = m.wire("start", copy & (!directory.copy.found & (state.no_job() & directory.next_idle)));
     let sent = send | send_end;
     head.leaves_at_half_rate(m, sent);
-    out.push(m, sent, |name| if name == "slot" { directory.copy.slot } else { head.record.get(name) });
+    out.push(m, config, sent, PlacedCopy { copy: head.record, slot: directory.copy.slot });
     Placement { send, send_end, start }
 }
 
@@ -91,36 +101,28 @@ fn follow_job(
     m.next_if(state.tile, start | check, check.mux(state.code, tile));
 }
 
-fn with_place(config: &Config, pixel: Vec<Field>) -> Vec<Field> {
-    let place = [("tile".to_owned(), config.tile_bits()), ("pixel".to_owned(), PIXEL_BITS)];
-    place.into_iter().chain(pixel).collect()
-}
-
-/// The unit; ports as in `contract::splat::ports::tile_cache`.
+/// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
-    let (tile_bits, slot_bits) = (config.tile_bits(), config.slot_bits());
-    let pixel_fields = records::pixel(config);
     let mut m =
         Module::new("splat_tile_cache", "Control of the tile slots: placement, exchange with memory, end of frame.");
     m.parameter("slots", config.tile_slots);
-    let queued = half_in(&mut m, "in", &records::copy(config));
-    let head = Head::new(&mut m, &queued);
-    let tile = head.record.get("tile");
-    let out = half_out(&mut m, "out", &records::placed_copy(config));
+    let queued = PORTS.input.half(&mut m, config);
+    let head = Head::new(&mut m, config, queued);
+    let tile = head.record.tile;
+    let out = PORTS.out.half(&mut m, config);
     let state = State::new(&mut m, config);
-    let read_ready = m.stream_out("read", state.read_valid, [("tile", state.tile)]);
-    let data = stream_in(&mut m, "data", &pixel_fields);
-    let write = queue_out(&mut m, "write", &with_place(config, pixel_fields.clone()));
-    let pixel = queue_out(&mut m, "pixel", &records::finished_pixel(config));
+    let read_ready = PORTS.read.drive(&mut m, config, state.read_valid, Tile { tile: *state.tile });
+    let data = PORTS.data.declare(&mut m, config);
+    let write = PORTS.write.queue(&mut m, config);
+    let pixel = PORTS.pixel.queue(&mut m, config);
 
     let directory = Directory::new(&mut m, config);
-    m.output("slot_ready", directory.ready());
-    let (retire, retired) = m.pulse_in("retire", "valid", &[("slot", slot_bits)]);
-    let retire_slot = retired[0];
-    let frame_end = m.input("frame_end", 1);
+    PORTS.slot_ready.drive_word(&mut m, directory.ready());
+    let retire = PORTS.retire.declare(&mut m, config);
+    let frame_end = PORTS.frame_end.declare_word(&mut m, 1);
 
-    let touched_tiles = m.memory_unordered("touched_tiles", 1 << tile_bits, 1);
+    let touched_tiles = m.memory_unordered("touched_tiles", 1 << config.tile_bits(), 1);
     let look_at = state.is(Mode::Look).mux(state.code, tile);
     let stored = m.read(touched_tiles, "stored_touched", look_at);
     let touched = m.reg("touched", 1);
@@ -129,7 +131,7 @@ pub fn module(config: &Config) -> Module {
     let touch = state.looked | (state.is(Mode::Clear) | (check & touched));
     m.write(touched_tiles, touch, state.looked.mux(state.tile, state.code), state.looked);
 
-    let placement = place(&mut m, &state, &directory, &head, out);
+    let placement = place(&mut m, config, &state, &directory, &head, out);
     let fill_valid = m.reg_reset("fill_valid", 1, 0);
     let moves = exchange(&mut m, &state, &data, &write, &pixel, fill_valid);
     let (finish, close) = sequence(&mut m, &state, &placement, *touched, &directory.sent, pixel.room);
@@ -138,24 +140,25 @@ pub fn module(config: &Config) -> Module {
     let raise_read = touched & (state.looked | (check & !directory.sent.found));
     m.next_if(state.read_valid, raise_read | read_ready, raise_read);
 
-    let arriving = Record::from(&data);
-    fill_ports(&mut m, &state, moves.fill, fill_valid, &arriving, &pixel_fields);
-    let drain = [("slot", *state.slot), ("pixel", state.drained.trunc(PIXEL_BITS))];
-    m.pulse_out("drain", "enable", moves.step, drain);
-    let held = Record::input(&mut m, "drain_", &pixel_fields);
-    push_pixels(&mut m, &state, &moves, close, &held, &arriving, [write, pixel]);
+    m.next(fill_valid, moves.fill);
+    let filling = fill(&mut m, config, &state, &moves, data.record);
+    PORTS.fill.drive(&mut m, config, fill_valid, filling);
+    let drained = SlotPixel { slot: *state.slot, pixel: state.drained.trunc(PIXEL_BITS) };
+    PORTS.drain.drive(&mut m, config, moves.step, drained);
+    let held = PORTS.drained.declare(&mut m, config);
+    push_pixels(&mut m, config, &state, &moves, close, [held, data.record], (write, pixel));
 
     let changes = Changes {
         allocate: placement.start,
         enter: placement.send,
-        retire,
-        retire_slot,
+        retire: retire.valid,
+        retire_slot: retire.record.slot,
         filled: moves.done,
         filled_slot: *state.slot,
         close: finish,
         clear: close,
     };
-    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.get("tile"), code: *state.code };
+    let lookup = Lookup { copy: tile, takes: *head.takes, arriving: head.arriving.tile, code: *state.code };
     directory.update(&mut m, &lookup, &changes);
     m
 }

@@ -1,11 +1,12 @@
 //! The tile cache's moves of pixels: out of a slot, into it, to the reconstruction buffer and to the output.
 
-use pointcore_contract::splat::Field;
-use pointcore_contract::splat::records::PIXEL_BITS;
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{Fill, FinishedPixel, PIXEL_BITS, Pixel, PlacedPixel, SlotPixel};
 
 use super::state::{COUNT_BITS, Mode, State};
-use crate::units::records::{QueueOut, Record};
-use rtl::{Expr, Module, Reg, Stream, lit};
+use crate::units::ports::{Flow, QueueOut, held};
+use crate::units::wires::{Bundle, Wires};
+use rtl::{Expr, Module, Reg, lit};
 
 /// Moves of pixels between slot, reconstruction buffer and output.
 pub(super) struct Moves {
@@ -25,9 +26,9 @@ pub(super) struct Moves {
 pub(super) fn exchange(
     m: &mut Module,
     state: &State,
-    data: &Stream,
-    write: &QueueOut,
-    pixel: &QueueOut,
+    data: &Flow<Pixel<Wires>>,
+    write: &QueueOut<PlacedPixel>,
+    pixel: &QueueOut<FinishedPixel>,
     fill_valid: Reg,
 ) -> Moves {
     let (from_slot, from_memory) = (state.is(Mode::FromSlot), state.is(Mode::FromMemory));
@@ -45,7 +46,7 @@ pub(super) fn exchange(
     let may_fill = m.wire("may_fill", state.moving & (!state.filled.msb() & vacated));
     let memory_step = from_memory & (pixel.room & !state.all_drained());
     let data_ready = m.wire("take_data", (may_fill & state.load) | memory_step);
-    m.ready(data, data_ready);
+    m.drive(data.ready, data_ready);
     let beat = m.wire("beat", data_ready & data.valid);
     let fill = m.wire("fill", may_fill & (!state.load | data.valid));
 
@@ -59,41 +60,33 @@ pub(super) fn exchange(
     Moves { step, leaves, beat, fill, done }
 }
 
-/// The ports that write the slot, a cycle after a pixel came.
-pub(super) fn fill_ports(m: &mut Module, state: &State, fill: Expr, fill_valid: Reg, data: &Record, fields: &[Field]) {
-    let fill_pixel = m.reg("fill_pixel", PIXEL_BITS);
-    m.next(fill_valid, fill);
-    m.next_if(fill_pixel, fill, state.filled.trunc(PIXEL_BITS));
-    let filling = data.mux(*state.load, &Record::zeros(fields)).register(m, "fill_", fill);
-    let place = [("slot", *state.slot), ("pixel", *fill_pixel)];
-    m.pulse_out("fill", "valid", fill_valid, place.into_iter().chain(filling.named()));
+/// What is written to the slot, a cycle after a pixel came.
+pub(super) fn fill(m: &mut Module, config: &Config, state: &State, moves: &Moves, data: Pixel<Wires>) -> Fill<Wires> {
+    let pixel = held(m, "fill_pixel", moves.fill, state.filled.trunc(PIXEL_BITS));
+    let value = Bundle::choose(config, *state.load, data, Bundle::zeros(config));
+    let value = value.register(m, config, "fill_", moves.fill);
+    Fill { place: SlotPixel { slot: *state.slot, pixel }, value }
 }
 
 /// Pushes pixels to the reconstruction buffer and, at the end of the frame, those that are visible to the output.
 pub(super) fn push_pixels(
     m: &mut Module,
+    config: &Config,
     state: &State,
     moves: &Moves,
     close: Expr,
-    held: &Record,
-    data: &Record,
-    [write, pixel]: [QueueOut; 2],
+    [held, data]: [Pixel<Wires>; 2],
+    (write, pixel): (QueueOut<PlacedPixel>, QueueOut<FinishedPixel>),
 ) {
-    let evicted = state.moving & moves.leaves;
-    write.push(m, evicted, |name| match name {
-        "tile" => state.evict_tile.expr(),
-        "pixel" => state.held_pixel.expr(),
-        field => held.get(field),
-    });
+    let evicted = PlacedPixel { tile: *state.evict_tile, pixel: *state.held_pixel, value: held };
+    write.push(m, config, state.moving & moves.leaves, evicted);
     let from_slot = state.is(Mode::FromSlot);
-    let sent_pixel = from_slot.mux(state.held_pixel, state.drained.trunc(PIXEL_BITS));
-    let sent = held.mux(from_slot, data);
+    let sent = PlacedPixel {
+        tile: *state.code,
+        pixel: from_slot.mux(state.held_pixel, state.drained.trunc(PIXEL_BITS)),
+        value: Bundle::choose(config, from_slot, held, data),
+    };
     let sends = (from_slot & moves.leaves) | (state.is(Mode::FromMemory) & moves.beat);
-    let visible = m.wire("visible", sent.get("weight").any());
-    pixel.push(m, close | (sends & visible), |name| match name {
-        "end" => close,
-        "tile" => state.code.expr(),
-        "pixel" => sent_pixel,
-        field => sent.get(field),
-    });
+    let visible = m.wire("visible", sent.value.weight.any());
+    pixel.push(m, config, close | (sends & visible), FinishedPixel { end: close, placed: sent });
 }

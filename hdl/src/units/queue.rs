@@ -1,0 +1,70 @@
+//! Queues of records inside a unit, and the register behind one.
+
+use std::marker::PhantomData;
+
+use super::ports::Flow;
+use super::wires::{Bundle, Wired};
+use pointcore_contract::Record;
+use rtl::{Expr, Instance, Module, Reg, Wire};
+
+/// The side of a queue that takes records.
+pub(crate) struct Pushed<R> {
+    instance: Instance,
+    record: PhantomData<R>,
+    /// An item can be pushed in this cycle.
+    pub room: Expr,
+}
+
+impl<R: Record> Pushed<R> {
+    /// Places a queue; returns both of its sides.
+    pub fn place(m: &mut Module, config: &R::Config, name: &str, queue: Module) -> (Self, Flow<Wired<R>>) {
+        let instance = m.instance(name, queue);
+        let room = m.out(instance, "in_ready");
+        (Self { instance, record: PhantomData, room }, Flow::from(m, config, instance, "out"))
+    }
+
+    /// Offers a record in cycles where `valid` is set; to be called once.
+    pub fn push(self, m: &mut Module, config: &R::Config, valid: impl Into<Expr>, record: Wired<R>) {
+        m.connect(self.instance, "in_valid", valid);
+        record.connect(m, config, self.instance, "in_");
+    }
+}
+
+/// A register behind a queue: what is decided about its record starts from flip-flops, and can be prepared while it comes in.
+#[derive(Clone, Copy)]
+pub(crate) struct Head<B> {
+    /// It holds a record.
+    pub valid: Reg,
+    /// That record.
+    pub record: B,
+    /// It takes what the queue shows.
+    pub takes: Wire,
+    /// That record.
+    pub arriving: B,
+    /// The queue shows one.
+    arrives: Expr,
+}
+
+impl<B: Bundle> Head<B> {
+    /// Puts the register behind `queue`.
+    pub fn new(m: &mut Module, config: &B::Config, queue: Flow<B>) -> Self {
+        let takes = m.forward("head_takes", 1);
+        let valid = m.reg_reset("head_valid", 1, 0);
+        m.drive(queue.ready, takes);
+        let record = queue.record.register(m, config, "head_", takes);
+        Self { valid, record, takes, arriving: queue.record, arrives: queue.valid }
+    }
+
+    /// States when the record leaves; to be called once.
+    pub fn leaves(&self, m: &mut Module, leaves: impl Into<Expr>) {
+        m.drive(self.takes, !self.valid | leaves.into());
+        m.next_if(self.valid, self.takes, self.arrives);
+    }
+
+    /// As [`Head::leaves`], but the next record is taken a cycle later, as behind a half buffer it can only come: what takes it then
+    /// waits for nothing.
+    pub fn leaves_at_half_rate(&self, m: &mut Module, leaves: impl Into<Expr>) {
+        m.drive(self.takes, !self.valid);
+        m.next(self.valid, self.valid.mux(!leaves.into(), self.arrives));
+    }
+}
