@@ -2,9 +2,10 @@
 
 use super::parts::division::recip;
 use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
-use crate::units::datapath::Inputs;
-use pointcore_contract::splat::config::{DEPTH_BITS, TILE_SIZE, WEIGHT_BITS};
-use pointcore_contract::splat::{AttributeFormat, Config, Fraction, records};
+use crate::units::values::Terms;
+use pointcore_contract::splat::config::{DEPTH_BITS, WEIGHT_BITS};
+use pointcore_contract::splat::records::{FinishedPixel, Fragment, LOCAL_BITS, PlacedPixel};
+use pointcore_contract::splat::{AttributeFormat, Config, Fraction};
 use pointcore_contract::{Fixed, Format};
 
 /// Divides a pixel's sums by its weight and states its place in the image.
@@ -13,29 +14,23 @@ use pointcore_contract::{Fixed, Format};
 /// What the compiler rejects.
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let program = Program::new("splat_normalizer", "A finished pixel's sums divided by its weight.");
-    let sums = Inputs::new(&program, &records::finished_pixel(config));
-    let scale = recip(config.division, sums.bits("weight").to_float(config.geometry, WEIGHT_BITS));
-    let depth = sums.bits("depth").to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * scale;
+    let FinishedPixel { end, placed } = FinishedPixel::inputs(&program, config);
+    let PlacedPixel { tile, pixel, value: sums } = placed;
+    let scale = recip(config.division, sums.weight.to_float(config.geometry, WEIGHT_BITS));
+    let depth = sums.depth.to_float(config.geometry, WEIGHT_BITS + DEPTH_BITS) * scale;
 
-    let (tile, pixel) = (sums.bits("tile"), sums.bits("pixel"));
-    let local_bits = TILE_SIZE.ilog2();
     let column_bits = config.tile_column_bits();
-    let column = tile.bits(column_bits - 1, 0).cat(pixel.bits(local_bits - 1, 0));
-    let row = tile.bits(config.tile_bits() - 1, column_bits).cat(pixel.bits(2 * local_bits - 1, local_bits));
+    let column = tile.bits(column_bits - 1, 0).cat(pixel.bits(LOCAL_BITS - 1, 0));
+    let row = tile.bits(config.tile_bits() - 1, column_bits).cat(pixel.bits(2 * LOCAL_BITS - 1, LOCAL_BITS));
 
-    let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
-    let mut computed = vec![("depth", depth), ("column", column), ("row", row)];
-    computed.extend(names.iter().map(|name| {
-        let normalized = match config.attribute {
-            AttributeFormat::Float(format) => {
-                let sum = sums.float(format, name).convert(config.geometry);
-                (sum * scale).convert(format)
-            }
-            AttributeFormat::Fixed(fraction) => divided(&program, config.geometry, fraction, sums.bits(name), scale),
-        };
-        (name.as_str(), normalized)
-    }));
-    sums.output(&program, &records::fragment(config), &computed);
+    let normalized = |sum: Value| match config.attribute {
+        AttributeFormat::Float(format) => (sum.as_float(format).convert(config.geometry) * scale).convert(format),
+        AttributeFormat::Fixed(fraction) => divided(&program, config.geometry, fraction, sum, scale),
+    };
+    let mut attributes = sums.attributes;
+    let continuous = &mut attributes[..config.continuous as usize];
+    continuous.iter_mut().for_each(|attribute| *attribute = normalized(*attribute));
+    Fragment { end, column, row, depth, attributes }.outputs(&program, config);
     compile(&program, options)
 }
 

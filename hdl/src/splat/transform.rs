@@ -1,9 +1,13 @@
 //! Transform (thesis table 5.1, top); golden twin: `pointcore_golden::splat::transform`.
 
-use crate::compiler::{CompileError, Datapath, Options, Program, Value, compile};
-use crate::units::datapath::{Inputs, dot, uniform};
+use crate::compiler::{CompileError, Datapath, Options, Program, Type, Value, compile};
+use crate::units::datapath::dot;
+use crate::units::values::Terms;
 use pointcore_contract::Format;
-use pointcore_contract::splat::{AttributeFormat, Config, ports::UNIFORMS, records};
+use pointcore_contract::splat::records::{ModelView, Splat};
+use pointcore_contract::splat::units::transform::PORTS;
+use pointcore_contract::splat::{AttributeFormat, Config};
+use std::array::from_fn;
 
 /// World space to camera space; drops splats whose centre is not beyond the near plane, and makes attributes finite.
 ///
@@ -12,42 +16,25 @@ use pointcore_contract::splat::{AttributeFormat, Config, ports::UNIFORMS, record
 pub fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
     let format = config.geometry;
     let program = Program::new("splat_transform", "World space to camera space.");
-    let record = records::splat(config);
-    let splat = Inputs::new(&program, &record);
-    let matrix: [_; 12] = std::array::from_fn(|i| uniform(&program, format, UNIFORMS[i]));
-    let near = uniform(&program, format, "near_plane");
-    let rows: [[_; 3]; 3] = std::array::from_fn(|row| std::array::from_fn(|column| matrix[4 * row + column]));
+    let splat = Splat::inputs(&program, config);
+    let ModelView { rows } = ModelView::uniforms(&program, config, format);
+    let near = program.uniform(PORTS.near_plane.name, Type::Float(format));
 
-    let vector = |name: &str| ["x", "y", "z"].map(|axis| splat.float(format, &format!("{name}_{axis}")));
-    let rotate = |name: &str| {
-        let vector = vector(name);
-        rows.each_ref().map(|row| dot(row, &vector))
+    let rotate = |vector: [Value; 3]| {
+        let vector = vector.map(|component| component.as_float(format));
+        rows.map(|[x, y, z, _]| dot(&[x, y, z], &vector))
     };
-    let turned = rotate("center");
-    let center: [_; 3] = std::array::from_fn(|i| turned[i] + matrix[4 * i + 3]);
-    let (tangent1, tangent2) = (rotate("tangent1"), rotate("tangent2"));
+    let turned = rotate(splat.center);
+    let center: [_; 3] = from_fn(|i| turned[i] + rows[i][3]);
+    let tangents = splat.tangents.map(rotate);
+    program.keep_if(splat.end | near.lt(center[2]));
 
-    program.keep_if(splat.bits("end") | near.lt(center[2]));
-
-    let [center_x, center_y, center_z] = center;
-    let [tangent1_x, tangent1_y, tangent1_z] = tangent1;
-    let [tangent2_x, tangent2_y, tangent2_z] = tangent2;
-    let mut computed = vec![
-        ("center_x", center_x),
-        ("center_y", center_y),
-        ("center_z", center_z),
-        ("tangent1_x", tangent1_x),
-        ("tangent1_y", tangent1_y),
-        ("tangent1_z", tangent1_z),
-        ("tangent2_x", tangent2_x),
-        ("tangent2_y", tangent2_y),
-        ("tangent2_z", tangent2_z),
-    ];
-    let names: Vec<String> = (0..config.continuous).map(|i| format!("attribute_{i}")).collect();
+    let mut attributes = splat.attributes;
     if let AttributeFormat::Float(format) = config.attribute {
-        computed.extend(names.iter().map(|name| (name.as_str(), finite(&program, format, splat.bits(name)))));
+        let continuous = &mut attributes[..config.continuous as usize];
+        continuous.iter_mut().for_each(|attribute| *attribute = finite(&program, format, *attribute));
     }
-    splat.output(&program, &record, &computed);
+    Splat { end: splat.end, center, tangents, attributes }.outputs(&program, config);
     compile(&program, &options.with_interval(config.transform_interval))
 }
 

@@ -1,10 +1,12 @@
 //! `ρ²` in fixed point: integers from a sample's offset to a quotient, digit by digit; golden twin:
 //! `pointcore_golden::splat::fixed_distance`.
 
+use super::position::Shape;
 use crate::compiler::{Program, Type, Value};
 use crate::splat::setup::fixed_footprint::magnitude;
-use crate::units::datapath::Inputs;
+use crate::units::values::Values;
 use pointcore_contract::Fixed;
+use pointcore_contract::splat::units::rasterizer::PORTS;
 use pointcore_contract::splat::{Coefficient, Config};
 
 /// Bits of a square's operand.
@@ -25,7 +27,7 @@ pub(super) struct Squared {
 /// An evaluation's parts.
 struct Evaluation<'a> {
     program: &'a Program,
-    input: &'a Inputs,
+    shape: &'a Shape<Values>,
     coefficient: Coefficient,
     kernel_bits: u32,
 }
@@ -35,14 +37,14 @@ pub(super) fn squared(
     config: &Config,
     coefficient: Coefficient,
     program: &Program,
-    input: &Inputs,
+    shape: &Shape<Values>,
     places: [(Value, u32); 2],
 ) -> Squared {
     let kernel_bits = config.kernel_table().index_bits + config.kernel_table().fraction_bits;
-    let evaluation = Evaluation { program, input, coefficient, kernel_bits };
+    let evaluation = Evaluation { program, shape, coefficient, kernel_bits };
     let [(column, column_fraction), (row, row_fraction)] = places;
-    let x = evaluation.offset(column, column_fraction, "center_x");
-    let y = evaluation.offset(row, row_fraction, "center_y");
+    let x = evaluation.offset(column, column_fraction, shape.center[0]);
+    let y = evaluation.offset(row, row_fraction, shape.center[1]);
     let on_splat = evaluation.on_splat(config, x, y);
     if !config.screen_filter.is_on() {
         return on_splat;
@@ -52,24 +54,20 @@ pub(super) fn squared(
 }
 
 impl Evaluation<'_> {
-    fn signed(&self, name: &str, width: u32) -> Value {
-        self.input.bits(name).reinterpret(Type::Signed(width))
-    }
-
-    fn coefficient(&self, name: &str) -> Value {
-        self.signed(name, self.coefficient.width())
+    fn number(&self, bits: Value) -> Value {
+        bits.reinterpret(Type::Signed(self.coefficient.width()))
     }
 
     /// From the centre to a sample.
-    fn offset(&self, place: Value, place_fraction: u32, center: &str) -> Value {
+    fn offset(&self, place: Value, place_fraction: u32, center: Value) -> Value {
         let Fixed { width, fraction, .. } = self.coefficient.offset();
         let place = (place.resize(width) << (fraction - place_fraction)).reinterpret(Type::Signed(width));
-        place - self.signed(center, self.coefficient.center().width).resize(width)
+        place - center.reinterpret(Type::Signed(self.coefficient.center().width)).resize(width)
     }
 
     /// An offset shifted to a coefficient's width, which it fits, the longest distance first.
     fn shifted(&self, offset: Value) -> Value {
-        let shift = self.input.bits("shift");
+        let shift = self.shape.shift;
         let mut width = self.coefficient.offset().width;
         (0..Coefficient::SHIFT_BITS).rev().fold(offset, |value, bit| {
             let chosen = shift.bits(bit, bit).mux(value >> (1 << bit), value);
@@ -87,14 +85,14 @@ impl Evaluation<'_> {
     }
 
     fn on_splat(&self, config: &Config, x: Value, y: Value) -> Squared {
-        let n = self.coefficient.width();
+        let (n, shape) = (self.coefficient.width(), self.shape);
         let [x, y] = [x, y].map(|offset| self.shifted(offset));
-        let s1 = x * self.coefficient("ay") - y * self.coefficient("ax");
-        let s2 = x * self.coefficient("by") - y * self.coefficient("bx");
+        let s1 = x * self.number(shape.ay) - y * self.number(shape.ax);
+        let s2 = x * self.number(shape.by) - y * self.number(shape.bx);
         let wide = 2 * n + 1;
-        let delta = self.signed("delta", self.coefficient.delta_width());
+        let delta = shape.delta.reinterpret(Type::Signed(self.coefficient.delta_width()));
         let [along_x, along_y] =
-            [x * self.coefficient("mx"), y * self.coefficient("my")].map(|product| product.resize(wide));
+            [x * self.number(shape.mx), y * self.number(shape.my)].map(|product| product.resize(wide));
         let d = (delta.resize(wide) << self.coefficient.place_fraction()) + along_x + along_y;
 
         let (d_bits, s_bits) = (magnitude(d), [s1, s2].map(|s| magnitude(s).resize(2 * n)));
@@ -172,7 +170,8 @@ impl Evaluation<'_> {
         let near = near_x & near_y & is_zero(sum.bits(top, end), top - end + 1);
 
         let scale = Coefficient::FILTER_SCALE;
-        let product = sum.bits(end - 1, lowest) * self.program.uniform("filter_scale", Type::Unsigned(scale.width));
+        let product =
+            sum.bits(end - 1, lowest) * self.program.uniform(PORTS.filter_scale.name, Type::Unsigned(scale.width));
         let (fraction, width) = (square.fraction + scale.fraction, square.width + scale.width);
         let covered = near & is_zero(product.bits(width - 1, fraction), width - fraction);
         self.argument(covered, product.bits(fraction - 1, fraction - self.kernel_bits))

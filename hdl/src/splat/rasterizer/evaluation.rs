@@ -1,0 +1,144 @@
+//! Evaluation of a sample: its distance from its splat's centre, its kernel weight, and its depth where it has its own.
+
+use super::fixed_distance;
+use super::position::{Evaluated, Position, Shape};
+use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
+use crate::float::exp_neg;
+use crate::splat::parts::division::squared_ratio;
+use crate::units::values::{Terms, Values};
+use pointcore_contract::splat::config::DEPTH_BITS;
+use pointcore_contract::splat::records::{Band, DepthPlane, LOCAL_BITS, SamplePlace};
+use pointcore_contract::splat::units::rasterizer::PORTS;
+use pointcore_contract::splat::{Config, RasterFormat};
+use pointcore_contract::{Fixed, Format, Sampling, Signedness};
+use std::rc::Rc;
+
+/// exp(−γρ²) for ρ² in `[0, 1]`.
+fn kernel(config: &Config) -> Result<Rc<Table>, CompileError> {
+    let shape = config.kernel_table();
+    Table::new(shape, exp_neg::samples(config.kernel_gamma, shape)).map(Rc::new)
+}
+
+/// `ρ²` of a sample.
+enum Squared {
+    /// A number, from the offsets `x` and `y` to the splat's centre, px.
+    Float { format: Format, distance: Value, offset: [Value; 2] },
+    /// Its leading bits.
+    Fixed(fixed_distance::Squared),
+}
+
+/// Intersects the viewing ray of each sample with the splat's plane (table 5.2, recentred) and weighs it.
+pub(super) fn datapath(config: &Config, options: &Options) -> Result<Datapath, CompileError> {
+    let program =
+        Program::new("splat_evaluation", "Distance of a sample from its splat's centre, and its kernel weight.");
+    let position = Position::inputs(&program, config);
+    let squared = match config.raster_format() {
+        RasterFormat::Float(format) => floating(config, format, &program, &position),
+        RasterFormat::Fixed(coefficient) => {
+            let places = [Axis::X, Axis::Y].map(|axis| place(config.sampling, &program, &position, axis));
+            Squared::Fixed(fixed_distance::squared(config, coefficient, &program, &position.shape, places))
+        }
+    };
+
+    let Position { end, last, slot, column, row, shape } = position;
+    let covered = match &squared {
+        Squared::Float { format, distance, .. } => distance.lt(program.float(*format, 1.0)),
+        Squared::Fixed(squared) => squared.covered,
+    };
+    let inside = covered & !end;
+    program.keep_if(inside | last | end);
+    let kernel = kernel(config)?;
+    let argument_bits = kernel.shape().index_bits + kernel.shape().fraction_bits;
+    let argument = match &squared {
+        Squared::Float { distance, .. } => {
+            distance.to_fixed(Fixed { width: argument_bits, fraction: argument_bits, signed: Signedness::Unsigned })
+        }
+        Squared::Fixed(squared) => squared.argument,
+    };
+    let weight = argument.kernel(&kernel);
+    let local = |index: Value| index.bits(LOCAL_BITS - 1, 0);
+    let pixel = local(row).cat(local(column));
+    let band = match squared {
+        Squared::Float { format, offset, .. } if config.has_depth_plane() => {
+            depth_band(format, &program, &shape.plane, offset)
+        }
+        _ => Band::default(),
+    };
+    let place = SamplePlace { end, last, inside, slot, pixel, weight };
+    Evaluated { place, band }.outputs(&program, config);
+    compile(&program, options)
+}
+
+/// `ρ²` in a floating-point format.
+fn floating(config: &Config, format: Format, program: &Program, position: &Position<Values>) -> Squared {
+    let shape = &position.shape;
+    let number = |bits: Value| bits.as_float(format);
+    let offset = |axis: Axis| {
+        let (place, fraction) = place(config.sampling, program, position, axis);
+        place.to_float(format, fraction) - number(shape.center[axis as usize])
+    };
+    let (x, y) = (offset(Axis::X), offset(Axis::Y));
+
+    let s1 = x * number(shape.ay) - y * number(shape.ax);
+    let s2 = x * number(shape.by) - y * number(shape.bx);
+    let d = number(shape.delta) + x * number(shape.mx) + y * number(shape.my);
+    let mut distance = squared_ratio(config.division, s1, s2, d);
+    if config.eye_plane.is_on() {
+        let behind = sign(d, format) ^ sign(number(shape.delta), format);
+        let infinity = program.constant(Type::Float(format), format.infinity());
+        distance = behind.mux(infinity, distance);
+    }
+    if config.screen_filter.is_on() {
+        let screen = (x * x + y * y) * program.uniform(PORTS.filter_scale.name, Type::Float(format));
+        distance = distance.min(screen);
+    }
+    Squared::Float { format, distance, offset: [x, y] }
+}
+
+/// An axis of the image.
+#[derive(Clone, Copy)]
+enum Axis {
+    X,
+    Y,
+}
+
+/// Place of a sample along an axis, px, as a fixed-point number with its fraction bits.
+fn place(sampling: Sampling, program: &Program, position: &Position<Values>, axis: Axis) -> (Value, u32) {
+    let Position { column, row, .. } = *position;
+    let index = match axis {
+        Axis::X => column,
+        Axis::Y => row,
+    };
+    match sampling {
+        Sampling::Center => (index.cat(program.lit(1, 1)), 1),
+        Sampling::Flipquad => {
+            let is_top = column.bits(0, 0);
+            let odd = column.bits(1, 1) ^ row.bits(0, 0);
+            let [none, three, five] = [0, 3, 5].map(|eighths| program.lit(3, eighths));
+            let (pixel, eighths) = match axis {
+                Axis::X => (index >> 1, is_top.mux(odd.mux(five, three), none)),
+                Axis::Y => (index, is_top.mux(none, odd.mux(three, five))),
+            };
+            (pixel.cat(eighths), 3)
+        }
+    }
+}
+
+/// Depth of the splat's plane at a sample, within the splat's range, and the ends of its ε-band.
+fn depth_band(format: Format, program: &Program, plane: &DepthPlane<Values>, [x, y]: [Value; 2]) -> Band<Values> {
+    let number = |bits: Value| bits.as_float(format);
+    let [along_x, along_y] = plane.slope;
+    let [near, far] = plane.range;
+    let on_plane = number(plane.center) + x * number(along_x) + y * number(along_y);
+    let depth = on_plane.max(number(near)).min(number(far));
+    let (low, high) = (depth - number(plane.epsilon), depth + number(plane.epsilon));
+    let zero = program.float(format, 0.0);
+    let shape = Fixed { width: DEPTH_BITS, fraction: DEPTH_BITS, signed: Signedness::Unsigned };
+    let fixed = |depth: Value| depth.max(zero).to_fixed(shape);
+    Band { depth: fixed(depth), low: fixed(low), high: fixed(high) }
+}
+
+fn sign(value: Value, format: Format) -> Value {
+    let top = format.width() - 1;
+    value.bits(top, top)
+}
