@@ -63,89 +63,47 @@ module splat_axi (
 );
     reg has_ended;
 
-    wire core_splat_ready;
-    wire core_read_valid;
+    wire core_splat_ready, core_read_valid;
     wire [11:0] core_read_tile;
-    wire core_data_ready;
-    wire core_write_valid;
+    wire core_data_ready, core_write_valid;
     wire [11:0] core_write_tile;
     wire [5:0] core_write_pixel;
     wire [27:0] core_write_weight;
     wire [51:0] core_write_depth;
-    wire [39:0] core_write_attribute_0;
-    wire [39:0] core_write_attribute_1;
-    wire [39:0] core_write_attribute_2;
-    wire core_fragment_valid;
-    wire core_fragment_end;
-    wire [8:0] core_fragment_column;
-    wire [8:0] core_fragment_row;
+    wire [39:0] core_write_attribute_0, core_write_attribute_1, core_write_attribute_2;
+    wire core_fragment_valid, core_fragment_end;
+    wire [8:0] core_fragment_column, core_fragment_row;
     wire [23:0] core_fragment_depth;
-    wire [11:0] core_fragment_attribute_0;
-    wire [11:0] core_fragment_attribute_1;
-    wire [11:0] core_fragment_attribute_2;
-    wire core_event_sample;
-    wire core_event_starved;
-    wire core_event_blocked;
-    wire core_event_accumulate;
-    wire core_event_hazard;
-    wire core_event_slot_wait;
-    wire registers_s_axil_awready;
-    wire registers_s_axil_wready;
-    wire registers_s_axil_bvalid;
+    wire [11:0] core_fragment_attribute_0, core_fragment_attribute_1, core_fragment_attribute_2;
+    wire core_event_sample, core_event_starved, core_event_blocked, core_event_accumulate, core_event_hazard;
+    wire core_event_slot_wait, registers_s_axil_awready, registers_s_axil_wready, registers_s_axil_bvalid;
     wire [1:0] registers_s_axil_bresp;
-    wire registers_busy;
-    wire registers_start;
-    wire registers_core_reset;
-    wire registers_uniform_valid;
+    wire registers_busy, registers_start, registers_core_reset, registers_uniform_valid;
     wire [4:0] registers_uniform_address;
     wire [23:0] registers_uniform_data;
-    wire registers_s_axil_arready;
-    wire registers_s_axil_rvalid;
+    wire registers_s_axil_arready, registers_s_axil_rvalid;
     wire [31:0] registers_s_axil_rdata;
     wire [1:0] registers_s_axil_rresp;
     wire registers_irq;
     wire [31:0] registers_buffer_base;
-    wire splats_s_axis_tready;
-    wire splats_out_valid;
-    wire splats_out_end;
-    wire [23:0] splats_out_center_x;
-    wire [23:0] splats_out_center_y;
-    wire [23:0] splats_out_center_z;
-    wire [23:0] splats_out_tangent1_x;
-    wire [23:0] splats_out_tangent1_y;
-    wire [23:0] splats_out_tangent1_z;
-    wire [23:0] splats_out_tangent2_x;
-    wire [23:0] splats_out_tangent2_y;
+    wire splats_s_axis_tready, splats_out_valid, splats_out_end;
+    wire [23:0] splats_out_center_x, splats_out_center_y, splats_out_center_z, splats_out_tangent1_x;
+    wire [23:0] splats_out_tangent1_y, splats_out_tangent1_z, splats_out_tangent2_x, splats_out_tangent2_y;
     wire [23:0] splats_out_tangent2_z;
-    wire [11:0] splats_out_attribute_0;
-    wire [11:0] splats_out_attribute_1;
-    wire [11:0] splats_out_attribute_2;
-    wire splats_taken;
-    wire splats_refused;
-    wire fragments_in_ready;
-    wire fragments_m_axis_tvalid;
+    wire [11:0] splats_out_attribute_0, splats_out_attribute_1, splats_out_attribute_2;
+    wire splats_taken, splats_refused, fragments_in_ready, fragments_m_axis_tvalid;
     wire [63:0] fragments_m_axis_tdata;
-    wire fragments_m_axis_tlast;
-    wire fragments_sent;
-    wire fragments_idle;
-    wire reads_request_ready;
-    wire reads_m_axi_arvalid;
+    wire fragments_m_axis_tlast, fragments_sent, fragments_idle, reads_request_ready, reads_m_axi_arvalid;
     wire [3:0] reads_m_axi_arid;
     wire [31:0] reads_m_axi_araddr;
     wire [7:0] reads_m_axi_arlen;
     wire [2:0] reads_m_axi_arsize;
     wire [1:0] reads_m_axi_arburst;
-    wire reads_m_axi_rready;
-    wire reads_record_valid;
+    wire reads_m_axi_rready, reads_record_valid;
     wire [27:0] reads_record_weight;
     wire [51:0] reads_record_depth;
-    wire [39:0] reads_record_attribute_0;
-    wire [39:0] reads_record_attribute_1;
-    wire [39:0] reads_record_attribute_2;
-    wire reads_error;
-    wire reads_misplaced;
-    wire writes_in_ready;
-    wire writes_m_axi_awvalid;
+    wire [39:0] reads_record_attribute_0, reads_record_attribute_1, reads_record_attribute_2;
+    wire reads_error, reads_misplaced, writes_in_ready, writes_m_axi_awvalid;
     wire [3:0] writes_m_axi_awid;
     wire [31:0] writes_m_axi_awaddr;
     wire [7:0] writes_m_axi_awlen;
@@ -154,21 +112,15 @@ module splat_axi (
     wire writes_m_axi_wvalid;
     wire [63:0] writes_m_axi_wdata;
     wire [7:0] writes_m_axi_wstrb;
-    wire writes_m_axi_wlast;
-    wire writes_m_axi_bready;
-    wire writes_error;
-    wire writes_idle;
+    wire writes_m_axi_wlast, writes_m_axi_bready, writes_error, writes_idle;
 
     wire core_read_ready = reads_request_ready & writes_idle;
     wire no_read = ~core_read_valid;
     wire core_write_ready = writes_in_ready & no_read;
-    wire core_fragment_ready = fragments_in_ready;
     wire term_1 = has_ended & ~registers_start;
-    wire splats_out_ready = core_splat_ready;
     wire [31:0] tile_address = registers_buffer_base + {8'd0, core_read_tile, 12'd0};
-    wire reads_record_ready = core_data_ready;
     wire [31:0] pixel_address = registers_buffer_base + {8'd0, core_write_tile, core_write_pixel, 6'd0};
-    wire is_last = core_fragment_valid & core_fragment_ready & core_fragment_end;
+    wire is_last = core_fragment_valid & fragments_in_ready & core_fragment_end;
 
     assign s_axil_awready = registers_s_axil_awready;
     assign s_axil_wready = registers_s_axil_wready;
@@ -203,212 +155,112 @@ module splat_axi (
     assign irq = registers_irq;
 
     splat_top core (
-        .clk(clk),
-        .rst(rst | registers_core_reset),
-        .uniform_valid(registers_uniform_valid),
-        .uniform_address(registers_uniform_address),
+        .clk(clk), .rst(rst | registers_core_reset),
+        .uniform_valid(registers_uniform_valid), .uniform_address(registers_uniform_address),
         .uniform_data(registers_uniform_data),
-        .splat_valid(splats_out_valid),
-        .splat_ready(core_splat_ready),
-        .splat_end(splats_out_end),
-        .splat_center_x(splats_out_center_x),
-        .splat_center_y(splats_out_center_y),
-        .splat_center_z(splats_out_center_z),
-        .splat_tangent1_x(splats_out_tangent1_x),
-        .splat_tangent1_y(splats_out_tangent1_y),
-        .splat_tangent1_z(splats_out_tangent1_z),
-        .splat_tangent2_x(splats_out_tangent2_x),
-        .splat_tangent2_y(splats_out_tangent2_y),
-        .splat_tangent2_z(splats_out_tangent2_z),
-        .splat_attribute_0(splats_out_attribute_0),
-        .splat_attribute_1(splats_out_attribute_1),
-        .splat_attribute_2(splats_out_attribute_2),
-        .read_valid(core_read_valid),
-        .read_ready(core_read_ready),
-        .read_tile(core_read_tile),
-        .data_valid(reads_record_valid),
-        .data_ready(core_data_ready),
-        .data_weight(reads_record_weight),
-        .data_depth(reads_record_depth),
-        .data_attribute_0(reads_record_attribute_0),
-        .data_attribute_1(reads_record_attribute_1),
-        .data_attribute_2(reads_record_attribute_2),
-        .write_valid(core_write_valid),
-        .write_ready(core_write_ready),
-        .write_tile(core_write_tile),
-        .write_pixel(core_write_pixel),
-        .write_weight(core_write_weight),
-        .write_depth(core_write_depth),
-        .write_attribute_0(core_write_attribute_0),
-        .write_attribute_1(core_write_attribute_1),
+        .splat_valid(splats_out_valid), .splat_ready(core_splat_ready), .splat_end(splats_out_end),
+        .splat_center_x(splats_out_center_x), .splat_center_y(splats_out_center_y),
+        .splat_center_z(splats_out_center_z), .splat_tangent1_x(splats_out_tangent1_x),
+        .splat_tangent1_y(splats_out_tangent1_y), .splat_tangent1_z(splats_out_tangent1_z),
+        .splat_tangent2_x(splats_out_tangent2_x), .splat_tangent2_y(splats_out_tangent2_y),
+        .splat_tangent2_z(splats_out_tangent2_z), .splat_attribute_0(splats_out_attribute_0),
+        .splat_attribute_1(splats_out_attribute_1), .splat_attribute_2(splats_out_attribute_2),
+        .read_valid(core_read_valid), .read_ready(core_read_ready), .read_tile(core_read_tile),
+        .data_valid(reads_record_valid), .data_ready(core_data_ready), .data_weight(reads_record_weight),
+        .data_depth(reads_record_depth), .data_attribute_0(reads_record_attribute_0),
+        .data_attribute_1(reads_record_attribute_1), .data_attribute_2(reads_record_attribute_2),
+        .write_valid(core_write_valid), .write_ready(core_write_ready), .write_tile(core_write_tile),
+        .write_pixel(core_write_pixel), .write_weight(core_write_weight), .write_depth(core_write_depth),
+        .write_attribute_0(core_write_attribute_0), .write_attribute_1(core_write_attribute_1),
         .write_attribute_2(core_write_attribute_2),
-        .fragment_valid(core_fragment_valid),
-        .fragment_ready(core_fragment_ready),
-        .fragment_end(core_fragment_end),
-        .fragment_column(core_fragment_column),
-        .fragment_row(core_fragment_row),
-        .fragment_depth(core_fragment_depth),
-        .fragment_attribute_0(core_fragment_attribute_0),
-        .fragment_attribute_1(core_fragment_attribute_1),
+        .fragment_valid(core_fragment_valid), .fragment_ready(fragments_in_ready),
+        .fragment_end(core_fragment_end), .fragment_column(core_fragment_column),
+        .fragment_row(core_fragment_row), .fragment_depth(core_fragment_depth),
+        .fragment_attribute_0(core_fragment_attribute_0), .fragment_attribute_1(core_fragment_attribute_1),
         .fragment_attribute_2(core_fragment_attribute_2),
-        .event_sample(core_event_sample),
-        .event_starved(core_event_starved),
-        .event_blocked(core_event_blocked),
-        .event_accumulate(core_event_accumulate),
-        .event_hazard(core_event_hazard),
-        .event_slot_wait(core_event_slot_wait)
+        .event_sample(core_event_sample), .event_starved(core_event_starved),
+        .event_blocked(core_event_blocked), .event_accumulate(core_event_accumulate),
+        .event_hazard(core_event_hazard), .event_slot_wait(core_event_slot_wait)
     );
 
     bus_registers registers (
-        .clk(clk),
-        .rst(rst),
-        .s_axil_awvalid(s_axil_awvalid),
-        .s_axil_awready(registers_s_axil_awready),
-        .s_axil_awaddr(s_axil_awaddr),
-        .s_axil_wvalid(s_axil_wvalid),
-        .s_axil_wready(registers_s_axil_wready),
-        .s_axil_wdata(s_axil_wdata),
-        .s_axil_wstrb(s_axil_wstrb),
-        .s_axil_bvalid(registers_s_axil_bvalid),
-        .s_axil_bready(s_axil_bready),
-        .s_axil_bresp(registers_s_axil_bresp),
-        .finished(term_1 & (fragments_idle & writes_idle)),
-        .occupied(1'd0),
-        .busy(registers_busy),
+        .clk(clk), .rst(rst),
+        .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
+        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
+        .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
+        .finished(term_1 & (fragments_idle & writes_idle)), .occupied(1'd0), .busy(registers_busy),
         .start(registers_start),
         .core_reset(registers_core_reset),
-        .uniform_valid(registers_uniform_valid),
-        .uniform_address(registers_uniform_address),
+        .uniform_valid(registers_uniform_valid), .uniform_address(registers_uniform_address),
         .uniform_data(registers_uniform_data),
         .burst_error(reads_misplaced),
         .packet_error(splats_refused),
         .memory_error({writes_error, reads_error}),
-        .packet_taken(splats_taken),
-        .packet_sent(fragments_sent),
-        .event_sample(core_event_sample),
-        .event_starved(core_event_starved),
-        .event_blocked(core_event_blocked),
-        .event_accumulate(core_event_accumulate),
-        .event_hazard(core_event_hazard),
-        .event_slot_wait(core_event_slot_wait),
-        .s_axil_arvalid(s_axil_arvalid),
-        .s_axil_arready(registers_s_axil_arready),
-        .s_axil_araddr(s_axil_araddr),
-        .s_axil_rvalid(registers_s_axil_rvalid),
-        .s_axil_rready(s_axil_rready),
-        .s_axil_rdata(registers_s_axil_rdata),
-        .s_axil_rresp(registers_s_axil_rresp),
+        .packet_taken(splats_taken), .packet_sent(fragments_sent),
+        .event_sample(core_event_sample), .event_starved(core_event_starved),
+        .event_blocked(core_event_blocked), .event_accumulate(core_event_accumulate),
+        .event_hazard(core_event_hazard), .event_slot_wait(core_event_slot_wait),
+        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
+        .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
+        .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
         .irq(registers_irq),
         .buffer_base(registers_buffer_base)
     );
 
     bus_packet_in splats (
-        .clk(clk),
-        .rst(rst),
-        .opens(registers_start),
-        .s_axis_tvalid(s_axis_splat_tvalid),
-        .s_axis_tready(splats_s_axis_tready),
-        .s_axis_tdata(s_axis_splat_tdata),
-        .s_axis_tlast(s_axis_splat_tlast),
-        .out_valid(splats_out_valid),
-        .out_ready(splats_out_ready),
-        .out_end(splats_out_end),
-        .out_center_x(splats_out_center_x),
-        .out_center_y(splats_out_center_y),
-        .out_center_z(splats_out_center_z),
-        .out_tangent1_x(splats_out_tangent1_x),
-        .out_tangent1_y(splats_out_tangent1_y),
-        .out_tangent1_z(splats_out_tangent1_z),
-        .out_tangent2_x(splats_out_tangent2_x),
-        .out_tangent2_y(splats_out_tangent2_y),
-        .out_tangent2_z(splats_out_tangent2_z),
-        .out_attribute_0(splats_out_attribute_0),
-        .out_attribute_1(splats_out_attribute_1),
-        .out_attribute_2(splats_out_attribute_2),
-        .taken(splats_taken),
-        .refused(splats_refused)
+        .clk(clk), .rst(rst), .opens(registers_start),
+        .s_axis_tvalid(s_axis_splat_tvalid), .s_axis_tready(splats_s_axis_tready),
+        .s_axis_tdata(s_axis_splat_tdata), .s_axis_tlast(s_axis_splat_tlast),
+        .out_valid(splats_out_valid), .out_ready(core_splat_ready), .out_end(splats_out_end),
+        .out_center_x(splats_out_center_x), .out_center_y(splats_out_center_y),
+        .out_center_z(splats_out_center_z), .out_tangent1_x(splats_out_tangent1_x),
+        .out_tangent1_y(splats_out_tangent1_y), .out_tangent1_z(splats_out_tangent1_z),
+        .out_tangent2_x(splats_out_tangent2_x), .out_tangent2_y(splats_out_tangent2_y),
+        .out_tangent2_z(splats_out_tangent2_z), .out_attribute_0(splats_out_attribute_0),
+        .out_attribute_1(splats_out_attribute_1), .out_attribute_2(splats_out_attribute_2),
+        .taken(splats_taken), .refused(splats_refused)
     );
 
     bus_packet_out fragments (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(core_fragment_valid),
-        .in_ready(fragments_in_ready),
-        .in_end(core_fragment_end),
-        .in_column(core_fragment_column),
-        .in_row(core_fragment_row),
-        .in_depth(core_fragment_depth),
-        .in_attribute_0(core_fragment_attribute_0),
-        .in_attribute_1(core_fragment_attribute_1),
+        .clk(clk), .rst(rst),
+        .in_valid(core_fragment_valid), .in_ready(fragments_in_ready), .in_end(core_fragment_end),
+        .in_column(core_fragment_column), .in_row(core_fragment_row), .in_depth(core_fragment_depth),
+        .in_attribute_0(core_fragment_attribute_0), .in_attribute_1(core_fragment_attribute_1),
         .in_attribute_2(core_fragment_attribute_2),
-        .m_axis_tvalid(fragments_m_axis_tvalid),
-        .m_axis_tready(m_axis_fragment_tready),
-        .m_axis_tdata(fragments_m_axis_tdata),
-        .m_axis_tlast(fragments_m_axis_tlast),
-        .sent(fragments_sent),
-        .idle(fragments_idle)
+        .m_axis_tvalid(fragments_m_axis_tvalid), .m_axis_tready(m_axis_fragment_tready),
+        .m_axis_tdata(fragments_m_axis_tdata), .m_axis_tlast(fragments_m_axis_tlast),
+        .sent(fragments_sent), .idle(fragments_idle)
     );
 
     bus_reader reads (
-        .clk(clk),
-        .rst(rst),
-        .request_valid(core_read_valid & writes_idle),
-        .request_ready(reads_request_ready),
-        .request_address(tile_address),
-        .request_records(7'd64),
-        .m_axi_arvalid(reads_m_axi_arvalid),
-        .m_axi_arready(m_axi_arready),
-        .m_axi_arid(reads_m_axi_arid),
-        .m_axi_araddr(reads_m_axi_araddr),
-        .m_axi_arlen(reads_m_axi_arlen),
-        .m_axi_arsize(reads_m_axi_arsize),
-        .m_axi_arburst(reads_m_axi_arburst),
-        .m_axi_rvalid(m_axi_rvalid),
-        .m_axi_rready(reads_m_axi_rready),
-        .m_axi_rid(m_axi_rid),
-        .m_axi_rdata(m_axi_rdata),
-        .m_axi_rresp(m_axi_rresp),
+        .clk(clk), .rst(rst),
+        .request_valid(core_read_valid & writes_idle), .request_ready(reads_request_ready),
+        .request_address(tile_address), .request_records(7'd64),
+        .m_axi_arvalid(reads_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(reads_m_axi_arid),
+        .m_axi_araddr(reads_m_axi_araddr), .m_axi_arlen(reads_m_axi_arlen), .m_axi_arsize(reads_m_axi_arsize),
+        .m_axi_arburst(reads_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid), .m_axi_rready(reads_m_axi_rready),
+        .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata), .m_axi_rresp(m_axi_rresp),
         .m_axi_rlast(m_axi_rlast),
-        .record_valid(reads_record_valid),
-        .record_ready(reads_record_ready),
-        .record_weight(reads_record_weight),
-        .record_depth(reads_record_depth),
-        .record_attribute_0(reads_record_attribute_0),
-        .record_attribute_1(reads_record_attribute_1),
+        .record_valid(reads_record_valid), .record_ready(core_data_ready),
+        .record_weight(reads_record_weight), .record_depth(reads_record_depth),
+        .record_attribute_0(reads_record_attribute_0), .record_attribute_1(reads_record_attribute_1),
         .record_attribute_2(reads_record_attribute_2),
-        .error(reads_error),
-        .misplaced(reads_misplaced)
+        .error(reads_error), .misplaced(reads_misplaced)
     );
 
     bus_writer writes (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(core_write_valid & no_read),
-        .in_ready(writes_in_ready),
-        .in_address(pixel_address),
-        .in_weight(core_write_weight),
-        .in_depth(core_write_depth),
-        .in_attribute_0(core_write_attribute_0),
-        .in_attribute_1(core_write_attribute_1),
-        .in_attribute_2(core_write_attribute_2),
-        .m_axi_awvalid(writes_m_axi_awvalid),
-        .m_axi_awready(m_axi_awready),
-        .m_axi_awid(writes_m_axi_awid),
-        .m_axi_awaddr(writes_m_axi_awaddr),
-        .m_axi_awlen(writes_m_axi_awlen),
-        .m_axi_awsize(writes_m_axi_awsize),
-        .m_axi_awburst(writes_m_axi_awburst),
-        .m_axi_wvalid(writes_m_axi_wvalid),
-        .m_axi_wready(m_axi_wready),
-        .m_axi_wdata(writes_m_axi_wdata),
-        .m_axi_wstrb(writes_m_axi_wstrb),
-        .m_axi_wlast(writes_m_axi_wlast),
-        .m_axi_bvalid(m_axi_bvalid),
-        .m_axi_bready(writes_m_axi_bready),
-        .m_axi_bid(m_axi_bid),
-        .m_axi_bresp(m_axi_bresp),
-        .error(writes_error),
-        .idle(writes_idle)
+        .clk(clk), .rst(rst),
+        .in_valid(core_write_valid & no_read), .in_ready(writes_in_ready), .in_address(pixel_address),
+        .in_weight(core_write_weight), .in_depth(core_write_depth), .in_attribute_0(core_write_attribute_0),
+        .in_attribute_1(core_write_attribute_1), .in_attribute_2(core_write_attribute_2),
+        .m_axi_awvalid(writes_m_axi_awvalid), .m_axi_awready(m_axi_awready), .m_axi_awid(writes_m_axi_awid),
+        .m_axi_awaddr(writes_m_axi_awaddr), .m_axi_awlen(writes_m_axi_awlen),
+        .m_axi_awsize(writes_m_axi_awsize), .m_axi_awburst(writes_m_axi_awburst),
+        .m_axi_wvalid(writes_m_axi_wvalid), .m_axi_wready(m_axi_wready), .m_axi_wdata(writes_m_axi_wdata),
+        .m_axi_wstrb(writes_m_axi_wstrb), .m_axi_wlast(writes_m_axi_wlast), .m_axi_bvalid(m_axi_bvalid),
+        .m_axi_bready(writes_m_axi_bready), .m_axi_bid(m_axi_bid), .m_axi_bresp(m_axi_bresp),
+        .error(writes_error), .idle(writes_idle)
     );
 
     always @(posedge clk) begin
@@ -460,18 +312,12 @@ module bus_writer (
     reg [2:0] place;
     reg [27:0] held_weight;
     reg [51:0] held_depth;
-    reg [39:0] held_attribute_0;
-    reg [39:0] held_attribute_1;
-    reg [39:0] held_attribute_2;
+    reg [39:0] held_attribute_0, held_attribute_1, held_attribute_2;
 
-    wire address_queue_in_ready;
-    wire address_queue_out_valid;
-    wire [25:0] address_queue_out_address;
-    wire [7:0] address_queue_out_length;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [63:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire address_queue_in_ready, address_queue_out_valid;
+    wire [33:0] address_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
     wire at_end = place == 3'd7;
@@ -479,52 +325,37 @@ module bus_writer (
     wire below_limit = ~(unanswered == 5'd16);
     wire accepts = address_queue_in_ready & below_limit;
     wire takes_record = (~held | leaves) & accepts;
-    assign in_ready = takes_record;
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire takes = in_valid & takes_record;
     wire accepted = takes;
-    wire address_queue_out_ready = m_axi_awready;
     wire [63:0] choice_1 = place[1] ? (place[0] ? 64'd0 : 64'd0) : place[0] ? 64'd0 : {24'd0, held_attribute_2};
     wire [63:0] choice_2 = place[0] ? {24'd0, held_attribute_1} : {24'd0, held_attribute_0};
     wire [63:0] choice_3 = place[1] ? choice_2 : place[0] ? {12'd0, held_depth} : {36'd0, held_weight};
-    wire beat_queue_out_ready = m_axi_wready;
 
+    assign in_ready = takes_record;
     assign m_axi_awvalid = address_queue_out_valid;
     assign m_axi_awid = 4'd0;
     assign m_axi_awaddr = {address_queue_out_address, 6'd0};
-    assign m_axi_awlen = address_queue_out_length;
+    assign m_axi_awlen = address_queue_out_data[7:0];
     assign m_axi_awsize = 3'd3;
     assign m_axi_awburst = 2'd1;
     assign m_axi_wvalid = beat_queue_out_valid;
-    assign m_axi_wdata = beat_queue_out_data;
+    assign m_axi_wdata = beat_queue_out_data[64:1];
     assign m_axi_wstrb = 8'd255;
-    assign m_axi_wlast = beat_queue_out_last;
+    assign m_axi_wlast = beat_queue_out_data[0];
     assign m_axi_bready = 1'd1;
     assign idle = unanswered == 5'd0;
 
     stream_skid_w34 address_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(accepted),
-        .in_ready(address_queue_in_ready),
-        .in_address(in_address[31:6]),
-        .in_length(8'd7),
-        .out_valid(address_queue_out_valid),
-        .out_ready(address_queue_out_ready),
-        .out_address(address_queue_out_address),
-        .out_length(address_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(accepted), .in_ready(address_queue_in_ready), .in_data({in_address[31:6], 8'd7}),
+        .out_valid(address_queue_out_valid), .out_ready(m_axi_awready), .out_data(address_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(held),
-        .in_ready(beat_queue_in_ready),
-        .in_data(place[2] ? choice_1 : choice_3),
-        .in_last(at_end),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(held), .in_ready(beat_queue_in_ready), .in_data({place[2] ? choice_1 : choice_3, at_end}),
+        .out_valid(beat_queue_out_valid), .out_ready(m_axi_wready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -537,9 +368,7 @@ module bus_writer (
             unanswered <= (unanswered + {4'd0, accepted}) - {4'd0, m_axi_bvalid};
             held <= takes | (held & ~leaves);
             error <= m_axi_bvalid & |m_axi_bresp;
-            if (moves) begin
-                place <= at_end ? 3'd0 : (place + 3'd1);
-            end
+            if (moves) place <= at_end ? 3'd0 : (place + 3'd1);
         end
     end
     always @(posedge clk) begin
@@ -595,37 +424,28 @@ module bus_reader (
     reg [7:0] number;
     reg [27:0] held_weight_0;
     reg [51:0] held_depth_0;
-    reg [39:0] held_attribute_0_0;
-    reg [39:0] held_attribute_1_0;
-    reg [39:0] held_attribute_2_0;
+    reg [39:0] held_attribute_0_0, held_attribute_1_0, held_attribute_2_0;
     reg is_wrong;
 
-    wire address_queue_in_ready;
-    wire address_queue_out_valid;
-    wire [25:0] address_queue_out_address;
-    wire [7:0] address_queue_out_length;
-    wire length_queue_in_ready;
-    wire length_queue_out_valid;
-    wire [7:0] length_queue_out_length;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [51:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire address_queue_in_ready, address_queue_out_valid;
+    wire [33:0] address_queue_out_data;
+    wire length_queue_in_ready, length_queue_out_valid;
+    wire [7:0] length_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [52:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
     wire [6:0] room_records = 7'd32 - {2'd0, address[4:0]};
     wire crosses = room_records < records;
     wire takes_request = ~held | (issues & ~crosses);
-    assign request_ready = takes_request;
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [6:0] burst = crosses ? room_records : records;
     wire [8:0] difference_1 = {burst[5:0], 3'd0} - 9'd1;
     wire [7:0] length = difference_1[7:0];
-    wire address_queue_out_ready = m_axi_arready;
-    wire record_taken = record_ready;
-    wire advance = ~record_valid | record_taken;
+    wire advance = ~record_valid | record_ready;
     wire beat_queue_out_ready = advance & length_queue_out_valid;
     wire moves = beat_queue_out_valid & beat_queue_out_ready;
-    wire ends = number == length_queue_out_length;
+    wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
     wire term_2 = takes_request | issues;
     wire takes_beat_0 = moves & (number[2:0] == 3'd0);
@@ -633,12 +453,14 @@ module bus_reader (
     wire takes_beat_2 = moves & (number[2:0] == 3'd2);
     wire takes_beat_3 = moves & (number[2:0] == 3'd3);
     wire takes_beat_4 = moves & (number[2:0] == 3'd4);
+    wire beat_queue_out_last = beat_queue_out_data[0];
     wire term_3 = is_wrong | (beat_queue_out_last ^ ends);
 
+    assign request_ready = takes_request;
     assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 6'd0};
-    assign m_axi_arlen = address_queue_out_length;
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign m_axi_rready = beat_queue_in_ready;
@@ -649,40 +471,22 @@ module bus_reader (
     assign record_attribute_2 = held_attribute_2_0;
 
     stream_skid_w34 address_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(issues),
-        .in_ready(address_queue_in_ready),
-        .in_address(address),
-        .in_length(length),
-        .out_valid(address_queue_out_valid),
-        .out_ready(address_queue_out_ready),
-        .out_address(address_queue_out_address),
-        .out_length(address_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, length}),
+        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(issues),
-        .in_ready(length_queue_in_ready),
-        .in_length(length),
-        .out_valid(length_queue_out_valid),
-        .out_ready(length_queue_out_ready),
-        .out_length(length_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
+        .out_data(length_queue_out_data)
     );
 
     stream_skid_w53 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(m_axi_rvalid),
-        .in_ready(beat_queue_in_ready),
-        .in_data(m_axi_rdata[51:0]),
-        .in_last(m_axi_rlast),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready), .in_data({m_axi_rdata[51:0], m_axi_rlast}),
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -694,12 +498,8 @@ module bus_reader (
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
         end else begin
-            if (takes_request) begin
-                held <= request_valid;
-            end
-            if (advance) begin
-                record_valid <= moves & (number[2:0] == 3'd7);
-            end
+            if (takes_request) held <= request_valid;
+            if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & term_3;
@@ -713,21 +513,11 @@ module bus_reader (
             address <= takes_request ? request_address[31:6] : {address[25:5] + 21'd1, 5'd0};
             records <= takes_request ? request_records : (records - room_records);
         end
-        if (takes_beat_0) begin
-            held_weight_0 <= beat_queue_out_data[27:0];
-        end
-        if (takes_beat_1) begin
-            held_depth_0 <= beat_queue_out_data;
-        end
-        if (takes_beat_2) begin
-            held_attribute_0_0 <= beat_queue_out_data[39:0];
-        end
-        if (takes_beat_3) begin
-            held_attribute_1_0 <= beat_queue_out_data[39:0];
-        end
-        if (takes_beat_4) begin
-            held_attribute_2_0 <= beat_queue_out_data[39:0];
-        end
+        if (takes_beat_0) held_weight_0 <= beat_queue_out_data[28:1];
+        if (takes_beat_1) held_depth_0 <= beat_queue_out_data[52:1];
+        if (takes_beat_2) held_attribute_0_0 <= beat_queue_out_data[40:1];
+        if (takes_beat_3) held_attribute_1_0 <= beat_queue_out_data[40:1];
+        if (takes_beat_4) held_attribute_2_0 <= beat_queue_out_data[40:1];
     end
 
     wire _unused = &{1'b0, burst[6], difference_1[8], m_axi_rdata[63:52], m_axi_rid, request_address[5:0]};
@@ -740,43 +530,32 @@ module stream_skid_w53 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [51:0] in_data,
-    input  wire in_last,
+    input  wire [52:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [51:0] out_data,
-    output wire out_last
+    output wire [52:0] out_data
 );
     reg second_valid;
-    reg [52:0] head;
-    reg [52:0] second;
+    reg [52:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [52:0] in_item = {in_data, in_last};
 
-    assign out_data = head[52:1];
-    assign out_last = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -803,27 +582,28 @@ module stream_fifo_d16_w8 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [7:0] in_length,
+    input  wire [7:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [7:0] out_length
+    output wire [7:0] out_data
 );
-    (* no_rw_check *)
-    reg [7:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [7:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [7:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_length = item;
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -835,27 +615,10 @@ module stream_fifo_d16_w8 (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= in_length;
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -889,43 +652,32 @@ module stream_skid_w34 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [25:0] in_address,
-    input  wire [7:0] in_length,
+    input  wire [33:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [25:0] out_address,
-    output wire [7:0] out_length
+    output wire [33:0] out_data
 );
     reg second_valid;
-    reg [33:0] head;
-    reg [33:0] second;
+    reg [33:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [33:0] in_item = {in_address, in_length};
 
-    assign out_address = head[33:8];
-    assign out_length = head[7:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -969,44 +721,32 @@ module bus_packet_out (
     reg held;
     reg [1:0] place;
     reg held_end;
-    reg [8:0] held_column;
-    reg [8:0] held_row;
+    reg [8:0] held_column, held_row;
     reg [23:0] held_depth;
-    reg [11:0] held_attribute_0;
-    reg [11:0] held_attribute_1;
-    reg [11:0] held_attribute_2;
+    reg [11:0] held_attribute_0, held_attribute_1, held_attribute_2;
 
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [63:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
     wire at_end = place == 2'd2;
     wire leaves = moves & at_end;
     wire takes_record = ~held | leaves;
-    assign in_ready = takes_record;
     wire [63:0] joined_1 = {4'd0, held_attribute_1, 4'd0, held_attribute_0, 8'd0, held_depth};
     wire [63:0] choice_2 = place[0] ? joined_1 : {23'd0, held_row, 7'd0, held_column, 15'd0, held_end};
-    wire beat_queue_out_ready = m_axis_tready;
     wire takes = in_valid & takes_record;
+    wire beat_queue_out_last = beat_queue_out_data[0];
 
+    assign in_ready = takes_record;
     assign m_axis_tvalid = beat_queue_out_valid;
-    assign m_axis_tdata = beat_queue_out_data;
-    assign m_axis_tlast = beat_queue_out_last;
+    assign {m_axis_tdata, m_axis_tlast} = beat_queue_out_data;
     assign idle = ~held & ~beat_queue_out_valid;
 
     stream_skid_w65 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(held),
-        .in_ready(beat_queue_in_ready),
-        .in_data(place[1] ? {52'd0, held_attribute_2} : choice_2),
-        .in_last(at_end),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({place[1] ? {52'd0, held_attribute_2} : choice_2, at_end}),
+        .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1016,10 +756,8 @@ module bus_packet_out (
             sent <= 1'd0;
         end else begin
             held <= takes | (held & ~leaves);
-            sent <= beat_queue_out_valid & beat_queue_out_ready & beat_queue_out_last;
-            if (moves) begin
-                place <= at_end ? 2'd0 : (place + 2'd1);
-            end
+            sent <= beat_queue_out_valid & m_axis_tready & beat_queue_out_last;
+            if (moves) place <= at_end ? 2'd0 : (place + 2'd1);
         end
     end
     always @(posedge clk) begin
@@ -1042,43 +780,32 @@ module stream_skid_w65 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [63:0] in_data,
-    input  wire in_last,
+    input  wire [64:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [63:0] out_data,
-    output wire out_last
+    output wire [64:0] out_data
 );
     reg second_valid;
-    reg [64:0] head;
-    reg [64:0] second;
+    reg [64:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [64:0] in_item = {in_data, in_last};
 
-    assign out_data = head[64:1];
-    assign out_last = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1127,40 +854,23 @@ module bus_packet_in (
     output reg  refused
 );
     reg [2:0] place;
-    reg is_overlong;
-    reg begun;
-    reg ends;
-    reg is_open;
-    reg held_end_0;
-    reg [23:0] held_center_x_0;
-    reg [23:0] held_center_y_0;
-    reg [23:0] held_center_z_0;
-    reg [23:0] held_tangent1_x_0;
-    reg [23:0] held_tangent1_y_0;
-    reg [23:0] held_tangent1_z_0;
-    reg [23:0] held_tangent2_x_0;
-    reg [23:0] held_tangent2_y_0;
-    reg [23:0] held_tangent2_z_0;
-    reg [11:0] held_attribute_0_0;
-    reg [11:0] held_attribute_1_0;
-    reg [11:0] held_attribute_2_0;
+    reg is_overlong, begun, ends, is_open, held_end_0;
+    reg [23:0] held_center_x_0, held_center_y_0, held_center_z_0, held_tangent1_x_0, held_tangent1_y_0;
+    reg [23:0] held_tangent1_z_0, held_tangent2_x_0, held_tangent2_y_0, held_tangent2_z_0;
+    reg [11:0] held_attribute_0_0, held_attribute_1_0, held_attribute_2_0;
 
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire beat_queue_out_good;
-    wire [51:0] beat_queue_out_data;
-    wire [2:0] beat_queue_out_place;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [55:0] beat_queue_out_data;
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
     wire takes = s_axis_tvalid & s_axis_ready;
     wire term_1 = takes & ~is_overlong;
     wire term_2 = place == 3'd5;
     wire whole = takes & (s_axis_tlast & (term_2 & ~is_overlong));
-    wire good = whole;
-    wire out_taken = out_ready;
-    wire advance = ~out_valid | out_taken;
-    wire beat_queue_out_ready = advance;
-    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire advance = ~out_valid | out_ready;
+    wire beat_queue_out_good = beat_queue_out_data[55];
+    wire moves = beat_queue_out_valid & advance;
+    wire [2:0] beat_queue_out_place = beat_queue_out_data[2:0];
     wire takes_beat_0 = moves & (beat_queue_out_place == 3'd0);
     wire takes_beat_1 = moves & (beat_queue_out_place == 3'd1);
     wire takes_beat_2 = moves & (beat_queue_out_place == 3'd2);
@@ -1184,18 +894,10 @@ module bus_packet_in (
     assign out_attribute_2 = held_attribute_2_0;
 
     stream_skid_w56 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_1),
-        .in_ready(beat_queue_in_ready),
-        .in_good(good),
-        .in_data({s_axis_tdata[55:32], s_axis_tdata[27:0]}),
-        .in_place(place),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_good(beat_queue_out_good),
-        .out_data(beat_queue_out_data),
-        .out_place(beat_queue_out_place)
+        .clk(clk), .rst(rst),
+        .in_valid(term_1), .in_ready(beat_queue_in_ready),
+        .in_data({whole, s_axis_tdata[55:32], s_axis_tdata[27:0], place}),
+        .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1208,49 +910,43 @@ module bus_packet_in (
             taken <= 1'd0;
             refused <= 1'd0;
         end else begin
-            if (term_1) begin
-                place <= (s_axis_tlast | term_2) ? 3'd0 : (place + 3'd1);
-            end
+            if (term_1) place <= (s_axis_tlast | term_2) ? 3'd0 : (place + 3'd1);
             if (takes) begin
                 is_overlong <= ~s_axis_tlast & (is_overlong | term_2);
                 begun <= ~s_axis_tlast;
             end
-            is_open <= opens | (is_open & ~(good & ends));
-            taken <= good;
+            is_open <= opens | (is_open & ~(whole & ends));
+            taken <= whole;
             refused <= takes & ((s_axis_tlast ^ term_2) & ~is_overlong);
-            if (advance) begin
-                out_valid <= beat_queue_out_valid & beat_queue_out_good;
-            end
+            if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
         end
     end
     always @(posedge clk) begin
-        if (takes & (place == 3'd0)) begin
-            ends <= s_axis_tdata[0];
-        end
+        if (takes & (place == 3'd0)) ends <= s_axis_tdata[0];
         if (takes_beat_0) begin
-            held_end_0 <= beat_queue_out_data[0];
-            held_center_x_0 <= beat_queue_out_data[51:28];
+            held_end_0 <= beat_queue_out_data[3];
+            held_center_x_0 <= beat_queue_out_data[54:31];
         end
         if (takes_beat_1) begin
-            held_center_y_0 <= beat_queue_out_data[23:0];
-            held_center_z_0 <= beat_queue_out_data[51:28];
+            held_center_y_0 <= beat_queue_out_data[26:3];
+            held_center_z_0 <= beat_queue_out_data[54:31];
         end
         if (takes_beat_2) begin
-            held_tangent1_x_0 <= beat_queue_out_data[23:0];
-            held_tangent1_y_0 <= beat_queue_out_data[51:28];
+            held_tangent1_x_0 <= beat_queue_out_data[26:3];
+            held_tangent1_y_0 <= beat_queue_out_data[54:31];
         end
         if (takes_beat_3) begin
-            held_tangent1_z_0 <= beat_queue_out_data[23:0];
-            held_tangent2_x_0 <= beat_queue_out_data[51:28];
+            held_tangent1_z_0 <= beat_queue_out_data[26:3];
+            held_tangent2_x_0 <= beat_queue_out_data[54:31];
         end
         if (takes_beat_4) begin
-            held_tangent2_y_0 <= beat_queue_out_data[23:0];
-            held_tangent2_z_0 <= beat_queue_out_data[51:28];
+            held_tangent2_y_0 <= beat_queue_out_data[26:3];
+            held_tangent2_z_0 <= beat_queue_out_data[54:31];
         end
         if (takes_beat_5) begin
-            held_attribute_0_0 <= beat_queue_out_data[11:0];
-            held_attribute_1_0 <= beat_queue_out_data[27:16];
-            held_attribute_2_0 <= beat_queue_out_data[39:28];
+            held_attribute_0_0 <= beat_queue_out_data[14:3];
+            held_attribute_1_0 <= beat_queue_out_data[30:19];
+            held_attribute_2_0 <= beat_queue_out_data[42:31];
         end
     end
 
@@ -1264,46 +960,32 @@ module stream_skid_w56 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_good,
-    input  wire [51:0] in_data,
-    input  wire [2:0] in_place,
+    input  wire [55:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_good,
-    output wire [51:0] out_data,
-    output wire [2:0] out_place
+    output wire [55:0] out_data
 );
     reg second_valid;
-    reg [55:0] head;
-    reg [55:0] second;
+    reg [55:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [55:0] in_item = {in_good, in_data, in_place};
 
-    assign out_good = head[55];
-    assign out_data = head[54:3];
-    assign out_place = head[2:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1368,20 +1050,14 @@ module bus_registers (
 );
     (* ram_style = "distributed" *)
     reg [31:0] words [0:13];
-    reg has_address;
-    reg has_data;
+    reg has_address, has_data;
     reg [11:0] write_address;
     reg [31:0] write_data;
-    reg write_strobes;
-    reg write_is_okay;
-    reg interrupt_enable_bits;
+    reg write_strobes, write_is_okay, interrupt_enable_bits;
     reg [19:0] buffer_base_bits;
-    reg clear_errors;
-    reg done;
-    reg has_read_address;
+    reg clear_errors, done, has_read_address;
     reg [11:0] read_address;
-    reg error;
-    reg adds;
+    reg error, adds;
     reg [3:0] visited;
     reg [6:0] part_0;
     reg void_0;
@@ -1415,8 +1091,7 @@ module bus_registers (
     reg is_void;
     reg [31:0] word;
     reg [3:0] round;
-    reg for_read;
-    reg read_valid;
+    reg for_read, read_valid;
     reg [31:0] read_value;
     reg read_is_error;
 
@@ -1633,49 +1308,35 @@ module bus_registers (
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;
-            if (write_accepted & term_2) begin
-                interrupt_enable_bits <= write_data[0];
-            end
-            if (write_accepted & term_3) begin
-                buffer_base_bits <= write_data[31:12];
-            end
+            if (write_accepted & term_2) interrupt_enable_bits <= write_data[0];
+            if (write_accepted & term_3) buffer_base_bits <= write_data[31:12];
             if (adds) begin
                 visited <= turns_aside ? found[3:0] : round;
                 for_read <= turns_aside;
             end
-            if (adds & ~turns_aside) begin
-                round <= (round == 4'd13) ? 4'd0 : (round + 4'd1);
-            end
+            if (adds & ~turns_aside) round <= (round == 4'd13) ? 4'd0 : (round + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (~has_address) begin
-            write_address <= s_axil_awaddr;
-        end
+        if (~has_address) write_address <= s_axil_awaddr;
         if (~has_data) begin
             write_data <= s_axil_wdata;
             write_strobes <= &s_axil_wstrb;
         end
-        if (judges) begin
-            write_is_okay <= write_accepted;
-        end
+        if (judges) write_is_okay <= write_accepted;
         uniform_address <= write_address[6:2];
         uniform_data <= write_data[23:0];
         part <= visited[3] ? (visited[2] ? choice_30 : choice_31) : visited[2] ? choice_32 : choice_33;
         is_void <= visited[3] ? choice_35 : visited[2] ? choice_36 : choice_37;
         read_value <= saturated;
-        if (read_ready) begin
-            read_address <= s_axil_araddr;
-        end
+        if (read_ready) read_address <= s_axil_araddr;
         if (answers) begin
             s_axil_rdata <= asks ? read_value : term_40;
             read_is_error <= refused_read;
         end
     end
     always @(posedge clk) begin
-        if (adds) begin
-            words[visited] <= saturated;
-        end
+        if (adds) words[visited] <= saturated;
         word <= words[visited];
     end
 
@@ -1813,21 +1474,8 @@ module bus_registers (
     end
 
     wire _unused_by_checks = &{
-        1'b0,
-        sum_41[6:0],
-        sum_42[5:0],
-        sum_43[5:0],
-        sum_44[5:0],
-        sum_45[6:0],
-        sum_46[5:0],
-        sum_47[5:0],
-        sum_48[5:0],
-        sum_49[5:0],
-        sum_50[5:0],
-        sum_51[5:0],
-        sum_52[5:0],
-        sum_53[5:0],
-        sum_54[5:0]
+        1'b0, sum_41[6:0], sum_42[5:0], sum_43[5:0], sum_44[5:0], sum_45[6:0], sum_46[5:0], sum_47[5:0],
+        sum_48[5:0], sum_49[5:0], sum_50[5:0], sum_51[5:0], sum_52[5:0], sum_53[5:0], sum_54[5:0]
     };
 `endif
 endmodule

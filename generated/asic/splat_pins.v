@@ -11,86 +11,48 @@ module splat_pins (
     reg drive_uniform_valid;
     reg [4:0] drive_uniform_address;
     reg [23:0] drive_uniform_data;
-    reg drive_splat_valid;
-    reg catch_splat_ready;
-    reg drive_splat_end;
-    reg [23:0] drive_splat_center_x;
-    reg [23:0] drive_splat_center_y;
-    reg [23:0] drive_splat_center_z;
-    reg [23:0] drive_splat_tangent1_x;
-    reg [23:0] drive_splat_tangent1_y;
-    reg [23:0] drive_splat_tangent1_z;
-    reg [23:0] drive_splat_tangent2_x;
-    reg [23:0] drive_splat_tangent2_y;
+    reg drive_splat_valid, catch_splat_ready, drive_splat_end;
+    reg [23:0] drive_splat_center_x, drive_splat_center_y, drive_splat_center_z, drive_splat_tangent1_x;
+    reg [23:0] drive_splat_tangent1_y, drive_splat_tangent1_z, drive_splat_tangent2_x, drive_splat_tangent2_y;
     reg [23:0] drive_splat_tangent2_z;
-    reg [11:0] drive_splat_attribute_0;
-    reg [11:0] drive_splat_attribute_1;
-    reg [11:0] drive_splat_attribute_2;
-    reg catch_read_valid;
-    reg drive_read_ready;
+    reg [11:0] drive_splat_attribute_0, drive_splat_attribute_1, drive_splat_attribute_2;
+    reg catch_read_valid, drive_read_ready;
     reg [11:0] catch_read_tile;
-    reg drive_data_valid;
-    reg catch_data_ready;
+    reg drive_data_valid, catch_data_ready;
     reg [27:0] drive_data_weight;
     reg [51:0] drive_data_depth;
-    reg [39:0] drive_data_attribute_0;
-    reg [39:0] drive_data_attribute_1;
-    reg [39:0] drive_data_attribute_2;
-    reg catch_write_valid;
-    reg drive_write_ready;
+    reg [39:0] drive_data_attribute_0, drive_data_attribute_1, drive_data_attribute_2;
+    reg catch_write_valid, drive_write_ready;
     reg [11:0] catch_write_tile;
     reg [5:0] catch_write_pixel;
     reg [27:0] catch_write_weight;
     reg [51:0] catch_write_depth;
-    reg [39:0] catch_write_attribute_0;
-    reg [39:0] catch_write_attribute_1;
-    reg [39:0] catch_write_attribute_2;
-    reg catch_fragment_valid;
-    reg drive_fragment_ready;
-    reg catch_fragment_end;
-    reg [8:0] catch_fragment_column;
-    reg [8:0] catch_fragment_row;
+    reg [39:0] catch_write_attribute_0, catch_write_attribute_1, catch_write_attribute_2;
+    reg catch_fragment_valid, drive_fragment_ready, catch_fragment_end;
+    reg [8:0] catch_fragment_column, catch_fragment_row;
     reg [23:0] catch_fragment_depth;
-    reg [11:0] catch_fragment_attribute_0;
-    reg [11:0] catch_fragment_attribute_1;
-    reg [11:0] catch_fragment_attribute_2;
-    reg catch_event_sample;
-    reg catch_event_starved;
-    reg catch_event_blocked;
-    reg catch_event_accumulate;
-    reg catch_event_hazard;
-    reg catch_event_slot_wait;
+    reg [11:0] catch_fragment_attribute_0, catch_fragment_attribute_1, catch_fragment_attribute_2;
+    reg catch_event_sample, catch_event_starved, catch_event_blocked, catch_event_accumulate;
+    reg catch_event_hazard, catch_event_slot_wait;
     reg [80:0] fold_0;
     reg [20:0] fold_1;
     reg [5:0] fold_2;
     reg [1:0] fold_3;
     reg fold_4;
 
-    wire unit_splat_ready;
-    wire unit_read_valid;
+    wire unit_splat_ready, unit_read_valid;
     wire [11:0] unit_read_tile;
-    wire unit_data_ready;
-    wire unit_write_valid;
+    wire unit_data_ready, unit_write_valid;
     wire [11:0] unit_write_tile;
     wire [5:0] unit_write_pixel;
     wire [27:0] unit_write_weight;
     wire [51:0] unit_write_depth;
-    wire [39:0] unit_write_attribute_0;
-    wire [39:0] unit_write_attribute_1;
-    wire [39:0] unit_write_attribute_2;
-    wire unit_fragment_valid;
-    wire unit_fragment_end;
-    wire [8:0] unit_fragment_column;
-    wire [8:0] unit_fragment_row;
+    wire [39:0] unit_write_attribute_0, unit_write_attribute_1, unit_write_attribute_2;
+    wire unit_fragment_valid, unit_fragment_end;
+    wire [8:0] unit_fragment_column, unit_fragment_row;
     wire [23:0] unit_fragment_depth;
-    wire [11:0] unit_fragment_attribute_0;
-    wire [11:0] unit_fragment_attribute_1;
-    wire [11:0] unit_fragment_attribute_2;
-    wire unit_event_sample;
-    wire unit_event_starved;
-    wire unit_event_blocked;
-    wire unit_event_accumulate;
-    wire unit_event_hazard;
+    wire [11:0] unit_fragment_attribute_0, unit_fragment_attribute_1, unit_fragment_attribute_2;
+    wire unit_event_sample, unit_event_starved, unit_event_blocked, unit_event_accumulate, unit_event_hazard;
     wire unit_event_slot_wait;
 
     wire term_1 = drive_fragment_ready ^ catch_event_slot_wait ^ catch_event_hazard;
@@ -207,60 +169,32 @@ module splat_pins (
     assign serial_out = fold_4;
 
     splat_top unit (
-        .clk(clk),
-        .rst(rst),
-        .uniform_valid(drive_uniform_valid),
-        .uniform_address(drive_uniform_address),
+        .clk(clk), .rst(rst),
+        .uniform_valid(drive_uniform_valid), .uniform_address(drive_uniform_address),
         .uniform_data(drive_uniform_data),
-        .splat_valid(drive_splat_valid),
-        .splat_ready(unit_splat_ready),
-        .splat_end(drive_splat_end),
-        .splat_center_x(drive_splat_center_x),
-        .splat_center_y(drive_splat_center_y),
-        .splat_center_z(drive_splat_center_z),
-        .splat_tangent1_x(drive_splat_tangent1_x),
-        .splat_tangent1_y(drive_splat_tangent1_y),
-        .splat_tangent1_z(drive_splat_tangent1_z),
-        .splat_tangent2_x(drive_splat_tangent2_x),
-        .splat_tangent2_y(drive_splat_tangent2_y),
-        .splat_tangent2_z(drive_splat_tangent2_z),
-        .splat_attribute_0(drive_splat_attribute_0),
-        .splat_attribute_1(drive_splat_attribute_1),
-        .splat_attribute_2(drive_splat_attribute_2),
-        .read_valid(unit_read_valid),
-        .read_ready(drive_read_ready),
-        .read_tile(unit_read_tile),
-        .data_valid(drive_data_valid),
-        .data_ready(unit_data_ready),
-        .data_weight(drive_data_weight),
-        .data_depth(drive_data_depth),
-        .data_attribute_0(drive_data_attribute_0),
-        .data_attribute_1(drive_data_attribute_1),
-        .data_attribute_2(drive_data_attribute_2),
-        .write_valid(unit_write_valid),
-        .write_ready(drive_write_ready),
-        .write_tile(unit_write_tile),
-        .write_pixel(unit_write_pixel),
-        .write_weight(unit_write_weight),
-        .write_depth(unit_write_depth),
-        .write_attribute_0(unit_write_attribute_0),
-        .write_attribute_1(unit_write_attribute_1),
+        .splat_valid(drive_splat_valid), .splat_ready(unit_splat_ready), .splat_end(drive_splat_end),
+        .splat_center_x(drive_splat_center_x), .splat_center_y(drive_splat_center_y),
+        .splat_center_z(drive_splat_center_z), .splat_tangent1_x(drive_splat_tangent1_x),
+        .splat_tangent1_y(drive_splat_tangent1_y), .splat_tangent1_z(drive_splat_tangent1_z),
+        .splat_tangent2_x(drive_splat_tangent2_x), .splat_tangent2_y(drive_splat_tangent2_y),
+        .splat_tangent2_z(drive_splat_tangent2_z), .splat_attribute_0(drive_splat_attribute_0),
+        .splat_attribute_1(drive_splat_attribute_1), .splat_attribute_2(drive_splat_attribute_2),
+        .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_tile(unit_read_tile),
+        .data_valid(drive_data_valid), .data_ready(unit_data_ready), .data_weight(drive_data_weight),
+        .data_depth(drive_data_depth), .data_attribute_0(drive_data_attribute_0),
+        .data_attribute_1(drive_data_attribute_1), .data_attribute_2(drive_data_attribute_2),
+        .write_valid(unit_write_valid), .write_ready(drive_write_ready), .write_tile(unit_write_tile),
+        .write_pixel(unit_write_pixel), .write_weight(unit_write_weight), .write_depth(unit_write_depth),
+        .write_attribute_0(unit_write_attribute_0), .write_attribute_1(unit_write_attribute_1),
         .write_attribute_2(unit_write_attribute_2),
-        .fragment_valid(unit_fragment_valid),
-        .fragment_ready(drive_fragment_ready),
-        .fragment_end(unit_fragment_end),
-        .fragment_column(unit_fragment_column),
-        .fragment_row(unit_fragment_row),
-        .fragment_depth(unit_fragment_depth),
-        .fragment_attribute_0(unit_fragment_attribute_0),
-        .fragment_attribute_1(unit_fragment_attribute_1),
+        .fragment_valid(unit_fragment_valid), .fragment_ready(drive_fragment_ready),
+        .fragment_end(unit_fragment_end), .fragment_column(unit_fragment_column),
+        .fragment_row(unit_fragment_row), .fragment_depth(unit_fragment_depth),
+        .fragment_attribute_0(unit_fragment_attribute_0), .fragment_attribute_1(unit_fragment_attribute_1),
         .fragment_attribute_2(unit_fragment_attribute_2),
-        .event_sample(unit_event_sample),
-        .event_starved(unit_event_starved),
-        .event_blocked(unit_event_blocked),
-        .event_accumulate(unit_event_accumulate),
-        .event_hazard(unit_event_hazard),
-        .event_slot_wait(unit_event_slot_wait)
+        .event_sample(unit_event_sample), .event_starved(unit_event_starved),
+        .event_blocked(unit_event_blocked), .event_accumulate(unit_event_accumulate),
+        .event_hazard(unit_event_hazard), .event_slot_wait(unit_event_slot_wait)
     );
 
     always @(posedge clk) begin
@@ -317,118 +251,47 @@ module splat_pins (
         catch_event_hazard <= unit_event_hazard;
         catch_event_slot_wait <= unit_event_slot_wait;
         fold_0 <= {
-            term_1 ^ catch_event_accumulate,
-            term_2 ^ catch_fragment_attribute_2[0],
-            term_4,
-            term_6,
-            term_8,
-            term_10,
-            term_12,
-            term_14,
-            term_16,
-            term_18,
-            term_20,
-            term_21 ^ catch_fragment_depth[4],
-            term_22 ^ catch_fragment_depth[8],
-            term_23 ^ catch_fragment_depth[12],
-            term_24 ^ catch_fragment_depth[16],
-            term_25 ^ catch_fragment_depth[20],
-            term_26 ^ catch_fragment_row[0],
-            term_27 ^ catch_fragment_row[4],
-            term_28 ^ catch_fragment_row[8],
-            term_29 ^ catch_fragment_column[3],
-            term_30 ^ catch_fragment_column[7],
-            term_31 ^ catch_write_attribute_2[0],
-            term_32 ^ catch_write_attribute_2[4],
-            term_33 ^ catch_write_attribute_2[8],
-            term_34 ^ catch_write_attribute_2[12],
-            term_36,
-            term_38,
-            term_40,
-            term_42,
-            term_44,
-            term_46,
-            term_48,
-            term_49 ^ catch_write_attribute_1[4],
-            term_50 ^ catch_write_attribute_1[8],
-            term_51 ^ catch_write_attribute_1[12],
-            term_53,
-            term_55,
-            term_57,
-            term_59,
-            term_61,
-            term_63,
-            term_65,
-            term_66 ^ catch_write_attribute_0[4],
-            term_67 ^ catch_write_attribute_0[8],
-            term_68 ^ catch_write_attribute_0[12],
-            term_70,
-            term_72,
-            term_74,
-            term_76,
-            term_78,
-            term_80,
-            term_82,
-            term_83 ^ catch_write_depth[4],
-            term_84 ^ catch_write_depth[8],
-            term_85 ^ catch_write_depth[12],
-            term_86 ^ catch_write_depth[16],
-            term_87 ^ catch_write_depth[20],
-            term_88 ^ catch_write_depth[24],
-            term_89 ^ catch_write_depth[28],
-            term_90 ^ catch_write_depth[32],
-            term_91 ^ catch_write_depth[36],
-            term_92 ^ catch_write_depth[40],
-            term_93 ^ catch_write_depth[44],
-            term_94 ^ catch_write_depth[48],
-            term_95 ^ catch_write_weight[0],
-            term_96 ^ catch_write_weight[4],
-            term_97 ^ catch_write_weight[8],
-            term_98 ^ catch_write_weight[12],
-            term_99 ^ catch_write_weight[16],
-            term_100 ^ catch_write_weight[20],
-            term_101 ^ catch_write_weight[24],
-            term_102 ^ catch_write_pixel[0],
-            term_103 ^ catch_write_pixel[4],
-            term_104 ^ catch_write_tile[2],
-            term_105 ^ catch_write_tile[6],
-            term_106 ^ catch_write_tile[10],
-            term_107 ^ catch_read_tile[0],
-            term_108 ^ catch_read_tile[4],
-            term_109 ^ catch_read_tile[8],
-            term_110 ^ catch_read_valid,
-            catch_splat_ready
+            term_1 ^ catch_event_accumulate, term_2 ^ catch_fragment_attribute_2[0], term_4, term_6, term_8,
+            term_10, term_12, term_14, term_16, term_18, term_20, term_21 ^ catch_fragment_depth[4],
+            term_22 ^ catch_fragment_depth[8], term_23 ^ catch_fragment_depth[12],
+            term_24 ^ catch_fragment_depth[16], term_25 ^ catch_fragment_depth[20],
+            term_26 ^ catch_fragment_row[0], term_27 ^ catch_fragment_row[4], term_28 ^ catch_fragment_row[8],
+            term_29 ^ catch_fragment_column[3], term_30 ^ catch_fragment_column[7],
+            term_31 ^ catch_write_attribute_2[0], term_32 ^ catch_write_attribute_2[4],
+            term_33 ^ catch_write_attribute_2[8], term_34 ^ catch_write_attribute_2[12], term_36, term_38,
+            term_40, term_42, term_44, term_46, term_48, term_49 ^ catch_write_attribute_1[4],
+            term_50 ^ catch_write_attribute_1[8], term_51 ^ catch_write_attribute_1[12], term_53, term_55,
+            term_57, term_59, term_61, term_63, term_65, term_66 ^ catch_write_attribute_0[4],
+            term_67 ^ catch_write_attribute_0[8], term_68 ^ catch_write_attribute_0[12], term_70, term_72,
+            term_74, term_76, term_78, term_80, term_82, term_83 ^ catch_write_depth[4],
+            term_84 ^ catch_write_depth[8], term_85 ^ catch_write_depth[12], term_86 ^ catch_write_depth[16],
+            term_87 ^ catch_write_depth[20], term_88 ^ catch_write_depth[24], term_89 ^ catch_write_depth[28],
+            term_90 ^ catch_write_depth[32], term_91 ^ catch_write_depth[36], term_92 ^ catch_write_depth[40],
+            term_93 ^ catch_write_depth[44], term_94 ^ catch_write_depth[48], term_95 ^ catch_write_weight[0],
+            term_96 ^ catch_write_weight[4], term_97 ^ catch_write_weight[8], term_98 ^ catch_write_weight[12],
+            term_99 ^ catch_write_weight[16], term_100 ^ catch_write_weight[20],
+            term_101 ^ catch_write_weight[24], term_102 ^ catch_write_pixel[0], term_103 ^ catch_write_pixel[4],
+            term_104 ^ catch_write_tile[2], term_105 ^ catch_write_tile[6], term_106 ^ catch_write_tile[10],
+            term_107 ^ catch_read_tile[0], term_108 ^ catch_read_tile[4], term_109 ^ catch_read_tile[8],
+            term_110 ^ catch_read_valid, catch_splat_ready
         };
         fold_1 <= {
-            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3],
-            fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
-            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11],
-            fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
-            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19],
-            fold_0[20] ^ fold_0[21] ^ fold_0[22] ^ fold_0[23],
-            fold_0[24] ^ fold_0[25] ^ fold_0[26] ^ fold_0[27],
-            fold_0[28] ^ fold_0[29] ^ fold_0[30] ^ fold_0[31],
-            fold_0[32] ^ fold_0[33] ^ fold_0[34] ^ fold_0[35],
-            fold_0[36] ^ fold_0[37] ^ fold_0[38] ^ fold_0[39],
-            fold_0[40] ^ fold_0[41] ^ fold_0[42] ^ fold_0[43],
-            fold_0[44] ^ fold_0[45] ^ fold_0[46] ^ fold_0[47],
-            fold_0[48] ^ fold_0[49] ^ fold_0[50] ^ fold_0[51],
-            fold_0[52] ^ fold_0[53] ^ fold_0[54] ^ fold_0[55],
-            fold_0[56] ^ fold_0[57] ^ fold_0[58] ^ fold_0[59],
-            fold_0[60] ^ fold_0[61] ^ fold_0[62] ^ fold_0[63],
-            fold_0[64] ^ fold_0[65] ^ fold_0[66] ^ fold_0[67],
-            fold_0[68] ^ fold_0[69] ^ fold_0[70] ^ fold_0[71],
-            fold_0[72] ^ fold_0[73] ^ fold_0[74] ^ fold_0[75],
-            fold_0[76] ^ fold_0[77] ^ fold_0[78] ^ fold_0[79],
+            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
+            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11], fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
+            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19], fold_0[20] ^ fold_0[21] ^ fold_0[22] ^ fold_0[23],
+            fold_0[24] ^ fold_0[25] ^ fold_0[26] ^ fold_0[27], fold_0[28] ^ fold_0[29] ^ fold_0[30] ^ fold_0[31],
+            fold_0[32] ^ fold_0[33] ^ fold_0[34] ^ fold_0[35], fold_0[36] ^ fold_0[37] ^ fold_0[38] ^ fold_0[39],
+            fold_0[40] ^ fold_0[41] ^ fold_0[42] ^ fold_0[43], fold_0[44] ^ fold_0[45] ^ fold_0[46] ^ fold_0[47],
+            fold_0[48] ^ fold_0[49] ^ fold_0[50] ^ fold_0[51], fold_0[52] ^ fold_0[53] ^ fold_0[54] ^ fold_0[55],
+            fold_0[56] ^ fold_0[57] ^ fold_0[58] ^ fold_0[59], fold_0[60] ^ fold_0[61] ^ fold_0[62] ^ fold_0[63],
+            fold_0[64] ^ fold_0[65] ^ fold_0[66] ^ fold_0[67], fold_0[68] ^ fold_0[69] ^ fold_0[70] ^ fold_0[71],
+            fold_0[72] ^ fold_0[73] ^ fold_0[74] ^ fold_0[75], fold_0[76] ^ fold_0[77] ^ fold_0[78] ^ fold_0[79],
             fold_0[80]
         };
         fold_2 <= {
-            fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3],
-            fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],
-            fold_1[8] ^ fold_1[9] ^ fold_1[10] ^ fold_1[11],
-            fold_1[12] ^ fold_1[13] ^ fold_1[14] ^ fold_1[15],
-            fold_1[16] ^ fold_1[17] ^ fold_1[18] ^ fold_1[19],
-            fold_1[20]
+            fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3], fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],
+            fold_1[8] ^ fold_1[9] ^ fold_1[10] ^ fold_1[11], fold_1[12] ^ fold_1[13] ^ fold_1[14] ^ fold_1[15],
+            fold_1[16] ^ fold_1[17] ^ fold_1[18] ^ fold_1[19], fold_1[20]
         };
         fold_3 <= {fold_2[0] ^ fold_2[1] ^ fold_2[2] ^ fold_2[3], fold_2[4] ^ fold_2[5]};
         fold_4 <= fold_3[0] ^ fold_3[1];

@@ -58,242 +58,105 @@ module splat_top (
     output wire event_hazard,
     output wire event_slot_wait
 );
-    reg [23:0] uniform_m00;
-    reg [23:0] uniform_m01;
-    reg [23:0] uniform_m02;
-    reg [23:0] uniform_m03;
-    reg [23:0] uniform_m10;
-    reg [23:0] uniform_m11;
-    reg [23:0] uniform_m12;
-    reg [23:0] uniform_m13;
-    reg [23:0] uniform_m20;
-    reg [23:0] uniform_m21;
-    reg [23:0] uniform_m22;
-    reg [23:0] uniform_m23;
-    reg [23:0] uniform_scale_x;
-    reg [23:0] uniform_scale_y;
-    reg [23:0] uniform_origin_x;
-    reg [23:0] uniform_origin_y;
-    reg [23:0] uniform_depth_a;
-    reg [23:0] uniform_depth_b;
-    reg [23:0] uniform_near_plane;
-    reg [23:0] uniform_epsilon_scale;
-    reg [23:0] uniform_epsilon_bias;
-    reg [23:0] uniform_filter_radius;
+    reg [23:0] uniform_m00, uniform_m01, uniform_m02, uniform_m03, uniform_m10, uniform_m11, uniform_m12;
+    reg [23:0] uniform_m13, uniform_m20, uniform_m21, uniform_m22, uniform_m23, uniform_scale_x, uniform_scale_y;
+    reg [23:0] uniform_origin_x, uniform_origin_y, uniform_depth_a, uniform_depth_b, uniform_near_plane;
+    reg [23:0] uniform_epsilon_scale, uniform_epsilon_bias, uniform_filter_radius;
     reg [15:0] uniform_filter_scale;
 
-    wire transform_in_ready;
-    wire transform_out_valid;
-    wire transform_out_end;
-    wire [23:0] transform_out_center_x;
-    wire [23:0] transform_out_center_y;
-    wire [23:0] transform_out_center_z;
-    wire [23:0] transform_out_tangent1_x;
-    wire [23:0] transform_out_tangent1_y;
-    wire [23:0] transform_out_tangent1_z;
-    wire [23:0] transform_out_tangent2_x;
-    wire [23:0] transform_out_tangent2_y;
-    wire [23:0] transform_out_tangent2_z;
-    wire [11:0] transform_out_attribute_0;
-    wire [11:0] transform_out_attribute_1;
-    wire [11:0] transform_out_attribute_2;
-    wire setup_in_ready;
-    wire setup_out_valid;
-    wire setup_out_end;
-    wire [25:0] setup_out_center_x;
-    wire [25:0] setup_out_center_y;
-    wire [15:0] setup_out_ax;
-    wire [15:0] setup_out_bx;
-    wire [15:0] setup_out_ay;
-    wire [15:0] setup_out_by;
+    wire transform_in_ready, transform_out_valid, transform_out_end;
+    wire [23:0] transform_out_center_x, transform_out_center_y, transform_out_center_z, transform_out_tangent1_x;
+    wire [23:0] transform_out_tangent1_y, transform_out_tangent1_z, transform_out_tangent2_x;
+    wire [23:0] transform_out_tangent2_y, transform_out_tangent2_z;
+    wire [11:0] transform_out_attribute_0, transform_out_attribute_1, transform_out_attribute_2;
+    wire setup_in_ready, setup_out_valid, setup_out_end;
+    wire [25:0] setup_out_center_x, setup_out_center_y;
+    wire [15:0] setup_out_ax, setup_out_bx, setup_out_ay, setup_out_by;
     wire [19:0] setup_out_delta;
-    wire [15:0] setup_out_mx;
-    wire [15:0] setup_out_my;
+    wire [15:0] setup_out_mx, setup_out_my;
     wire [3:0] setup_out_shift;
-    wire [23:0] setup_out_depth;
-    wire [23:0] setup_out_depth_low;
-    wire [23:0] setup_out_depth_high;
-    wire [11:0] setup_out_attribute_0;
-    wire [11:0] setup_out_attribute_1;
-    wire [11:0] setup_out_attribute_2;
-    wire [8:0] setup_out_left;
-    wire [8:0] setup_out_right;
-    wire [8:0] setup_out_top;
-    wire [8:0] setup_out_bottom;
-    wire splitter_in_ready;
-    wire splitter_out_valid;
-    wire splitter_out_end;
-    wire [25:0] splitter_out_center_x;
-    wire [25:0] splitter_out_center_y;
-    wire [15:0] splitter_out_ax;
-    wire [15:0] splitter_out_bx;
-    wire [15:0] splitter_out_ay;
-    wire [15:0] splitter_out_by;
+    wire [23:0] setup_out_depth, setup_out_depth_low, setup_out_depth_high;
+    wire [11:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2;
+    wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
+    wire splitter_in_ready, splitter_out_valid, splitter_out_end;
+    wire [25:0] splitter_out_center_x, splitter_out_center_y;
+    wire [15:0] splitter_out_ax, splitter_out_bx, splitter_out_ay, splitter_out_by;
     wire [19:0] splitter_out_delta;
-    wire [15:0] splitter_out_mx;
-    wire [15:0] splitter_out_my;
+    wire [15:0] splitter_out_mx, splitter_out_my;
     wire [3:0] splitter_out_shift;
-    wire [23:0] splitter_out_depth;
-    wire [23:0] splitter_out_depth_low;
-    wire [23:0] splitter_out_depth_high;
-    wire [11:0] splitter_out_attribute_0;
-    wire [11:0] splitter_out_attribute_1;
-    wire [11:0] splitter_out_attribute_2;
-    wire [2:0] splitter_out_left;
-    wire [2:0] splitter_out_right;
-    wire [2:0] splitter_out_top;
-    wire [2:0] splitter_out_bottom;
+    wire [23:0] splitter_out_depth, splitter_out_depth_low, splitter_out_depth_high;
+    wire [11:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
+    wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
     wire [11:0] splitter_out_tile;
-    wire reorder_in_ready;
-    wire reorder_out_valid;
-    wire reorder_out_end;
-    wire [25:0] reorder_out_center_x;
-    wire [25:0] reorder_out_center_y;
-    wire [15:0] reorder_out_ax;
-    wire [15:0] reorder_out_bx;
-    wire [15:0] reorder_out_ay;
-    wire [15:0] reorder_out_by;
+    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
+    wire [25:0] reorder_out_center_x, reorder_out_center_y;
+    wire [15:0] reorder_out_ax, reorder_out_bx, reorder_out_ay, reorder_out_by;
     wire [19:0] reorder_out_delta;
-    wire [15:0] reorder_out_mx;
-    wire [15:0] reorder_out_my;
+    wire [15:0] reorder_out_mx, reorder_out_my;
     wire [3:0] reorder_out_shift;
-    wire [23:0] reorder_out_depth;
-    wire [23:0] reorder_out_depth_low;
-    wire [23:0] reorder_out_depth_high;
-    wire [11:0] reorder_out_attribute_0;
-    wire [11:0] reorder_out_attribute_1;
-    wire [11:0] reorder_out_attribute_2;
-    wire [2:0] reorder_out_left;
-    wire [2:0] reorder_out_right;
-    wire [2:0] reorder_out_top;
-    wire [2:0] reorder_out_bottom;
+    wire [23:0] reorder_out_depth, reorder_out_depth_low, reorder_out_depth_high;
+    wire [11:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2;
+    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
     wire [11:0] reorder_out_tile;
-    wire tile_cache_in_ready;
-    wire tile_cache_out_valid;
-    wire tile_cache_out_end;
-    wire [25:0] tile_cache_out_center_x;
-    wire [25:0] tile_cache_out_center_y;
-    wire [15:0] tile_cache_out_ax;
-    wire [15:0] tile_cache_out_bx;
-    wire [15:0] tile_cache_out_ay;
-    wire [15:0] tile_cache_out_by;
+    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
+    wire [25:0] tile_cache_out_center_x, tile_cache_out_center_y;
+    wire [15:0] tile_cache_out_ax, tile_cache_out_bx, tile_cache_out_ay, tile_cache_out_by;
     wire [19:0] tile_cache_out_delta;
-    wire [15:0] tile_cache_out_mx;
-    wire [15:0] tile_cache_out_my;
+    wire [15:0] tile_cache_out_mx, tile_cache_out_my;
     wire [3:0] tile_cache_out_shift;
-    wire [23:0] tile_cache_out_depth;
-    wire [23:0] tile_cache_out_depth_low;
-    wire [23:0] tile_cache_out_depth_high;
-    wire [11:0] tile_cache_out_attribute_0;
-    wire [11:0] tile_cache_out_attribute_1;
-    wire [11:0] tile_cache_out_attribute_2;
-    wire [2:0] tile_cache_out_left;
-    wire [2:0] tile_cache_out_right;
-    wire [2:0] tile_cache_out_top;
-    wire [2:0] tile_cache_out_bottom;
+    wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
+    wire [11:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
+    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
     wire [11:0] tile_cache_out_tile;
-    wire tile_cache_out_slot;
-    wire tile_cache_read_valid;
+    wire tile_cache_out_slot, tile_cache_read_valid;
     wire [11:0] tile_cache_read_tile;
-    wire tile_cache_data_ready;
-    wire tile_cache_write_valid;
+    wire tile_cache_data_ready, tile_cache_write_valid;
     wire [11:0] tile_cache_write_tile;
     wire [5:0] tile_cache_write_pixel;
     wire [27:0] tile_cache_write_weight;
     wire [51:0] tile_cache_write_depth;
-    wire [39:0] tile_cache_write_attribute_0;
-    wire [39:0] tile_cache_write_attribute_1;
-    wire [39:0] tile_cache_write_attribute_2;
-    wire tile_cache_pixel_valid;
-    wire tile_cache_pixel_end;
+    wire [39:0] tile_cache_write_attribute_0, tile_cache_write_attribute_1, tile_cache_write_attribute_2;
+    wire tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
     wire [27:0] tile_cache_pixel_weight;
     wire [51:0] tile_cache_pixel_depth;
-    wire [39:0] tile_cache_pixel_attribute_0;
-    wire [39:0] tile_cache_pixel_attribute_1;
-    wire [39:0] tile_cache_pixel_attribute_2;
+    wire [39:0] tile_cache_pixel_attribute_0, tile_cache_pixel_attribute_1, tile_cache_pixel_attribute_2;
     wire [1:0] tile_cache_slot_ready;
-    wire tile_cache_fill_valid;
-    wire tile_cache_fill_slot;
+    wire tile_cache_fill_valid, tile_cache_fill_slot;
     wire [5:0] tile_cache_fill_pixel;
     wire [27:0] tile_cache_fill_weight;
     wire [51:0] tile_cache_fill_depth;
-    wire [39:0] tile_cache_fill_attribute_0;
-    wire [39:0] tile_cache_fill_attribute_1;
-    wire [39:0] tile_cache_fill_attribute_2;
-    wire tile_cache_drain_enable;
-    wire tile_cache_drain_slot;
+    wire [39:0] tile_cache_fill_attribute_0, tile_cache_fill_attribute_1, tile_cache_fill_attribute_2;
+    wire tile_cache_drain_enable, tile_cache_drain_slot;
     wire [5:0] tile_cache_drain_pixel;
-    wire rasterizer_in_ready;
-    wire rasterizer_out_valid;
-    wire rasterizer_out_end;
-    wire rasterizer_out_last;
-    wire rasterizer_out_inside;
-    wire rasterizer_out_slot;
+    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
+    wire rasterizer_out_inside, rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
     wire [15:0] rasterizer_out_weight;
-    wire [23:0] rasterizer_out_depth;
-    wire [23:0] rasterizer_out_depth_low;
-    wire [23:0] rasterizer_out_depth_high;
-    wire [11:0] rasterizer_out_attribute_0;
-    wire [11:0] rasterizer_out_attribute_1;
-    wire [11:0] rasterizer_out_attribute_2;
-    wire rasterizer_event_sample;
-    wire rasterizer_event_starved;
-    wire rasterizer_event_blocked;
-    wire weighting_in_ready;
-    wire weighting_out_valid;
-    wire weighting_out_end;
-    wire weighting_out_last;
-    wire weighting_out_inside;
-    wire weighting_out_slot;
+    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
+    wire [11:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
+    wire rasterizer_event_sample, rasterizer_event_starved, rasterizer_event_blocked, weighting_in_ready;
+    wire weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside, weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
-    wire [23:0] weighting_out_depth_low;
-    wire [23:0] weighting_out_depth_high;
-    wire [27:0] weighting_out_attribute_0;
-    wire [27:0] weighting_out_attribute_1;
-    wire [27:0] weighting_out_attribute_2;
-    wire accumulator_in_ready;
-    wire accumulator_retire_valid;
-    wire accumulator_retire_slot;
-    wire accumulator_frame_end;
+    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
+    wire [27:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
+    wire accumulator_in_ready, accumulator_retire_valid, accumulator_retire_slot, accumulator_frame_end;
     wire [27:0] accumulator_drain_weight;
     wire [51:0] accumulator_drain_depth;
-    wire [39:0] accumulator_drain_attribute_0;
-    wire [39:0] accumulator_drain_attribute_1;
-    wire [39:0] accumulator_drain_attribute_2;
-    wire accumulator_event_accumulate;
-    wire accumulator_event_hazard;
-    wire accumulator_event_slot_wait;
-    wire normalizer_in_ready;
-    wire normalizer_out_valid;
-    wire normalizer_out_end;
-    wire [8:0] normalizer_out_column;
-    wire [8:0] normalizer_out_row;
+    wire [39:0] accumulator_drain_attribute_0, accumulator_drain_attribute_1, accumulator_drain_attribute_2;
+    wire accumulator_event_accumulate, accumulator_event_hazard, accumulator_event_slot_wait;
+    wire normalizer_in_ready, normalizer_out_valid, normalizer_out_end;
+    wire [8:0] normalizer_out_column, normalizer_out_row;
     wire [23:0] normalizer_out_depth;
-    wire [11:0] normalizer_out_attribute_0;
-    wire [11:0] normalizer_out_attribute_1;
-    wire [11:0] normalizer_out_attribute_2;
+    wire [11:0] normalizer_out_attribute_0, normalizer_out_attribute_1, normalizer_out_attribute_2;
 
     assign splat_ready = transform_in_ready;
-    assign data_ready = tile_cache_data_ready;
-    wire transform_out_ready = setup_in_ready;
-    wire setup_out_ready = splitter_in_ready;
-    wire splitter_out_ready = reorder_in_ready;
-    wire reorder_out_ready = tile_cache_in_ready;
-    wire tile_cache_out_ready = rasterizer_in_ready;
-    wire tile_cache_read_ready = read_ready;
-    wire tile_cache_write_ready = write_ready;
-    wire tile_cache_pixel_ready = normalizer_in_ready;
-    wire rasterizer_out_ready = weighting_in_ready;
-    wire weighting_out_ready = accumulator_in_ready;
-    wire normalizer_out_ready = fragment_ready;
-
     assign read_valid = tile_cache_read_valid;
     assign read_tile = tile_cache_read_tile;
+    assign data_ready = tile_cache_data_ready;
     assign write_valid = tile_cache_write_valid;
     assign write_tile = tile_cache_write_tile;
     assign write_pixel = tile_cache_write_pixel;
@@ -318,527 +181,242 @@ module splat_top (
     assign event_slot_wait = accumulator_event_slot_wait;
 
     splat_transform transform (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(splat_valid),
-        .in_ready(transform_in_ready),
-        .in_end(splat_end),
-        .in_center_x(splat_center_x),
-        .in_center_y(splat_center_y),
-        .in_center_z(splat_center_z),
-        .in_tangent1_x(splat_tangent1_x),
-        .in_tangent1_y(splat_tangent1_y),
-        .in_tangent1_z(splat_tangent1_z),
-        .in_tangent2_x(splat_tangent2_x),
-        .in_tangent2_y(splat_tangent2_y),
-        .in_tangent2_z(splat_tangent2_z),
-        .in_attribute_0(splat_attribute_0),
-        .in_attribute_1(splat_attribute_1),
+        .clk(clk), .rst(rst),
+        .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
+        .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
+        .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
+        .in_attribute_0(splat_attribute_0), .in_attribute_1(splat_attribute_1),
         .in_attribute_2(splat_attribute_2),
-        .m00(uniform_m00),
-        .m01(uniform_m01),
-        .m02(uniform_m02),
-        .m03(uniform_m03),
-        .m10(uniform_m10),
-        .m11(uniform_m11),
-        .m12(uniform_m12),
-        .m13(uniform_m13),
-        .m20(uniform_m20),
-        .m21(uniform_m21),
-        .m22(uniform_m22),
-        .m23(uniform_m23),
+        .m00(uniform_m00), .m01(uniform_m01), .m02(uniform_m02), .m03(uniform_m03), .m10(uniform_m10),
+        .m11(uniform_m11), .m12(uniform_m12), .m13(uniform_m13), .m20(uniform_m20), .m21(uniform_m21),
+        .m22(uniform_m22), .m23(uniform_m23),
         .near_plane(uniform_near_plane),
-        .out_valid(transform_out_valid),
-        .out_ready(transform_out_ready),
-        .out_end(transform_out_end),
-        .out_center_x(transform_out_center_x),
-        .out_center_y(transform_out_center_y),
-        .out_center_z(transform_out_center_z),
-        .out_tangent1_x(transform_out_tangent1_x),
-        .out_tangent1_y(transform_out_tangent1_y),
-        .out_tangent1_z(transform_out_tangent1_z),
-        .out_tangent2_x(transform_out_tangent2_x),
-        .out_tangent2_y(transform_out_tangent2_y),
-        .out_tangent2_z(transform_out_tangent2_z),
-        .out_attribute_0(transform_out_attribute_0),
-        .out_attribute_1(transform_out_attribute_1),
-        .out_attribute_2(transform_out_attribute_2)
+        .out_valid(transform_out_valid), .out_ready(setup_in_ready), .out_end(transform_out_end),
+        .out_center_x(transform_out_center_x), .out_center_y(transform_out_center_y),
+        .out_center_z(transform_out_center_z), .out_tangent1_x(transform_out_tangent1_x),
+        .out_tangent1_y(transform_out_tangent1_y), .out_tangent1_z(transform_out_tangent1_z),
+        .out_tangent2_x(transform_out_tangent2_x), .out_tangent2_y(transform_out_tangent2_y),
+        .out_tangent2_z(transform_out_tangent2_z), .out_attribute_0(transform_out_attribute_0),
+        .out_attribute_1(transform_out_attribute_1), .out_attribute_2(transform_out_attribute_2)
     );
 
     splat_setup setup (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(transform_out_valid),
-        .in_ready(setup_in_ready),
-        .in_end(transform_out_end),
-        .in_center_x(transform_out_center_x),
-        .in_center_y(transform_out_center_y),
-        .in_center_z(transform_out_center_z),
-        .in_tangent1_x(transform_out_tangent1_x),
-        .in_tangent1_y(transform_out_tangent1_y),
-        .in_tangent1_z(transform_out_tangent1_z),
-        .in_tangent2_x(transform_out_tangent2_x),
-        .in_tangent2_y(transform_out_tangent2_y),
-        .in_tangent2_z(transform_out_tangent2_z),
-        .in_attribute_0(transform_out_attribute_0),
-        .in_attribute_1(transform_out_attribute_1),
-        .in_attribute_2(transform_out_attribute_2),
+        .clk(clk), .rst(rst),
+        .in_valid(transform_out_valid), .in_ready(setup_in_ready), .in_end(transform_out_end),
+        .in_center_x(transform_out_center_x), .in_center_y(transform_out_center_y),
+        .in_center_z(transform_out_center_z), .in_tangent1_x(transform_out_tangent1_x),
+        .in_tangent1_y(transform_out_tangent1_y), .in_tangent1_z(transform_out_tangent1_z),
+        .in_tangent2_x(transform_out_tangent2_x), .in_tangent2_y(transform_out_tangent2_y),
+        .in_tangent2_z(transform_out_tangent2_z), .in_attribute_0(transform_out_attribute_0),
+        .in_attribute_1(transform_out_attribute_1), .in_attribute_2(transform_out_attribute_2),
         .filter_radius(uniform_filter_radius),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
         .scale_y(uniform_scale_y),
         .origin_y(uniform_origin_y),
-        .depth_b(uniform_depth_b),
-        .depth_a(uniform_depth_a),
-        .epsilon_scale(uniform_epsilon_scale),
-        .epsilon_bias(uniform_epsilon_bias),
-        .out_valid(setup_out_valid),
-        .out_ready(setup_out_ready),
-        .out_end(setup_out_end),
-        .out_center_x(setup_out_center_x),
-        .out_center_y(setup_out_center_y),
-        .out_ax(setup_out_ax),
-        .out_bx(setup_out_bx),
-        .out_ay(setup_out_ay),
-        .out_by(setup_out_by),
-        .out_delta(setup_out_delta),
-        .out_mx(setup_out_mx),
-        .out_my(setup_out_my),
-        .out_shift(setup_out_shift),
-        .out_depth(setup_out_depth),
-        .out_depth_low(setup_out_depth_low),
-        .out_depth_high(setup_out_depth_high),
-        .out_attribute_0(setup_out_attribute_0),
-        .out_attribute_1(setup_out_attribute_1),
-        .out_attribute_2(setup_out_attribute_2),
-        .out_left(setup_out_left),
-        .out_right(setup_out_right),
-        .out_top(setup_out_top),
+        .depth_b(uniform_depth_b), .depth_a(uniform_depth_a),
+        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
+        .out_valid(setup_out_valid), .out_ready(splitter_in_ready), .out_end(setup_out_end),
+        .out_center_x(setup_out_center_x), .out_center_y(setup_out_center_y), .out_ax(setup_out_ax),
+        .out_bx(setup_out_bx), .out_ay(setup_out_ay), .out_by(setup_out_by), .out_delta(setup_out_delta),
+        .out_mx(setup_out_mx), .out_my(setup_out_my), .out_shift(setup_out_shift),
+        .out_depth(setup_out_depth), .out_depth_low(setup_out_depth_low),
+        .out_depth_high(setup_out_depth_high), .out_attribute_0(setup_out_attribute_0),
+        .out_attribute_1(setup_out_attribute_1), .out_attribute_2(setup_out_attribute_2),
+        .out_left(setup_out_left), .out_right(setup_out_right), .out_top(setup_out_top),
         .out_bottom(setup_out_bottom)
     );
 
     splat_splitter splitter (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(setup_out_valid),
-        .in_ready(splitter_in_ready),
-        .in_end(setup_out_end),
-        .in_center_x(setup_out_center_x),
-        .in_center_y(setup_out_center_y),
-        .in_ax(setup_out_ax),
-        .in_bx(setup_out_bx),
-        .in_ay(setup_out_ay),
-        .in_by(setup_out_by),
-        .in_delta(setup_out_delta),
-        .in_mx(setup_out_mx),
-        .in_my(setup_out_my),
-        .in_shift(setup_out_shift),
-        .in_depth(setup_out_depth),
-        .in_depth_low(setup_out_depth_low),
-        .in_depth_high(setup_out_depth_high),
-        .in_attribute_0(setup_out_attribute_0),
-        .in_attribute_1(setup_out_attribute_1),
-        .in_attribute_2(setup_out_attribute_2),
-        .in_left(setup_out_left),
-        .in_right(setup_out_right),
-        .in_top(setup_out_top),
-        .in_bottom(setup_out_bottom),
-        .out_valid(splitter_out_valid),
-        .out_ready(splitter_out_ready),
-        .out_end(splitter_out_end),
-        .out_center_x(splitter_out_center_x),
-        .out_center_y(splitter_out_center_y),
-        .out_ax(splitter_out_ax),
-        .out_bx(splitter_out_bx),
-        .out_ay(splitter_out_ay),
-        .out_by(splitter_out_by),
-        .out_delta(splitter_out_delta),
-        .out_mx(splitter_out_mx),
-        .out_my(splitter_out_my),
-        .out_shift(splitter_out_shift),
-        .out_depth(splitter_out_depth),
-        .out_depth_low(splitter_out_depth_low),
-        .out_depth_high(splitter_out_depth_high),
-        .out_attribute_0(splitter_out_attribute_0),
-        .out_attribute_1(splitter_out_attribute_1),
-        .out_attribute_2(splitter_out_attribute_2),
-        .out_left(splitter_out_left),
-        .out_right(splitter_out_right),
-        .out_top(splitter_out_top),
-        .out_bottom(splitter_out_bottom),
+        .clk(clk), .rst(rst),
+        .in_valid(setup_out_valid), .in_ready(splitter_in_ready), .in_end(setup_out_end),
+        .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y), .in_ax(setup_out_ax),
+        .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by), .in_delta(setup_out_delta),
+        .in_mx(setup_out_mx), .in_my(setup_out_my), .in_shift(setup_out_shift), .in_depth(setup_out_depth),
+        .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
+        .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
+        .in_attribute_2(setup_out_attribute_2), .in_left(setup_out_left), .in_right(setup_out_right),
+        .in_top(setup_out_top), .in_bottom(setup_out_bottom),
+        .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
+        .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
+        .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
+        .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
+        .out_shift(splitter_out_shift), .out_depth(splitter_out_depth),
+        .out_depth_low(splitter_out_depth_low), .out_depth_high(splitter_out_depth_high),
+        .out_attribute_0(splitter_out_attribute_0), .out_attribute_1(splitter_out_attribute_1),
+        .out_attribute_2(splitter_out_attribute_2), .out_left(splitter_out_left),
+        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
         .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(splitter_out_valid),
-        .in_ready(reorder_in_ready),
-        .in_end(splitter_out_end),
-        .in_center_x(splitter_out_center_x),
-        .in_center_y(splitter_out_center_y),
-        .in_ax(splitter_out_ax),
-        .in_bx(splitter_out_bx),
-        .in_ay(splitter_out_ay),
-        .in_by(splitter_out_by),
-        .in_delta(splitter_out_delta),
-        .in_mx(splitter_out_mx),
-        .in_my(splitter_out_my),
-        .in_shift(splitter_out_shift),
-        .in_depth(splitter_out_depth),
-        .in_depth_low(splitter_out_depth_low),
-        .in_depth_high(splitter_out_depth_high),
-        .in_attribute_0(splitter_out_attribute_0),
-        .in_attribute_1(splitter_out_attribute_1),
-        .in_attribute_2(splitter_out_attribute_2),
-        .in_left(splitter_out_left),
-        .in_right(splitter_out_right),
-        .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom),
-        .in_tile(splitter_out_tile),
-        .out_valid(reorder_out_valid),
-        .out_ready(reorder_out_ready),
-        .out_end(reorder_out_end),
-        .out_center_x(reorder_out_center_x),
-        .out_center_y(reorder_out_center_y),
-        .out_ax(reorder_out_ax),
-        .out_bx(reorder_out_bx),
-        .out_ay(reorder_out_ay),
-        .out_by(reorder_out_by),
-        .out_delta(reorder_out_delta),
-        .out_mx(reorder_out_mx),
-        .out_my(reorder_out_my),
-        .out_shift(reorder_out_shift),
-        .out_depth(reorder_out_depth),
-        .out_depth_low(reorder_out_depth_low),
-        .out_depth_high(reorder_out_depth_high),
-        .out_attribute_0(reorder_out_attribute_0),
-        .out_attribute_1(reorder_out_attribute_1),
-        .out_attribute_2(reorder_out_attribute_2),
-        .out_left(reorder_out_left),
-        .out_right(reorder_out_right),
-        .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom),
-        .out_tile(reorder_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(splitter_out_valid), .in_ready(reorder_in_ready), .in_end(splitter_out_end),
+        .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax),
+        .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
+        .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
+        .in_shift(splitter_out_shift), .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
+        .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
+        .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
+        .in_left(splitter_out_left), .in_right(splitter_out_right), .in_top(splitter_out_top),
+        .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
+        .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
+        .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
+        .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
+        .out_shift(reorder_out_shift), .out_depth(reorder_out_depth), .out_depth_low(reorder_out_depth_low),
+        .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
+        .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
+        .out_left(reorder_out_left), .out_right(reorder_out_right), .out_top(reorder_out_top),
+        .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(reorder_out_valid),
-        .in_ready(tile_cache_in_ready),
-        .in_end(reorder_out_end),
-        .in_center_x(reorder_out_center_x),
-        .in_center_y(reorder_out_center_y),
-        .in_ax(reorder_out_ax),
-        .in_bx(reorder_out_bx),
-        .in_ay(reorder_out_ay),
-        .in_by(reorder_out_by),
-        .in_delta(reorder_out_delta),
-        .in_mx(reorder_out_mx),
-        .in_my(reorder_out_my),
-        .in_shift(reorder_out_shift),
-        .in_depth(reorder_out_depth),
-        .in_depth_low(reorder_out_depth_low),
-        .in_depth_high(reorder_out_depth_high),
-        .in_attribute_0(reorder_out_attribute_0),
-        .in_attribute_1(reorder_out_attribute_1),
-        .in_attribute_2(reorder_out_attribute_2),
-        .in_left(reorder_out_left),
-        .in_right(reorder_out_right),
-        .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom),
-        .in_tile(reorder_out_tile),
-        .out_valid(tile_cache_out_valid),
-        .out_ready(tile_cache_out_ready),
-        .out_end(tile_cache_out_end),
-        .out_center_x(tile_cache_out_center_x),
-        .out_center_y(tile_cache_out_center_y),
-        .out_ax(tile_cache_out_ax),
-        .out_bx(tile_cache_out_bx),
-        .out_ay(tile_cache_out_ay),
-        .out_by(tile_cache_out_by),
-        .out_delta(tile_cache_out_delta),
-        .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my),
-        .out_shift(tile_cache_out_shift),
-        .out_depth(tile_cache_out_depth),
-        .out_depth_low(tile_cache_out_depth_low),
-        .out_depth_high(tile_cache_out_depth_high),
-        .out_attribute_0(tile_cache_out_attribute_0),
-        .out_attribute_1(tile_cache_out_attribute_1),
-        .out_attribute_2(tile_cache_out_attribute_2),
-        .out_left(tile_cache_out_left),
-        .out_right(tile_cache_out_right),
-        .out_top(tile_cache_out_top),
-        .out_bottom(tile_cache_out_bottom),
-        .out_tile(tile_cache_out_tile),
-        .out_slot(tile_cache_out_slot),
-        .read_valid(tile_cache_read_valid),
-        .read_ready(tile_cache_read_ready),
-        .read_tile(tile_cache_read_tile),
-        .data_valid(data_valid),
-        .data_ready(tile_cache_data_ready),
-        .data_weight(data_weight),
-        .data_depth(data_depth),
-        .data_attribute_0(data_attribute_0),
-        .data_attribute_1(data_attribute_1),
+        .clk(clk), .rst(rst),
+        .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready), .in_end(reorder_out_end),
+        .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y), .in_ax(reorder_out_ax),
+        .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by), .in_delta(reorder_out_delta),
+        .in_mx(reorder_out_mx), .in_my(reorder_out_my), .in_shift(reorder_out_shift),
+        .in_depth(reorder_out_depth), .in_depth_low(reorder_out_depth_low),
+        .in_depth_high(reorder_out_depth_high), .in_attribute_0(reorder_out_attribute_0),
+        .in_attribute_1(reorder_out_attribute_1), .in_attribute_2(reorder_out_attribute_2),
+        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
+        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
+        .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
+        .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
+        .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
+        .out_my(tile_cache_out_my), .out_shift(tile_cache_out_shift), .out_depth(tile_cache_out_depth),
+        .out_depth_low(tile_cache_out_depth_low), .out_depth_high(tile_cache_out_depth_high),
+        .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
+        .out_attribute_2(tile_cache_out_attribute_2), .out_left(tile_cache_out_left),
+        .out_right(tile_cache_out_right), .out_top(tile_cache_out_top), .out_bottom(tile_cache_out_bottom),
+        .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .read_valid(tile_cache_read_valid), .read_ready(read_ready), .read_tile(tile_cache_read_tile),
+        .data_valid(data_valid), .data_ready(tile_cache_data_ready), .data_weight(data_weight),
+        .data_depth(data_depth), .data_attribute_0(data_attribute_0), .data_attribute_1(data_attribute_1),
         .data_attribute_2(data_attribute_2),
-        .write_valid(tile_cache_write_valid),
-        .write_ready(tile_cache_write_ready),
-        .write_tile(tile_cache_write_tile),
-        .write_pixel(tile_cache_write_pixel),
-        .write_weight(tile_cache_write_weight),
-        .write_depth(tile_cache_write_depth),
-        .write_attribute_0(tile_cache_write_attribute_0),
-        .write_attribute_1(tile_cache_write_attribute_1),
-        .write_attribute_2(tile_cache_write_attribute_2),
-        .pixel_valid(tile_cache_pixel_valid),
-        .pixel_ready(tile_cache_pixel_ready),
-        .pixel_end(tile_cache_pixel_end),
-        .pixel_tile(tile_cache_pixel_tile),
-        .pixel_pixel(tile_cache_pixel_pixel),
-        .pixel_weight(tile_cache_pixel_weight),
-        .pixel_depth(tile_cache_pixel_depth),
-        .pixel_attribute_0(tile_cache_pixel_attribute_0),
-        .pixel_attribute_1(tile_cache_pixel_attribute_1),
-        .pixel_attribute_2(tile_cache_pixel_attribute_2),
+        .write_valid(tile_cache_write_valid), .write_ready(write_ready), .write_tile(tile_cache_write_tile),
+        .write_pixel(tile_cache_write_pixel), .write_weight(tile_cache_write_weight),
+        .write_depth(tile_cache_write_depth), .write_attribute_0(tile_cache_write_attribute_0),
+        .write_attribute_1(tile_cache_write_attribute_1), .write_attribute_2(tile_cache_write_attribute_2),
+        .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
+        .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
+        .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
+        .pixel_depth(tile_cache_pixel_depth), .pixel_attribute_0(tile_cache_pixel_attribute_0),
+        .pixel_attribute_1(tile_cache_pixel_attribute_1), .pixel_attribute_2(tile_cache_pixel_attribute_2),
         .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid),
-        .retire_slot(accumulator_retire_slot),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
         .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid),
-        .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel),
-        .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth),
-        .fill_attribute_0(tile_cache_fill_attribute_0),
-        .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2),
-        .drain_enable(tile_cache_drain_enable),
-        .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel),
-        .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth),
-        .drain_attribute_0(accumulator_drain_attribute_0),
-        .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2)
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1), .fill_attribute_2(tile_cache_fill_attribute_2),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth), .drain_attribute_0(accumulator_drain_attribute_0),
+        .drain_attribute_1(accumulator_drain_attribute_1), .drain_attribute_2(accumulator_drain_attribute_2)
     );
 
     splat_rasterizer rasterizer (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(tile_cache_out_valid),
-        .in_ready(rasterizer_in_ready),
-        .in_end(tile_cache_out_end),
-        .in_center_x(tile_cache_out_center_x),
-        .in_center_y(tile_cache_out_center_y),
-        .in_ax(tile_cache_out_ax),
-        .in_bx(tile_cache_out_bx),
-        .in_ay(tile_cache_out_ay),
-        .in_by(tile_cache_out_by),
-        .in_delta(tile_cache_out_delta),
-        .in_mx(tile_cache_out_mx),
-        .in_my(tile_cache_out_my),
-        .in_shift(tile_cache_out_shift),
-        .in_depth(tile_cache_out_depth),
-        .in_depth_low(tile_cache_out_depth_low),
-        .in_depth_high(tile_cache_out_depth_high),
-        .in_attribute_0(tile_cache_out_attribute_0),
-        .in_attribute_1(tile_cache_out_attribute_1),
-        .in_attribute_2(tile_cache_out_attribute_2),
-        .in_left(tile_cache_out_left),
-        .in_right(tile_cache_out_right),
-        .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom),
-        .in_tile(tile_cache_out_tile),
-        .in_slot(tile_cache_out_slot),
-        .out_valid(rasterizer_out_valid),
-        .out_ready(rasterizer_out_ready),
-        .out_end(rasterizer_out_end),
-        .out_last(rasterizer_out_last),
-        .out_inside(rasterizer_out_inside),
-        .out_slot(rasterizer_out_slot),
-        .out_pixel(rasterizer_out_pixel),
-        .out_weight(rasterizer_out_weight),
-        .out_depth(rasterizer_out_depth),
-        .out_depth_low(rasterizer_out_depth_low),
-        .out_depth_high(rasterizer_out_depth_high),
-        .out_attribute_0(rasterizer_out_attribute_0),
-        .out_attribute_1(rasterizer_out_attribute_1),
-        .out_attribute_2(rasterizer_out_attribute_2),
+        .clk(clk), .rst(rst),
+        .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready), .in_end(tile_cache_out_end),
+        .in_center_x(tile_cache_out_center_x), .in_center_y(tile_cache_out_center_y),
+        .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx), .in_ay(tile_cache_out_ay),
+        .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta), .in_mx(tile_cache_out_mx),
+        .in_my(tile_cache_out_my), .in_shift(tile_cache_out_shift), .in_depth(tile_cache_out_depth),
+        .in_depth_low(tile_cache_out_depth_low), .in_depth_high(tile_cache_out_depth_high),
+        .in_attribute_0(tile_cache_out_attribute_0), .in_attribute_1(tile_cache_out_attribute_1),
+        .in_attribute_2(tile_cache_out_attribute_2), .in_left(tile_cache_out_left),
+        .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
+        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
+        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
+        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
+        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
+        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
+        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
         .filter_scale(uniform_filter_scale),
-        .event_sample(rasterizer_event_sample),
-        .event_starved(rasterizer_event_starved),
+        .event_sample(rasterizer_event_sample), .event_starved(rasterizer_event_starved),
         .event_blocked(rasterizer_event_blocked)
     );
 
     splat_weighting weighting (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(rasterizer_out_valid),
-        .in_ready(weighting_in_ready),
-        .in_end(rasterizer_out_end),
-        .in_last(rasterizer_out_last),
-        .in_inside(rasterizer_out_inside),
-        .in_slot(rasterizer_out_slot),
-        .in_pixel(rasterizer_out_pixel),
-        .in_weight(rasterizer_out_weight),
-        .in_depth(rasterizer_out_depth),
-        .in_depth_low(rasterizer_out_depth_low),
-        .in_depth_high(rasterizer_out_depth_high),
-        .in_attribute_0(rasterizer_out_attribute_0),
-        .in_attribute_1(rasterizer_out_attribute_1),
+        .clk(clk), .rst(rst),
+        .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready), .in_end(rasterizer_out_end),
+        .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside), .in_slot(rasterizer_out_slot),
+        .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight), .in_depth(rasterizer_out_depth),
+        .in_depth_low(rasterizer_out_depth_low), .in_depth_high(rasterizer_out_depth_high),
+        .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
         .in_attribute_2(rasterizer_out_attribute_2),
-        .out_valid(weighting_out_valid),
-        .out_ready(weighting_out_ready),
-        .out_end(weighting_out_end),
-        .out_last(weighting_out_last),
-        .out_inside(weighting_out_inside),
-        .out_slot(weighting_out_slot),
-        .out_pixel(weighting_out_pixel),
-        .out_weight(weighting_out_weight),
-        .out_weighted_depth(weighting_out_weighted_depth),
-        .out_depth_low(weighting_out_depth_low),
-        .out_depth_high(weighting_out_depth_high),
-        .out_attribute_0(weighting_out_attribute_0),
-        .out_attribute_1(weighting_out_attribute_1),
-        .out_attribute_2(weighting_out_attribute_2)
+        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
+        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
+        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
+        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
+        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
+        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2)
     );
 
     splat_accumulator accumulator (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(weighting_out_valid),
-        .in_ready(accumulator_in_ready),
-        .in_end(weighting_out_end),
-        .in_last(weighting_out_last),
-        .in_inside(weighting_out_inside),
-        .in_slot(weighting_out_slot),
-        .in_pixel(weighting_out_pixel),
-        .in_weight(weighting_out_weight),
-        .in_weighted_depth(weighting_out_weighted_depth),
-        .in_depth_low(weighting_out_depth_low),
-        .in_depth_high(weighting_out_depth_high),
-        .in_attribute_0(weighting_out_attribute_0),
-        .in_attribute_1(weighting_out_attribute_1),
-        .in_attribute_2(weighting_out_attribute_2),
+        .clk(clk), .rst(rst),
+        .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready), .in_end(weighting_out_end),
+        .in_last(weighting_out_last), .in_inside(weighting_out_inside), .in_slot(weighting_out_slot),
+        .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
+        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
+        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
         .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid),
-        .retire_slot(accumulator_retire_slot),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
         .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid),
-        .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel),
-        .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth),
-        .fill_attribute_0(tile_cache_fill_attribute_0),
-        .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2),
-        .drain_enable(tile_cache_drain_enable),
-        .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel),
-        .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth),
-        .drain_attribute_0(accumulator_drain_attribute_0),
-        .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2),
-        .event_accumulate(accumulator_event_accumulate),
-        .event_hazard(accumulator_event_hazard),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_attribute_0(tile_cache_fill_attribute_0),
+        .fill_attribute_1(tile_cache_fill_attribute_1), .fill_attribute_2(tile_cache_fill_attribute_2),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth), .drain_attribute_0(accumulator_drain_attribute_0),
+        .drain_attribute_1(accumulator_drain_attribute_1), .drain_attribute_2(accumulator_drain_attribute_2),
+        .event_accumulate(accumulator_event_accumulate), .event_hazard(accumulator_event_hazard),
         .event_slot_wait(accumulator_event_slot_wait)
     );
 
     splat_normalizer normalizer (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(tile_cache_pixel_valid),
-        .in_ready(normalizer_in_ready),
-        .in_end(tile_cache_pixel_end),
-        .in_tile(tile_cache_pixel_tile),
-        .in_pixel(tile_cache_pixel_pixel),
-        .in_weight(tile_cache_pixel_weight),
-        .in_depth(tile_cache_pixel_depth),
-        .in_attribute_0(tile_cache_pixel_attribute_0),
-        .in_attribute_1(tile_cache_pixel_attribute_1),
+        .clk(clk), .rst(rst),
+        .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready), .in_end(tile_cache_pixel_end),
+        .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
+        .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
+        .in_attribute_0(tile_cache_pixel_attribute_0), .in_attribute_1(tile_cache_pixel_attribute_1),
         .in_attribute_2(tile_cache_pixel_attribute_2),
-        .out_valid(normalizer_out_valid),
-        .out_ready(normalizer_out_ready),
-        .out_end(normalizer_out_end),
-        .out_column(normalizer_out_column),
-        .out_row(normalizer_out_row),
-        .out_depth(normalizer_out_depth),
-        .out_attribute_0(normalizer_out_attribute_0),
-        .out_attribute_1(normalizer_out_attribute_1),
+        .out_valid(normalizer_out_valid), .out_ready(fragment_ready), .out_end(normalizer_out_end),
+        .out_column(normalizer_out_column), .out_row(normalizer_out_row), .out_depth(normalizer_out_depth),
+        .out_attribute_0(normalizer_out_attribute_0), .out_attribute_1(normalizer_out_attribute_1),
         .out_attribute_2(normalizer_out_attribute_2)
     );
 
     always @(posedge clk) begin
-        if (uniform_valid & (uniform_address == 5'd0)) begin
-            uniform_m00 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd1)) begin
-            uniform_m01 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd2)) begin
-            uniform_m02 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd3)) begin
-            uniform_m03 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd4)) begin
-            uniform_m10 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd5)) begin
-            uniform_m11 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd6)) begin
-            uniform_m12 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd7)) begin
-            uniform_m13 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd8)) begin
-            uniform_m20 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd9)) begin
-            uniform_m21 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd10)) begin
-            uniform_m22 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd11)) begin
-            uniform_m23 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd12)) begin
-            uniform_scale_x <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd13)) begin
-            uniform_scale_y <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd14)) begin
-            uniform_origin_x <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd15)) begin
-            uniform_origin_y <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd16)) begin
-            uniform_depth_a <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd17)) begin
-            uniform_depth_b <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd18)) begin
-            uniform_near_plane <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd19)) begin
-            uniform_epsilon_scale <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd20)) begin
-            uniform_epsilon_bias <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd21)) begin
-            uniform_filter_radius <= uniform_data;
-        end
+        if (uniform_valid & (uniform_address == 5'd0)) uniform_m00 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd1)) uniform_m01 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd2)) uniform_m02 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd3)) uniform_m03 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd4)) uniform_m10 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd5)) uniform_m11 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd6)) uniform_m12 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd7)) uniform_m13 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd8)) uniform_m20 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd9)) uniform_m21 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd10)) uniform_m22 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd11)) uniform_m23 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd12)) uniform_scale_x <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd13)) uniform_scale_y <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd14)) uniform_origin_x <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd15)) uniform_origin_y <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd16)) uniform_depth_a <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd17)) uniform_depth_b <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd18)) uniform_near_plane <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd19)) uniform_epsilon_scale <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd20)) uniform_epsilon_bias <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd21)) uniform_filter_radius <= uniform_data;
         if (uniform_valid & (uniform_address == 5'd22)) begin
             uniform_filter_scale <= uniform_data[15:0];
         end
@@ -883,73 +461,22 @@ module splat_normalizer (
     reg [23:0] delay_20_from_0_out;
     reg [4:0] delay_31_from_0_pointer;
     reg [18:0] delay_31_from_0_out;
-    reg [23:0] mul_11_d1;
-    reg [23:0] mul_11_d2;
-    reg [23:0] mul_11_d3;
-    reg [23:0] mul_11_d4;
-    reg [13:0] shr_28_d1;
-    reg [13:0] shr_42_d1;
-    reg [13:0] shr_55_d1;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
-    reg valid_d24;
-    reg valid_d25;
-    reg valid_d26;
-    reg valid_d27;
-    reg valid_d28;
-    reg valid_d29;
-    reg valid_d30;
-    reg valid_d31;
+    reg [23:0] mul_11_d1, mul_11_d2, mul_11_d3, mul_11_d4;
+    reg [13:0] shr_28_d1, shr_42_d1, shr_55_d1;
+    reg [30:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire [8:0] queue_out_column;
-    wire [8:0] queue_out_row;
-    wire [23:0] queue_out_depth;
-    wire [11:0] queue_out_attribute_0;
-    wire [11:0] queue_out_attribute_1;
-    wire [11:0] queue_out_attribute_2;
-    wire [23:0] to_float_u28q16_f24_ftz_unit_y;
-    wire [23:0] recip_f24_ftz_unit_y;
-    wire [23:0] to_float_u52q40_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] to_float_s40q27_f24_ftz_unit_y;
-    wire [23:0] to_float_s40q27_f24_ftz_unit_copy2_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [78:0] queue_out_data;
+    wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] to_float_s40q27_f24_ftz_unit_y, to_float_s40q27_f24_ftz_unit_copy2_y;
     wire [23:0] to_float_s40q27_f24_ftz_unit_copy3_y;
-    wire [12:0] to_fixed_f24_ftz_s13q12_unit_y;
-    wire [12:0] to_fixed_f24_ftz_s13q12_unit_copy2_y;
+    wire [12:0] to_fixed_f24_ftz_s13q12_unit_y, to_fixed_f24_ftz_s13q12_unit_copy2_y;
     wire [12:0] to_fixed_f24_ftz_s13q12_unit_copy3_y;
 
-    assign in_ready = queue_in_ready;
     wire [13:0] min_30 = ($signed(14'h7ff) < $signed(shr_28_d1)) ? 14'h7ff : shr_28_d1;
     wire [13:0] min_43 = ($signed(shr_42_d1) < $signed(14'h7ff)) ? shr_42_d1 : 14'h7ff;
     wire [13:0] min_56 = ($signed(shr_55_d1) < $signed(14'h7ff)) ? shr_55_d1 : 14'h7ff;
-    wire queue_out_ready = out_ready;
     wire not_23 = ~to_fixed_f24_ftz_s13q12_unit_y[12];
     wire [13:0] joined_1 = {to_fixed_f24_ftz_s13q12_unit_y[12], to_fixed_f24_ftz_s13q12_unit_y};
     wire [13:0] add_27 = {13'd0, not_23} + joined_1;
@@ -960,143 +487,75 @@ module splat_normalizer (
     wire [13:0] joined_3 = {to_fixed_f24_ftz_s13q12_unit_copy3_y[12], to_fixed_f24_ftz_s13q12_unit_copy3_y};
     wire [13:0] add_54 = {13'd0, not_50} + joined_3;
 
+    assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_column = queue_out_column;
-    assign out_row = queue_out_row;
-    assign out_depth = queue_out_depth;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
+    assign {out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2} = queue_out_data;
 
     stream_skid_w79 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d31),
-        .in_ready(queue_in_ready),
-        .in_end(delay_31_from_0_out[0]),
-        .in_column(delay_31_from_0_out[9:1]),
-        .in_row(delay_31_from_0_out[18:10]),
-        .in_depth(mul_11_d4),
-        .in_attribute_0(min_30[11:0]),
-        .in_attribute_1(min_43[11:0]),
-        .in_attribute_2(min_56[11:0]),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_column(queue_out_column),
-        .out_row(queue_out_row),
-        .out_depth(queue_out_depth),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[30]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_31_from_0_out[0], delay_31_from_0_out[9:1], delay_31_from_0_out[18:10], mul_11_d4, min_30[11:0],
+            min_43[11:0], min_56[11:0]
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_w28_fraction16_iunsigned to_float_u28q16_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_weight),
-        .y(to_float_u28q16_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
     float_recip recip_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u28q16_f24_ftz_unit_y),
-        .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_w52_fraction40_iunsigned to_float_u52q40_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_depth),
-        .y(to_float_u52q40_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
     float_mul_s4 mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(delay_20_from_0_out),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4 mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(delay_19_from_0_out[23:0]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4 mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(delay_19_from_0_out[47:24]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[47:24]),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4 mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(delay_19_from_0_out[71:48]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_19_from_0_out[71:48]),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_attribute_0),
-        .y(to_float_s40q27_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_attribute_0), .y(to_float_s40q27_f24_ftz_unit_y)
     );
 
     float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_attribute_1),
-        .y(to_float_s40q27_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_attribute_1), .y(to_float_s40q27_f24_ftz_unit_copy2_y)
     );
 
     float_from_fixed_s4_w40_fraction27_isigned to_float_s40q27_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_attribute_2),
-        .y(to_float_s40q27_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_attribute_2), .y(to_float_s40q27_f24_ftz_unit_copy3_y)
     );
 
     float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy2_y),
-        .y(to_fixed_f24_ftz_s13q12_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(to_fixed_f24_ftz_s13q12_unit_y)
     );
 
     float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
         .y(to_fixed_f24_ftz_s13q12_unit_copy2_y)
     );
 
     float_to_fixed_w13_fraction12_isigned to_fixed_f24_ftz_s13q12_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_y),
         .y(to_fixed_f24_ftz_s13q12_unit_copy3_y)
     );
 
@@ -1105,72 +564,12 @@ module splat_normalizer (
             delay_19_from_0_pointer <= 5'd0;
             delay_20_from_0_pointer <= 5'd0;
             delay_31_from_0_pointer <= 5'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
-            valid_d24 <= 1'd0;
-            valid_d25 <= 1'd0;
-            valid_d26 <= 1'd0;
-            valid_d27 <= 1'd0;
-            valid_d28 <= 1'd0;
-            valid_d29 <= 1'd0;
-            valid_d30 <= 1'd0;
-            valid_d31 <= 1'd0;
+            in_flight <= 31'd0;
         end else if (queue_in_ready) begin
             delay_19_from_0_pointer <= (delay_19_from_0_pointer == 5'd17) ? (delay_19_from_0_pointer - 5'd17) : (delay_19_from_0_pointer + 5'd1);
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_31_from_0_pointer <= (delay_31_from_0_pointer == 5'd29) ? (delay_31_from_0_pointer - 5'd29) : (delay_31_from_0_pointer + 5'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
-            valid_d24 <= valid_d23;
-            valid_d25 <= valid_d24;
-            valid_d26 <= valid_d25;
-            valid_d27 <= valid_d26;
-            valid_d28 <= valid_d27;
-            valid_d29 <= valid_d28;
-            valid_d30 <= valid_d29;
-            valid_d31 <= valid_d30;
+            in_flight <= {in_flight[29:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -1187,30 +586,23 @@ module splat_normalizer (
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_19_from_0[delay_19_from_0_pointer] <= {
-                to_float_s40q27_f24_ftz_unit_copy3_y,
-                to_float_s40q27_f24_ftz_unit_copy2_y,
+                to_float_s40q27_f24_ftz_unit_copy3_y, to_float_s40q27_f24_ftz_unit_copy2_y,
                 to_float_s40q27_f24_ftz_unit_y
             };
         end
-        if (queue_in_ready) begin
-            delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
-        end
+        if (queue_in_ready) delay_19_from_0_out <= delay_19_from_0[delay_19_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_20_from_0[delay_20_from_0_pointer] <= to_float_u52q40_f24_ftz_unit_y;
         end
-        if (queue_in_ready) begin
-            delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
-        end
+        if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_31_from_0[delay_31_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_end};
         end
-        if (queue_in_ready) begin
-            delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
-        end
+        if (queue_in_ready) delay_31_from_0_out <= delay_31_from_0[delay_31_from_0_pointer];
     end
 
     wire _unused = &{1'b0, add_27[0], add_41[0], add_54[0], min_30[13:12], min_43[13:12], min_56[13:12]};
@@ -1224,7 +616,6 @@ endmodule
 // integer = signed
 module float_to_fixed_w13_fraction12_isigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [12:0] y
@@ -1232,14 +623,7 @@ module float_to_fixed_w13_fraction12_isigned (
     reg [3:0] distance_s1;
     reg [15:0] significand_s1;
     reg [12:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h78e;
@@ -1267,7 +651,7 @@ module float_to_fixed_w13_fraction12_isigned (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:4], rst, shifted_3[15:13]};
+    wire _unused = &{1'b0, difference_2[10:4], shifted_3[15:13]};
 endmodule
 
 // Fixed to floating point.
@@ -1278,22 +662,15 @@ endmodule
 // integer = signed
 module float_from_fixed_s4_w40_fraction27_isigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [39:0] a,
     output reg  [23:0] y
 );
-    reg [39:0] magnitude_s1;
-    reg [39:0] magnitude_s2;
+    reg [39:0] magnitude_s1, magnitude_s2;
     reg [5:0] zeros_s2;
     reg [8:0] exponent_s3;
     reg [17:0] significand_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
+    reg sign_s1, sign_s2, sign_s3, zero_s1, zero_s2, zero_s3;
 
     wire [39:0] choice_1 = a[39] ? (~a + 40'd1) : a;
     wire term_2 = ~magnitude_s1[39] & ~magnitude_s1[38];
@@ -1352,7 +729,7 @@ module float_from_fixed_s4_w40_fraction27_isigned (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s3[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Fixed to floating point.
@@ -1363,7 +740,6 @@ endmodule
 // integer = unsigned
 module float_from_fixed_s3_w52_fraction40_iunsigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [51:0] a,
     output reg  [23:0] y
@@ -1372,8 +748,7 @@ module float_from_fixed_s3_w52_fraction40_iunsigned (
     reg [5:0] zeros_s1;
     reg [8:0] exponent_s2;
     reg [17:0] significand_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg zero_s1, zero_s2;
 
     wire term_1 = ~a[51] & ~a[50];
     wire term_2 = term_1 & (~a[49] & ~a[48]);
@@ -1431,7 +806,7 @@ module float_from_fixed_s3_w52_fraction40_iunsigned (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
 // Fixed to floating point.
@@ -1442,7 +817,6 @@ endmodule
 // integer = unsigned
 module float_from_fixed_s3_w28_fraction16_iunsigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [27:0] a,
     output reg  [23:0] y
@@ -1451,8 +825,7 @@ module float_from_fixed_s3_w28_fraction16_iunsigned (
     reg [4:0] zeros_s1;
     reg [8:0] exponent_s2;
     reg [17:0] significand_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg zero_s1, zero_s2;
 
     wire term_1 = ~a[27] & ~a[26];
     wire term_2 = term_1 & (~a[25] & ~a[24]);
@@ -1493,7 +866,7 @@ module float_from_fixed_s3_w28_fraction16_iunsigned (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
 // Queue of two in registers.
@@ -1503,58 +876,32 @@ module stream_skid_w79 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [8:0] in_column,
-    input  wire [8:0] in_row,
-    input  wire [23:0] in_depth,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
+    input  wire [78:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [8:0] out_column,
-    output wire [8:0] out_row,
-    output wire [23:0] out_depth,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2
+    output wire [78:0] out_data
 );
     reg second_valid;
-    reg [78:0] head;
-    reg [78:0] second;
+    reg [78:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [78:0] in_item = {in_end, in_column, in_row, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
 
-    assign out_end = head[78];
-    assign out_column = head[77:69];
-    assign out_row = head[68:60];
-    assign out_depth = head[59:36];
-    assign out_attribute_0 = head[35:24];
-    assign out_attribute_1 = head[23:12];
-    assign out_attribute_2 = head[11:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1617,275 +964,157 @@ module splat_accumulator (
     output reg  event_hazard,
     output reg  event_slot_wait
 );
-    (* no_rw_check *)
-    reg [199:0] slot_0_pixels [0:63];
-    (* no_rw_check *)
-    reg [199:0] slot_1_pixels [0:63];
-    reg valid_1;
-    reg inside_1;
-    reg last_1;
-    reg slot_1;
+    reg valid_1, inside_1, last_1, slot_1;
     reg [5:0] pixel_1;
-    reg valid_2;
-    reg inside_2;
-    reg last_2;
-    reg slot_2;
+    reg valid_2, inside_2, last_2, slot_2;
     reg [5:0] pixel_2;
-    reg valid_3;
-    reg inside_3;
-    reg last_3;
-    reg slot_3;
+    reg valid_3, inside_3, last_3, slot_3;
     reg [5:0] pixel_3;
-    reg valid_4;
-    reg inside_4;
-    reg last_4;
-    reg slot_4;
+    reg valid_4, inside_4, last_4, slot_4;
     reg [5:0] pixel_4;
-    reg valid_5;
-    reg inside_5;
-    reg last_5;
-    reg slot_5;
+    reg valid_5, inside_5, last_5, slot_5;
     reg [5:0] pixel_5;
-    reg valid_6;
-    reg inside_6;
-    reg last_6;
-    reg slot_6;
+    reg valid_6, inside_6, last_6, slot_6;
     reg [5:0] pixel_6;
-    reg valid_7;
-    reg inside_7;
-    reg last_7;
-    reg slot_7;
+    reg valid_7, inside_7, last_7, slot_7;
     reg [5:0] pixel_7;
-    reg valid_8;
-    reg inside_8;
-    reg last_8;
-    reg slot_8;
+    reg valid_8, inside_8, last_8, slot_8;
     reg [5:0] pixel_8;
-    reg head_valid;
-    reg head_end;
-    reg head_last;
-    reg head_inside;
-    reg head_slot;
+    reg head_valid, head_end, head_last, head_inside, head_slot;
     reg [5:0] head_pixel;
     reg [15:0] head_weight;
     reg [39:0] head_weighted_depth;
-    reg [23:0] head_depth_low;
-    reg [23:0] head_depth_high;
-    reg [27:0] head_attribute_0;
-    reg [27:0] head_attribute_1;
-    reg [27:0] head_attribute_2;
+    reg [23:0] head_depth_low, head_depth_high;
+    reg [27:0] head_attribute_0, head_attribute_1, head_attribute_2;
     reg [7:0] collisions;
     reg arrived;
-    reg [199:0] slot_0_read;
+    wire [199:0] slot_0_read;
     reg [199:0] slot_0_pixel;
-    reg [199:0] slot_1_read;
-    reg [199:0] slot_1_pixel;
-    reg [199:0] stored;
+    wire [199:0] slot_1_read;
+    reg [199:0] slot_1_pixel, stored;
     reg drained_slot;
     reg [15:0] sample_1_weight;
     reg [39:0] sample_1_weighted_depth;
-    reg [23:0] sample_1_depth_low;
-    reg [23:0] sample_1_depth_high;
-    reg [27:0] sample_1_attribute_0;
-    reg [27:0] sample_1_attribute_1;
-    reg [27:0] sample_1_attribute_2;
+    reg [23:0] sample_1_depth_low, sample_1_depth_high;
+    reg [27:0] sample_1_attribute_0, sample_1_attribute_1, sample_1_attribute_2;
     reg [15:0] sample_2_weight;
     reg [39:0] sample_2_weighted_depth;
-    reg [23:0] sample_2_depth_low;
-    reg [23:0] sample_2_depth_high;
-    reg [27:0] sample_2_attribute_0;
-    reg [27:0] sample_2_attribute_1;
-    reg [27:0] sample_2_attribute_2;
+    reg [23:0] sample_2_depth_low, sample_2_depth_high;
+    reg [27:0] sample_2_attribute_0, sample_2_attribute_1, sample_2_attribute_2;
     reg [15:0] sample_3_weight;
     reg [39:0] sample_3_weighted_depth;
-    reg [23:0] sample_3_depth_low;
-    reg [23:0] sample_3_depth_high;
-    reg [27:0] sample_3_attribute_0;
-    reg [27:0] sample_3_attribute_1;
-    reg [27:0] sample_3_attribute_2;
-    reg late_fail_4;
-    reg late_fail_5;
-    reg late_pass_4;
-    reg late_pass_5;
-    reg [28:0] weight_sum_4;
-    reg [28:0] weight_sum_5;
-    reg [28:0] weight_sum_6;
-    reg [28:0] weight_sum_7;
-    reg [28:0] weight_sum_8;
-    reg [15:0] weight_4;
-    reg [15:0] weight_5;
-    reg [15:0] weight_6;
-    reg [15:0] weight_7;
-    reg [15:0] weight_8;
-    reg [51:0] depth_sum_4;
-    reg [51:0] depth_sum_5;
-    reg [51:0] depth_sum_6;
-    reg [51:0] depth_sum_7;
-    reg [51:0] depth_sum_8;
-    reg [39:0] depth_4;
-    reg [39:0] depth_5;
-    reg [39:0] depth_6;
-    reg [39:0] depth_7;
-    reg [39:0] depth_8;
-    reg [27:0] attribute_0_4;
-    reg [27:0] attribute_0_5;
-    reg [27:0] attribute_0_6;
-    reg [27:0] attribute_0_7;
-    reg [27:0] attribute_0_8;
-    reg [39:0] sum_of_attribute_0_4;
-    reg [39:0] sum_of_attribute_0_5;
-    reg [39:0] sum_of_attribute_0_6;
-    reg [39:0] sum_of_attribute_0_7;
+    reg [23:0] sample_3_depth_low, sample_3_depth_high;
+    reg [27:0] sample_3_attribute_0, sample_3_attribute_1, sample_3_attribute_2;
+    reg late_fail_4, late_fail_5, late_pass_4, late_pass_5;
+    reg [28:0] weight_sum_4, weight_sum_5, weight_sum_6, weight_sum_7, weight_sum_8;
+    reg [15:0] weight_4, weight_5, weight_6, weight_7, weight_8;
+    reg [51:0] depth_sum_4, depth_sum_5, depth_sum_6, depth_sum_7, depth_sum_8;
+    reg [39:0] depth_4, depth_5, depth_6, depth_7, depth_8;
+    reg [27:0] attribute_0_4, attribute_0_5, attribute_0_6, attribute_0_7, attribute_0_8;
+    reg [39:0] sum_of_attribute_0_4, sum_of_attribute_0_5, sum_of_attribute_0_6, sum_of_attribute_0_7;
     reg [39:0] sum_of_attribute_0_8;
-    reg [27:0] attribute_1_4;
-    reg [27:0] attribute_1_5;
-    reg [27:0] attribute_1_6;
-    reg [27:0] attribute_1_7;
-    reg [27:0] attribute_1_8;
-    reg [39:0] sum_of_attribute_1_4;
-    reg [39:0] sum_of_attribute_1_5;
-    reg [39:0] sum_of_attribute_1_6;
-    reg [39:0] sum_of_attribute_1_7;
+    reg [27:0] attribute_1_4, attribute_1_5, attribute_1_6, attribute_1_7, attribute_1_8;
+    reg [39:0] sum_of_attribute_1_4, sum_of_attribute_1_5, sum_of_attribute_1_6, sum_of_attribute_1_7;
     reg [39:0] sum_of_attribute_1_8;
-    reg [27:0] attribute_2_4;
-    reg [27:0] attribute_2_5;
-    reg [27:0] attribute_2_6;
-    reg [27:0] attribute_2_7;
-    reg [27:0] attribute_2_8;
-    reg [39:0] sum_of_attribute_2_4;
-    reg [39:0] sum_of_attribute_2_5;
-    reg [39:0] sum_of_attribute_2_6;
-    reg [39:0] sum_of_attribute_2_7;
+    reg [27:0] attribute_2_4, attribute_2_5, attribute_2_6, attribute_2_7, attribute_2_8;
+    reg [39:0] sum_of_attribute_2_4, sum_of_attribute_2_5, sum_of_attribute_2_6, sum_of_attribute_2_7;
     reg [39:0] sum_of_attribute_2_8;
 
-    wire places_in_ready;
-    wire places_out_valid;
-    wire places_out_end;
-    wire places_out_last;
-    wire places_out_inside;
-    wire places_out_slot;
-    wire [5:0] places_out_pixel;
-    wire samples_in_ready;
-    wire samples_out_valid;
-    wire [15:0] samples_out_weight;
-    wire [39:0] samples_out_weighted_depth;
-    wire [23:0] samples_out_depth_low;
-    wire [23:0] samples_out_depth_high;
-    wire [27:0] samples_out_attribute_0;
-    wire [27:0] samples_out_attribute_1;
-    wire [27:0] samples_out_attribute_2;
-    wire depth_test_fail;
-    wire depth_test_pass;
+    wire places_in_ready, places_out_valid;
+    wire [9:0] places_out_data;
+    wire samples_in_ready, samples_out_valid;
+    wire [187:0] samples_out_data;
+    wire depth_test_fail, depth_test_pass;
 
-    assign in_ready = places_in_ready;
     wire [199:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
-    wire term_1 = head_valid & ~head_end;
-    wire may_issue_inside = term_1 & head_inside;
-    wire slot_wait = may_issue_inside & ~arrived;
-    wire on_the_way = |collisions;
-    wire hazard = may_issue_inside & (arrived & on_the_way);
-    wire issue = term_1 & ~(slot_wait | hazard);
-    wire term_2 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_2 | valid_7 | valid_8);
-    wire head_takes = ~head_valid | (issue | issue_end);
-    wire queue_ready = head_takes;
-    wire places_out_ready = queue_ready;
-    wire samples_out_ready = queue_ready;
-    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_3 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
-    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [7:0] joined_11 = {
-        term_3,
-        term_4,
-        term_5,
-        term_6,
-        term_7,
-        term_8,
-        term_9,
-        head_valid & (head_inside & ~head_end) & term_10
-    };
-    wire [1:0] shifted_12 = slot_ready >> places_out_slot;
-    wire [1:0] shifted_13 = slot_ready >> head_slot;
-    wire term_14 = drain_enable & ~drain_slot;
-    wire term_15 = drain_enable & drain_slot;
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [199:0] joined_16 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
-    wire [39:0] choice_17 = late_pass_5 ? {{12{attribute_0_8[27]}}, attribute_0_8} : sum_of_attribute_0_8;
-    wire [39:0] choice_18 = late_pass_5 ? {{12{attribute_1_8[27]}}, attribute_1_8} : sum_of_attribute_1_8;
-    wire [39:0] choice_19 = late_pass_5 ? {{12{attribute_2_8[27]}}, attribute_2_8} : sum_of_attribute_2_8;
+    wire [199:0] joined_1 = {fill_weight, fill_depth, fill_attribute_0, fill_attribute_1, fill_attribute_2};
+    wire [39:0] choice_2 = late_pass_5 ? {{12{attribute_0_8[27]}}, attribute_0_8} : sum_of_attribute_0_8;
+    wire [39:0] choice_3 = late_pass_5 ? {{12{attribute_1_8[27]}}, attribute_1_8} : sum_of_attribute_1_8;
+    wire [39:0] choice_4 = late_pass_5 ? {{12{attribute_2_8[27]}}, attribute_2_8} : sum_of_attribute_2_8;
     wire [199:0] result = {
-        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
-        late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
-        choice_17,
-        choice_18,
-        choice_19
+        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0], late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
+        choice_2, choice_3, choice_4
     };
+    wire term_5 = head_valid & ~head_end;
+    wire may_issue_inside = term_5 & head_inside;
+    wire on_the_way = |collisions;
+    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
+    wire term_6 = drain_enable & ~drain_slot;
     wire filling_1 = fill_valid & fill_slot;
+    wire term_7 = drain_enable & drain_slot;
+    wire slot_wait = may_issue_inside & ~arrived;
+    wire hazard = may_issue_inside & (arrived & on_the_way);
+    wire issue = term_5 & ~(slot_wait | hazard);
+    wire term_8 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
+    wire issue_end = head_valid & head_end & ~(term_8 | valid_7 | valid_8);
+    wire head_takes = ~head_valid | (issue | issue_end);
+    wire places_out_end = places_out_data[9];
+    wire places_out_last = places_out_data[8];
+    wire places_out_inside = places_out_data[7];
+    wire places_out_slot = places_out_data[6];
+    wire [5:0] places_out_pixel = places_out_data[5:0];
+    wire [15:0] samples_out_weight = samples_out_data[187:172];
+    wire [39:0] samples_out_weighted_depth = samples_out_data[171:132];
+    wire [23:0] samples_out_depth_low = samples_out_data[131:108];
+    wire [23:0] samples_out_depth_high = samples_out_data[107:84];
+    wire [27:0] samples_out_attribute_0 = samples_out_data[83:56];
+    wire [27:0] samples_out_attribute_1 = samples_out_data[55:28];
+    wire [27:0] samples_out_attribute_2 = samples_out_data[27:0];
+    wire term_9 = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
+    wire [7:0] joined_10 = {
+        inside_7 & (places_out_data[6:0] == {slot_7, pixel_7}),
+        inside_6 & (places_out_data[6:0] == {slot_6, pixel_6}),
+        inside_5 & (places_out_data[6:0] == {slot_5, pixel_5}),
+        inside_4 & (places_out_data[6:0] == {slot_4, pixel_4}),
+        inside_3 & (places_out_data[6:0] == {slot_3, pixel_3}),
+        inside_2 & (places_out_data[6:0] == {slot_2, pixel_2}),
+        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), term_9
+    };
+    wire [1:0] shifted_11 = slot_ready >> places_out_slot;
+    wire [1:0] shifted_12 = slot_ready >> head_slot;
 
-    assign drain_weight = drained[199:172];
-    assign drain_depth = drained[171:120];
-    assign drain_attribute_0 = drained[119:80];
-    assign drain_attribute_1 = drained[79:40];
-    assign drain_attribute_2 = drained[39:0];
+    assign in_ready = places_in_ready;
+    assign {drain_weight, drain_depth, drain_attribute_0, drain_attribute_1, drain_attribute_2} = drained;
+
+    memory_1w1r_unordered #(.WIDTH(200), .DEPTH(64)) slot_0_pixels (
+        .clk(clk),
+        .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
+        .write_data(filling_0 ? joined_1 : result),
+        .read(slot_ready[0] ? (issue_inside & ~head_slot) : term_6),
+        .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(200), .DEPTH(64)) slot_1_pixels (
+        .clk(clk),
+        .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
+        .write_data(filling_1 ? joined_1 : result),
+        .read(slot_ready[1] ? (issue_inside & head_slot) : term_7),
+        .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
+    );
 
     stream_fifo_d64_w10 places (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(places_in_ready),
-        .in_end(in_end),
-        .in_last(in_last),
-        .in_inside(in_inside),
-        .in_slot(in_slot),
-        .in_pixel(in_pixel),
-        .out_valid(places_out_valid),
-        .out_ready(places_out_ready),
-        .out_end(places_out_end),
-        .out_last(places_out_last),
-        .out_inside(places_out_inside),
-        .out_slot(places_out_slot),
-        .out_pixel(places_out_pixel)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(places_in_ready),
+        .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
+        .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
     stream_fifo_d64_w188 samples (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(samples_in_ready),
-        .in_weight(in_weight),
-        .in_weighted_depth(in_weighted_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .out_valid(samples_out_valid),
-        .out_ready(samples_out_ready),
-        .out_weight(samples_out_weight),
-        .out_weighted_depth(samples_out_weighted_depth),
-        .out_depth_low(samples_out_depth_low),
-        .out_depth_high(samples_out_depth_high),
-        .out_attribute_0(samples_out_attribute_0),
-        .out_attribute_1(samples_out_attribute_1),
-        .out_attribute_2(samples_out_attribute_2)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(samples_in_ready),
+        .in_data({
+            in_weight, in_weighted_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
+            in_attribute_2
+        }),
+        .out_valid(samples_out_valid), .out_ready(head_takes), .out_data(samples_out_data)
     );
 
     splat_depth_test depth_test (
-        .clk(clk),
-        .rst(rst),
-        .weight(stored[199:172]),
-        .depth(stored[171:120]),
-        .depth_low(sample_3_depth_low),
-        .depth_high(sample_3_depth_high),
-        .fail(depth_test_fail),
-        .pass(depth_test_pass)
+        .clk(clk), .rst(rst), .weight(stored[199:172]),
+        .depth(stored[171:120]), .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
+        .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
     always @(posedge clk) begin
@@ -1934,9 +1163,7 @@ module splat_accumulator (
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
-            if (head_takes) begin
-                head_valid <= places_out_valid;
-            end
+            if (head_takes) head_valid <= places_out_valid;
         end
     end
     always @(posedge clk) begin
@@ -1965,8 +1192,8 @@ module splat_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_11 : (collisions << 1);
-        arrived <= head_takes ? shifted_12[0] : shifted_13[0];
+        collisions <= head_takes ? joined_10 : (collisions << 1);
+        arrived <= head_takes ? shifted_11[0] : shifted_12[0];
         stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -2057,44 +1284,12 @@ module splat_accumulator (
             head_attribute_1 <= samples_out_attribute_1;
             head_attribute_2 <= samples_out_attribute_2;
         end
-        if (slot_ready[0] | term_14) begin
-            slot_0_pixel <= slot_0_read;
-        end
-        if (slot_ready[1] | term_15) begin
-            slot_1_pixel <= slot_1_read;
-        end
-        if (drain_enable) begin
-            drained_slot <= drain_slot;
-        end
-    end
-    always @(posedge clk) begin
-        if (filling_0 | (writes & ~slot_8)) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_16 : result;
-        end
-        if (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) begin
-            slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
-        end
-`ifdef RTL_ASSERT
-        if ((filling_0 | (writes & ~slot_8)) && (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) && (filling_0 ? fill_pixel : pixel_8) == (slot_ready[0] ? head_pixel : drain_pixel)) begin
-            slot_0_read <= ~slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (filling_1 | (writes & slot_8)) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_16 : result;
-        end
-        if (slot_ready[1] ? (issue_inside & head_slot) : term_15) begin
-            slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
-        end
-`ifdef RTL_ASSERT
-        if ((filling_1 | (writes & slot_8)) && (slot_ready[1] ? (issue_inside & head_slot) : term_15) && (filling_1 ? fill_pixel : pixel_8) == (slot_ready[1] ? head_pixel : drain_pixel)) begin
-            slot_1_read <= ~slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
-        end
-`endif
+        if (slot_ready[0] | term_6) slot_0_pixel <= slot_0_read;
+        if (slot_ready[1] | term_7) slot_1_pixel <= slot_1_read;
+        if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[1], shifted_13[1]};
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_11[1], shifted_12[1]};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) begin
@@ -2123,17 +1318,10 @@ module splat_depth_test (
     output reg  fail,
     output reg  pass
 );
-    reg [51:0] arrived;
-    reg [51:0] stored;
-    reg [25:0] low_bound_low_low;
-    reg [25:0] low_bound_high_high;
-    reg [25:0] low_bound_high_low;
-    reg [25:0] low_bound_low_high;
+    reg [51:0] arrived, stored;
+    reg [25:0] low_bound_low_low, low_bound_high_high, low_bound_high_low, low_bound_low_high;
     reg [51:0] low_bound;
-    reg [25:0] high_bound_low_low;
-    reg [25:0] high_bound_high_high;
-    reg [25:0] high_bound_high_low;
-    reg [25:0] high_bound_low_high;
+    reg [25:0] high_bound_low_low, high_bound_high_high, high_bound_high_low, high_bound_low_high;
     reg [51:0] high_bound;
 
     wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
@@ -2172,45 +1360,28 @@ module stream_fifo_d64_w188 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [15:0] in_weight,
-    input  wire [39:0] in_weighted_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [27:0] in_attribute_0,
-    input  wire [27:0] in_attribute_1,
-    input  wire [27:0] in_attribute_2,
+    input  wire [187:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [27:0] out_attribute_0,
-    output wire [27:0] out_attribute_1,
-    output wire [27:0] out_attribute_2
+    output wire [187:0] out_data
 );
-    (* no_rw_check *)
-    reg [187:0] entries [0:63];
-    reg [6:0] held;
-    reg [6:0] waiting;
-    reg [5:0] write_address;
-    reg [5:0] read_address;
-    reg [187:0] item;
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
+    wire [187:0] item;
 
     wire has_room = ~held[6];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_weight = item[187:172];
-    assign out_weighted_depth = item[171:132];
-    assign out_depth_low = item[131:108];
-    assign out_depth_high = item[107:84];
-    assign out_attribute_0 = item[83:56];
-    assign out_attribute_1 = item[55:28];
-    assign out_attribute_2 = item[27:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(188), .DEPTH(64)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2222,35 +1393,10 @@ module stream_fifo_d64_w188 (
         end else begin
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 6'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 6'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {
-                in_weight,
-                in_weighted_depth,
-                in_depth_low,
-                in_depth_high,
-                in_attribute_0,
-                in_attribute_1,
-                in_attribute_2
-            };
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -2285,39 +1431,24 @@ module stream_fifo_d64_w10 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
+    input  wire [9:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel
+    output wire [9:0] out_data
 );
     (* ram_style = "distributed" *)
     reg [9:0] entries [0:63];
-    reg [6:0] held;
-    reg [6:0] waiting;
-    reg [5:0] write_address;
-    reg [5:0] read_address;
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
     reg [9:0] item;
 
     wire has_room = ~held[6];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_end = item[9];
-    assign out_last = item[8];
-    assign out_inside = item[7];
-    assign out_slot = item[6];
-    assign out_pixel = item[5:0];
+    assign in_ready = has_room;
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2329,22 +1460,14 @@ module stream_fifo_d64_w10 (
         end else begin
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 6'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 6'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
         end
     end
     always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_end, in_last, in_inside, in_slot, in_pixel};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
@@ -2406,151 +1529,59 @@ module splat_weighting (
     output wire [27:0] out_attribute_1,
     output wire [27:0] out_attribute_2
 );
-    reg end_d1;
-    reg end_d2;
-    reg end_d3;
-    reg last_d1;
-    reg last_d2;
-    reg last_d3;
-    reg inside_d1;
-    reg inside_d2;
-    reg inside_d3;
-    reg slot_d1;
-    reg slot_d2;
+    reg end_d1, end_d2, end_d3, last_d1, last_d2, last_d3, inside_d1, inside_d2, inside_d3, slot_d1, slot_d2;
     reg slot_d3;
-    reg [5:0] pixel_d1;
-    reg [5:0] pixel_d2;
-    reg [5:0] pixel_d3;
-    reg [15:0] weight_d1;
-    reg [15:0] weight_d2;
-    reg [15:0] weight_d3;
-    reg [23:0] depth_low_d1;
-    reg [23:0] depth_low_d2;
-    reg [23:0] depth_low_d3;
-    reg [23:0] depth_high_d1;
-    reg [23:0] depth_high_d2;
-    reg [23:0] depth_high_d3;
-    reg [27:0] resize_17_d1;
-    reg [27:0] resize_20_d1;
-    reg [27:0] resize_23_d1;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
+    reg [5:0] pixel_d1, pixel_d2, pixel_d3;
+    reg [15:0] weight_d1, weight_d2, weight_d3;
+    reg [23:0] depth_low_d1, depth_low_d2, depth_low_d3, depth_high_d1, depth_high_d2, depth_high_d3;
+    reg [27:0] resize_17_d1, resize_20_d1, resize_23_d1;
+    reg [2:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire queue_out_last;
-    wire queue_out_inside;
-    wire queue_out_slot;
-    wire [5:0] queue_out_pixel;
-    wire [15:0] queue_out_weight;
-    wire [39:0] queue_out_weighted_depth;
-    wire [23:0] queue_out_depth_low;
-    wire [23:0] queue_out_depth_high;
-    wire [27:0] queue_out_attribute_0;
-    wire [27:0] queue_out_attribute_1;
-    wire [27:0] queue_out_attribute_2;
+    wire queue_in_ready, queue_out_valid;
+    wire [197:0] queue_out_data;
     wire [39:0] mul_u16_u24_unit_y;
-    wire [28:0] mul_s17_s12_unit_y;
-    wire [28:0] mul_s17_s12_unit_copy2_y;
-    wire [28:0] mul_s17_s12_unit_copy3_y;
+    wire [28:0] mul_s17_s12_unit_y, mul_s17_s12_unit_copy2_y, mul_s17_s12_unit_copy3_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_last = queue_out_last;
-    assign out_inside = queue_out_inside;
-    assign out_slot = queue_out_slot;
-    assign out_pixel = queue_out_pixel;
-    assign out_weight = queue_out_weight;
-    assign out_weighted_depth = queue_out_weighted_depth;
-    assign out_depth_low = queue_out_depth_low;
-    assign out_depth_high = queue_out_depth_high;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
+    assign {
+        out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
+        out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2
+    } = queue_out_data;
 
     stream_skid_w198 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d3),
-        .in_ready(queue_in_ready),
-        .in_end(end_d3),
-        .in_last(last_d3),
-        .in_inside(inside_d3),
-        .in_slot(slot_d3),
-        .in_pixel(pixel_d3),
-        .in_weight(weight_d3),
-        .in_weighted_depth(mul_u16_u24_unit_y),
-        .in_depth_low(depth_low_d3),
-        .in_depth_high(depth_high_d3),
-        .in_attribute_0(resize_17_d1),
-        .in_attribute_1(resize_20_d1),
-        .in_attribute_2(resize_23_d1),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_last(queue_out_last),
-        .out_inside(queue_out_inside),
-        .out_slot(queue_out_slot),
-        .out_pixel(queue_out_pixel),
-        .out_weight(queue_out_weight),
-        .out_weighted_depth(queue_out_weighted_depth),
-        .out_depth_low(queue_out_depth_low),
-        .out_depth_high(queue_out_depth_high),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[2]), .in_ready(queue_in_ready),
+        .in_data({
+            end_d3, last_d3, inside_d3, slot_d3, pixel_d3, weight_d3, mul_u16_u24_unit_y, depth_low_d3,
+            depth_high_d3, resize_17_d1, resize_20_d1, resize_23_d1
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     integer_mul_s3_au16_bu24 mul_u16_u24_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_weight),
-        .b(in_depth),
-        .y(mul_u16_u24_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_weight), .b(in_depth), .y(mul_u16_u24_unit_y)
     );
 
     integer_mul_s2_as17_bs12 mul_s17_s12_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a({1'd0, in_weight}),
-        .b(in_attribute_0),
-        .y(mul_s17_s12_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_0), .y(mul_s17_s12_unit_y)
     );
 
     integer_mul_s2_as17_bs12 mul_s17_s12_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a({1'd0, in_weight}),
-        .b(in_attribute_1),
+        .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_1),
         .y(mul_s17_s12_unit_copy2_y)
     );
 
     integer_mul_s2_as17_bs12 mul_s17_s12_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a({1'd0, in_weight}),
-        .b(in_attribute_2),
+        .clk(clk), .enable(queue_in_ready), .a({1'd0, in_weight}), .b(in_attribute_2),
         .y(mul_s17_s12_unit_copy3_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
+            in_flight <= 3'd0;
         end else if (queue_in_ready) begin
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
+            in_flight <= {in_flight[1:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -2594,7 +1625,6 @@ endmodule
 // b = s12
 module integer_mul_s2_as17_bs12 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [16:0] a,
     input  wire [11:0] b,
@@ -2610,8 +1640,6 @@ module integer_mul_s2_as17_bs12 (
             y <= $signed({{12{a_s1[16]}}, a_s1}) * $signed({{17{b_s1[11]}}, b_s1});
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Integer product, pipelined.
@@ -2620,7 +1648,6 @@ endmodule
 // b = u24
 module integer_mul_s3_au16_bu24 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     input  wire [23:0] b,
@@ -2628,8 +1655,7 @@ module integer_mul_s3_au16_bu24 (
 );
     reg [15:0] a_s1;
     reg [23:0] b_s1;
-    reg [27:0] partial_0_0_s2;
-    reg [27:0] partial_0_12_s2;
+    reg [27:0] partial_0_0_s2, partial_0_12_s2;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -2640,8 +1666,6 @@ module integer_mul_s3_au16_bu24 (
             y <= {12'd0, partial_0_0_s2} + ({12'd0, partial_0_12_s2} << 12);
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Queue of two in registers.
@@ -2651,86 +1675,32 @@ module stream_skid_w198 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
-    input  wire [39:0] in_weighted_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [27:0] in_attribute_0,
-    input  wire [27:0] in_attribute_1,
-    input  wire [27:0] in_attribute_2,
+    input  wire [197:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [27:0] out_attribute_0,
-    output wire [27:0] out_attribute_1,
-    output wire [27:0] out_attribute_2
+    output wire [197:0] out_data
 );
     reg second_valid;
-    reg [197:0] head;
-    reg [197:0] second;
+    reg [197:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [197:0] in_item = {
-        in_end,
-        in_last,
-        in_inside,
-        in_slot,
-        in_pixel,
-        in_weight,
-        in_weighted_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2
-    };
 
-    assign out_end = head[197];
-    assign out_last = head[196];
-    assign out_inside = head[195];
-    assign out_slot = head[194];
-    assign out_pixel = head[193:188];
-    assign out_weight = head[187:172];
-    assign out_weighted_depth = head[171:132];
-    assign out_depth_low = head[131:108];
-    assign out_depth_high = head[107:84];
-    assign out_attribute_0 = head[83:56];
-    assign out_attribute_1 = head[55:28];
-    assign out_attribute_2 = head[27:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -2797,47 +1767,23 @@ module splat_rasterizer (
     output reg  event_starved,
     output reg  event_blocked
 );
-    reg busy;
-    reg idle;
-    reg is_end;
-    reg is_last;
-    reg slot;
+    reg busy, idle, is_end, is_last, slot;
     reg [11:0] tile;
-    reg [2:0] column;
-    reg [2:0] row;
-    reg [2:0] left;
-    reg [2:0] right;
-    reg [2:0] bottom;
-    reg [25:0] center_x;
-    reg [25:0] center_y;
-    reg [15:0] ax;
-    reg [15:0] bx;
-    reg [15:0] ay;
-    reg [15:0] by;
+    reg [2:0] column, row, left, right, bottom;
+    reg [25:0] center_x, center_y;
+    reg [15:0] ax, bx, ay, by;
     reg [19:0] delta;
-    reg [15:0] mx;
-    reg [15:0] my;
+    reg [15:0] mx, my;
     reg [3:0] shift;
 
-    wire evaluation_in_ready;
-    wire evaluation_out_valid;
-    wire evaluation_out_end;
-    wire evaluation_out_last;
-    wire evaluation_out_inside;
-    wire evaluation_out_slot;
+    wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
+    wire evaluation_out_inside, evaluation_out_slot;
     wire [5:0] evaluation_out_pixel;
     wire [15:0] evaluation_out_weight;
-    wire shared_in_ready;
-    wire shared_out_valid;
-    wire [23:0] shared_out_depth;
-    wire [23:0] shared_out_depth_low;
-    wire [23:0] shared_out_depth_high;
-    wire [11:0] shared_out_attribute_0;
-    wire [11:0] shared_out_attribute_1;
-    wire [11:0] shared_out_attribute_2;
+    wire shared_in_ready, shared_out_valid;
+    wire [107:0] shared_out_data;
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
-    assign in_ready = take;
     wire load = take & in_valid;
     wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
     wire term_2 = column == right;
@@ -2845,6 +1791,7 @@ module splat_rasterizer (
     wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
     wire term_5 = {choice_3, choice_4} == {right, bottom};
 
+    assign in_ready = take;
     assign out_valid = evaluation_out_valid;
     assign out_end = evaluation_out_end;
     assign out_last = evaluation_out_last;
@@ -2852,63 +1799,26 @@ module splat_rasterizer (
     assign out_slot = evaluation_out_slot;
     assign out_pixel = evaluation_out_pixel;
     assign out_weight = evaluation_out_weight;
-    assign out_depth = shared_out_depth;
-    assign out_depth_low = shared_out_depth_low;
-    assign out_depth_high = shared_out_depth_high;
-    assign out_attribute_0 = shared_out_attribute_0;
-    assign out_attribute_1 = shared_out_attribute_1;
-    assign out_attribute_2 = shared_out_attribute_2;
+    assign {out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2} = shared_out_data;
 
     splat_evaluation evaluation (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(busy),
-        .in_ready(evaluation_in_ready),
-        .in_end(is_end),
-        .in_last(is_last & ~is_end),
-        .in_slot(slot),
-        .in_column({tile[5:0], column}),
-        .in_row({tile[11:6], row}),
-        .in_center_x(center_x),
-        .in_center_y(center_y),
-        .in_ax(ax),
-        .in_bx(bx),
-        .in_ay(ay),
-        .in_by(by),
-        .in_delta(delta),
-        .in_mx(mx),
-        .in_my(my),
-        .in_shift(shift),
+        .clk(clk), .rst(rst),
+        .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end), .in_last(is_last & ~is_end),
+        .in_slot(slot), .in_column({tile[5:0], column}), .in_row({tile[11:6], row}), .in_center_x(center_x),
+        .in_center_y(center_y), .in_ax(ax), .in_bx(bx), .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx),
+        .in_my(my), .in_shift(shift),
         .filter_scale(filter_scale),
-        .out_valid(evaluation_out_valid),
-        .out_ready(out_ready),
-        .out_end(evaluation_out_end),
-        .out_last(evaluation_out_last),
-        .out_inside(evaluation_out_inside),
-        .out_slot(evaluation_out_slot),
-        .out_pixel(evaluation_out_pixel),
-        .out_weight(evaluation_out_weight)
+        .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
+        .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
+        .out_pixel(evaluation_out_pixel), .out_weight(evaluation_out_weight)
     );
 
     stream_fifo_d64_w108 shared (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(load & ~in_end),
-        .in_ready(shared_in_ready),
-        .in_depth(in_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .out_valid(shared_out_valid),
-        .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
-        .out_depth(shared_out_depth),
-        .out_depth_low(shared_out_depth_low),
-        .out_depth_high(shared_out_depth_high),
-        .out_attribute_0(shared_out_attribute_0),
-        .out_attribute_1(shared_out_attribute_1),
-        .out_attribute_2(shared_out_attribute_2)
+        .clk(clk), .rst(rst),
+        .in_valid(load & ~in_end), .in_ready(shared_in_ready),
+        .in_data({in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2}),
+        .out_valid(shared_out_valid), .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
+        .out_data(shared_out_data)
     );
 
     always @(posedge clk) begin
@@ -2965,42 +1875,28 @@ module stream_fifo_d64_w108 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
+    input  wire [107:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2
+    output wire [107:0] out_data
 );
-    (* no_rw_check *)
-    reg [107:0] entries [0:63];
-    reg [6:0] held;
-    reg [6:0] waiting;
-    reg [5:0] write_address;
-    reg [5:0] read_address;
-    reg [107:0] item;
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
+    wire [107:0] item;
 
     wire has_room = ~held[6];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_depth = item[107:84];
-    assign out_depth_low = item[83:60];
-    assign out_depth_high = item[59:36];
-    assign out_attribute_0 = item[35:24];
-    assign out_attribute_1 = item[23:12];
-    assign out_attribute_2 = item[11:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(108), .DEPTH(64)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -3012,27 +1908,10 @@ module stream_fifo_d64_w108 (
         end else begin
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 6'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 6'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -3130,97 +2009,35 @@ module splat_evaluation (
     reg [6:0] delay_37_from_0_out;
     reg end_d17;
     reg [22:0] resize_33_d1;
-    reg bits_34_d1;
-    reg bits_38_d1;
-    reg bits_42_d1;
+    reg bits_34_d1, bits_38_d1, bits_42_d1;
     reg [15:0] resize_45_d1;
     reg [22:0] resize_48_d1;
-    reg [15:0] resize_57_d1;
-    reg [15:0] reinterpret_58_d1;
-    reg [15:0] reinterpret_58_d2;
-    reg [15:0] reinterpret_60_d1;
-    reg [15:0] reinterpret_60_d2;
+    reg [15:0] resize_57_d1, reinterpret_58_d1, reinterpret_58_d2, reinterpret_60_d1, reinterpret_60_d2;
     reg [31:0] sub_62_d1;
-    reg [15:0] reinterpret_63_d1;
-    reg [15:0] reinterpret_63_d2;
-    reg [15:0] reinterpret_65_d1;
-    reg [15:0] reinterpret_65_d2;
+    reg [15:0] reinterpret_63_d1, reinterpret_63_d2, reinterpret_65_d1, reinterpret_65_d2;
     reg [31:0] sub_67_d1;
-    reg [15:0] reinterpret_69_d1;
-    reg [15:0] reinterpret_69_d2;
-    reg [15:0] reinterpret_71_d1;
-    reg [15:0] reinterpret_71_d2;
+    reg [15:0] reinterpret_69_d1, reinterpret_69_d2, reinterpret_71_d1, reinterpret_71_d2;
     reg [31:0] mul_72_d1;
-    reg [32:0] shl_76_d1;
-    reg [32:0] shl_76_d2;
-    reg [32:0] shl_76_d3;
-    reg [32:0] shl_76_d4;
-    reg [32:0] add_77_d1;
-    reg [32:0] add_78_d1;
-    reg [31:0] bits_82_d1;
-    reg [31:0] bits_82_d2;
+    reg [32:0] shl_76_d1, shl_76_d2, shl_76_d3, shl_76_d4, add_77_d1, add_78_d1;
+    reg [31:0] bits_82_d1, bits_82_d2;
     reg [30:0] bits_86_d1;
-    reg [31:0] resize_87_d1;
-    reg [31:0] resize_87_d2;
+    reg [31:0] resize_87_d1, resize_87_d2;
     reg [30:0] bits_91_d1;
-    reg [31:0] resize_92_d1;
-    reg [31:0] resize_92_d2;
-    reg equal_96_d1;
-    reg equal_98_d1;
-    reg equal_100_d1;
-    reg not_102_d1;
-    reg and_103_d1;
-    reg and_103_d2;
-    reg [31:0] select_105_d1;
-    reg [31:0] select_107_d1;
-    reg [31:0] select_109_d1;
-    reg equal_112_d1;
-    reg equal_114_d1;
-    reg equal_116_d1;
-    reg and_119_d1;
-    reg or_120_d1;
-    reg [24:0] bits_123_d1;
-    reg [24:0] bits_126_d1;
-    reg [24:0] bits_129_d1;
-    reg equal_132_d1;
-    reg equal_134_d1;
-    reg equal_136_d1;
-    reg and_139_d1;
-    reg equal_152_d1;
-    reg and_157_d1;
-    reg or_160_d1;
-    reg [18:0] bits_163_d1;
-    reg [18:0] bits_166_d1;
-    reg [18:0] bits_169_d1;
-    reg equal_171_d1;
-    reg not_177_d1;
-    reg [17:0] bits_182_d1;
-    reg [17:0] bits_185_d1;
-    reg [17:0] bits_188_d1;
+    reg [31:0] resize_92_d1, resize_92_d2;
+    reg equal_96_d1, equal_98_d1, equal_100_d1, not_102_d1, and_103_d1, and_103_d2;
+    reg [31:0] select_105_d1, select_107_d1, select_109_d1;
+    reg equal_112_d1, equal_114_d1, equal_116_d1, and_119_d1, or_120_d1;
+    reg [24:0] bits_123_d1, bits_126_d1, bits_129_d1;
+    reg equal_132_d1, equal_134_d1, equal_136_d1, and_139_d1, equal_152_d1, and_157_d1, or_160_d1;
+    reg [18:0] bits_163_d1, bits_166_d1, bits_169_d1;
+    reg equal_171_d1, not_177_d1;
+    reg [17:0] bits_182_d1, bits_185_d1, bits_188_d1;
     reg [35:0] mul_189_d1;
     reg [36:0] add_194_d1;
-    reg lt_196_d1;
-    reg not_197_d1;
-    reg not_197_d2;
-    reg not_197_d3;
-    reg not_197_d4;
-    reg [23:0] resize_205_d1;
-    reg [23:0] resize_205_d2;
-    reg [23:0] resize_205_d3;
-    reg [23:0] resize_205_d4;
-    reg [23:0] resize_205_d5;
-    reg [23:0] resize_205_d6;
-    reg [23:0] resize_205_d7;
-    reg [23:0] resize_205_d8;
-    reg [23:0] resize_205_d9;
-    reg [23:0] resize_205_d10;
-    reg [23:0] resize_205_d11;
-    reg [23:0] resize_205_d12;
-    reg [23:0] resize_205_d13;
-    reg [23:0] resize_205_d14;
-    reg [23:0] resize_205_d15;
-    reg [23:0] resize_205_d16;
-    reg [23:0] shl_207_d1;
+    reg lt_196_d1, not_197_d1, not_197_d2, not_197_d3, not_197_d4;
+    reg [23:0] resize_205_d1, resize_205_d2, resize_205_d3, resize_205_d4, resize_205_d5, resize_205_d6;
+    reg [23:0] resize_205_d7, resize_205_d8, resize_205_d9, resize_205_d10, resize_205_d11, resize_205_d12;
+    reg [23:0] resize_205_d13, resize_205_d14, resize_205_d15, resize_205_d16, shl_207_d1;
     reg not_212_d1;
     reg [23:0] shl_214_d1;
     reg [1:0] concat_220_d1;
@@ -3251,87 +2068,33 @@ module splat_evaluation (
     reg [23:0] shl_318_d1;
     reg [14:0] concat_324_d1;
     reg [23:0] shl_326_d1;
-    reg [15:0] concat_330_d1;
-    reg [15:0] select_332_d1;
+    reg [15:0] concat_330_d1, select_332_d1;
     reg [11:0] bits_333_d1;
     reg or_338_d1;
     reg [15:0] reinterpret_340_d1;
     reg [11:0] bits_343_d1;
     reg or_346_d1;
     reg [15:0] reinterpret_348_d1;
-    reg and_352_d1;
-    reg and_352_d2;
+    reg and_352_d1, and_352_d2;
     reg [3:0] bits_353_d1;
-    reg and_355_d1;
-    reg and_355_d2;
+    reg and_355_d1, and_355_d2;
     reg [17:0] bits_356_d1;
     reg and_361_d1;
     reg [15:0] bits_362_d1;
     reg or_364_d1;
     reg [15:0] min_365_d1;
     reg not_366_d1;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
-    reg valid_d24;
-    reg valid_d25;
-    reg valid_d26;
-    reg valid_d27;
-    reg valid_d28;
-    reg valid_d29;
-    reg valid_d30;
-    reg valid_d31;
-    reg valid_d32;
-    reg valid_d33;
-    reg valid_d34;
-    reg valid_d35;
-    reg valid_d36;
-    reg valid_d37;
+    reg [36:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire queue_out_last;
-    wire queue_out_inside;
-    wire queue_out_slot;
-    wire [5:0] queue_out_pixel;
-    wire [15:0] queue_out_weight;
-    wire [31:0] mul_s16_s16_unit_y;
-    wire [31:0] mul_s16_s16_unit_copy2_y;
-    wire [31:0] mul_s16_s16_unit_copy3_y;
-    wire [31:0] mul_s16_s16_unit_copy4_y;
-    wire [31:0] mul_s16_s16_unit_copy5_y;
-    wire [31:0] mul_s16_s16_unit_copy6_y;
-    wire [31:0] mul_s16_s16_unit_copy7_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [25:0] queue_out_data;
+    wire [31:0] mul_s16_s16_unit_y, mul_s16_s16_unit_copy2_y, mul_s16_s16_unit_copy3_y, mul_s16_s16_unit_copy4_y;
+    wire [31:0] mul_s16_s16_unit_copy5_y, mul_s16_s16_unit_copy6_y, mul_s16_s16_unit_copy7_y;
     wire [31:0] mul_s16_s16_unit_copy8_y;
-    wire [35:0] mul_u18_u18_unit_y;
-    wire [35:0] mul_u18_u18_unit_copy2_y;
-    wire [35:0] mul_u18_u18_unit_copy3_y;
+    wire [35:0] mul_u18_u18_unit_y, mul_u18_u18_unit_copy2_y, mul_u18_u18_unit_copy3_y;
     wire [33:0] mul_u18_u16_unit_y;
     wire [15:0] interpolate_8_8_16_unit_y;
 
-    assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
     wire [26:0] sub_23 = ({17'd0, in_column, 1'd1} << 11) - {in_center_x[25], in_center_x};
     wire [26:0] select_32 = in_shift[3] ? {{8{sub_23[26]}}, sub_23[26:8]} : sub_23;
     wire [22:0] select_36 = bits_34_d1 ? {{4{resize_33_d1[22]}}, resize_33_d1[22:4]} : resize_33_d1;
@@ -3476,149 +2239,77 @@ module splat_evaluation (
     wire or_369 = end_d17 | or_368;
     wire [15:0] select_363 = and_361_d1 ? bits_362_d1 : 16'hffff;
 
+    assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_last = queue_out_last;
-    assign out_inside = queue_out_inside;
-    assign out_slot = queue_out_slot;
-    assign out_pixel = queue_out_pixel;
-    assign out_weight = queue_out_weight;
+    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d37 & delay_20_from_0_out[3]),
-        .in_ready(queue_in_ready),
-        .in_end(delay_20_from_0_out[0]),
-        .in_last(delay_20_from_0_out[1]),
-        .in_inside(delay_20_from_0_out[2]),
-        .in_slot(delay_37_from_0_out[0]),
-        .in_pixel(delay_37_from_0_out[6:1]),
-        .in_weight(interpolate_8_8_16_unit_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_last(queue_out_last),
-        .out_inside(queue_out_inside),
-        .out_slot(queue_out_slot),
-        .out_pixel(queue_out_pixel),
-        .out_weight(queue_out_weight)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[36] & delay_20_from_0_out[3]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_20_from_0_out[0], delay_20_from_0_out[1], delay_20_from_0_out[2], delay_37_from_0_out[0],
+            delay_37_from_0_out[6:1], interpolate_8_8_16_unit_y
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(resize_45_d1),
-        .b(reinterpret_58_d2),
-        .y(mul_s16_s16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_58_d2), .y(mul_s16_s16_unit_y)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(resize_57_d1),
-        .b(reinterpret_60_d2),
+        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_60_d2),
         .y(mul_s16_s16_unit_copy2_y)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(resize_45_d1),
-        .b(reinterpret_63_d2),
+        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_63_d2),
         .y(mul_s16_s16_unit_copy3_y)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(resize_57_d1),
-        .b(reinterpret_65_d2),
+        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_65_d2),
         .y(mul_s16_s16_unit_copy4_y)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(resize_45_d1),
-        .b(reinterpret_69_d2),
+        .clk(clk), .enable(queue_in_ready), .a(resize_45_d1), .b(reinterpret_69_d2),
         .y(mul_s16_s16_unit_copy5_y)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(resize_57_d1),
-        .b(reinterpret_71_d2),
+        .clk(clk), .enable(queue_in_ready), .a(resize_57_d1), .b(reinterpret_71_d2),
         .y(mul_s16_s16_unit_copy6_y)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(reinterpret_340_d1),
-        .b(reinterpret_340_d1),
+        .clk(clk), .enable(queue_in_ready), .a(reinterpret_340_d1), .b(reinterpret_340_d1),
         .y(mul_s16_s16_unit_copy7_y)
     );
 
     integer_mul_s2_as16_bs16 mul_s16_s16_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(reinterpret_348_d1),
-        .b(reinterpret_348_d1),
+        .clk(clk), .enable(queue_in_ready), .a(reinterpret_348_d1), .b(reinterpret_348_d1),
         .y(mul_s16_s16_unit_copy8_y)
     );
 
     integer_mul_s2_au18_bu18 mul_u18_u18_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(bits_182_d1),
-        .b(bits_182_d1),
-        .y(mul_u18_u18_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(bits_182_d1), .b(bits_182_d1), .y(mul_u18_u18_unit_y)
     );
 
     integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(bits_185_d1),
-        .b(bits_185_d1),
-        .y(mul_u18_u18_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(bits_185_d1), .b(bits_185_d1), .y(mul_u18_u18_unit_copy2_y)
     );
 
     integer_mul_s2_au18_bu18 mul_u18_u18_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(bits_188_d1),
-        .b(bits_188_d1),
-        .y(mul_u18_u18_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(bits_188_d1), .b(bits_188_d1), .y(mul_u18_u18_unit_copy3_y)
     );
 
     integer_mul_s2_au18_bu16 mul_u18_u16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(bits_356_d1),
-        .b(filter_scale),
-        .y(mul_u18_u16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(bits_356_d1), .b(filter_scale), .y(mul_u18_u16_unit_y)
     );
 
     float_table interpolate_8_8_16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_365_d1),
-        .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(min_365_d1), .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
@@ -3632,43 +2323,7 @@ module splat_evaluation (
             delay_20_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
             delay_37_from_0_pointer <= 6'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
-            valid_d24 <= 1'd0;
-            valid_d25 <= 1'd0;
-            valid_d26 <= 1'd0;
-            valid_d27 <= 1'd0;
-            valid_d28 <= 1'd0;
-            valid_d29 <= 1'd0;
-            valid_d30 <= 1'd0;
-            valid_d31 <= 1'd0;
-            valid_d32 <= 1'd0;
-            valid_d33 <= 1'd0;
-            valid_d34 <= 1'd0;
-            valid_d35 <= 1'd0;
-            valid_d36 <= 1'd0;
-            valid_d37 <= 1'd0;
+            in_flight <= 37'd0;
         end else if (queue_in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_9_from_0_pointer <= (delay_9_from_0_pointer == 3'd7) ? (delay_9_from_0_pointer - 3'd7) : (delay_9_from_0_pointer + 3'd1);
@@ -3679,43 +2334,7 @@ module splat_evaluation (
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
             delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
-            valid_d24 <= valid_d23;
-            valid_d25 <= valid_d24;
-            valid_d26 <= valid_d25;
-            valid_d27 <= valid_d26;
-            valid_d28 <= valid_d27;
-            valid_d29 <= valid_d28;
-            valid_d30 <= valid_d29;
-            valid_d31 <= valid_d30;
-            valid_d32 <= valid_d31;
-            valid_d33 <= valid_d32;
-            valid_d34 <= valid_d33;
-            valid_d35 <= valid_d34;
-            valid_d36 <= valid_d35;
-            valid_d37 <= valid_d36;
+            in_flight <= {in_flight[35:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -3865,121 +2484,55 @@ module splat_evaluation (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= in_delta[19];
-        end
-        if (queue_in_ready) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
+        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= in_delta[19];
+        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_9_from_0[delay_9_from_0_pointer] <= and_361_d1;
-        end
-        if (queue_in_ready) begin
-            delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-        end
+        if (queue_in_ready) delay_9_from_0[delay_9_from_0_pointer] <= and_361_d1;
+        if (queue_in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_10_from_0[delay_10_from_0_pointer] <= not_201;
-        end
-        if (queue_in_ready) begin
-            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
-        end
+        if (queue_in_ready) delay_10_from_0[delay_10_from_0_pointer] <= not_201;
+        if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_15_from_0[delay_15_from_0_pointer] <= and_202;
-        end
-        if (queue_in_ready) begin
-            delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
-        end
+        if (queue_in_ready) delay_15_from_0[delay_15_from_0_pointer] <= and_202;
+        if (queue_in_ready) delay_15_from_0_out <= delay_15_from_0[delay_15_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_16_from_0[delay_16_from_0_pointer] <= in_end;
-        end
-        if (queue_in_ready) begin
-            delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
-        end
+        if (queue_in_ready) delay_16_from_0[delay_16_from_0_pointer] <= in_end;
+        if (queue_in_ready) delay_16_from_0_out <= delay_16_from_0[delay_16_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= in_last;
-        end
-        if (queue_in_ready) begin
-            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
-        end
+        if (queue_in_ready) delay_17_from_0[delay_17_from_0_pointer] <= in_last;
+        if (queue_in_ready) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_20_from_0[delay_20_from_0_pointer] <= {or_369, and_367, delay_17_from_0_out, end_d17};
         end
-        if (queue_in_ready) begin
-            delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
-        end
+        if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_25_from_0[delay_25_from_0_pointer] <= select_363;
-        end
-        if (queue_in_ready) begin
-            delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
-        end
+        if (queue_in_ready) delay_25_from_0[delay_25_from_0_pointer] <= select_363;
+        if (queue_in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_37_from_0[delay_37_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
         end
-        if (queue_in_ready) begin
-            delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
-        end
+        if (queue_in_ready) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
     end
 
     wire _unused = &{
-        1'b0,
-        add_351[9:0],
-        mul_u18_u16_unit_y[9:0],
-        select_122[6:0],
-        select_125[6:0],
-        select_128[6:0],
-        select_142[3:0],
-        select_145[3:0],
-        select_148[3:0],
-        select_162[1:0],
-        select_165[1:0],
-        select_168[1:0],
-        select_181[0],
-        select_184[0],
-        select_187[0],
-        select_210[23:22],
-        select_217[23:22],
-        select_225[23:22],
-        select_233[23:22],
-        select_241[23:22],
-        select_249[23:22],
-        select_257[23:22],
-        select_265[23:22],
-        select_273[23:22],
-        select_281[23:22],
-        select_289[23:22],
-        select_297[23:22],
-        select_305[23:22],
-        select_313[23:22],
-        select_32[26:23],
-        select_321[23:22],
-        select_36[22:19],
-        select_40[18:17],
-        select_44[16],
-        select_47[26:23],
-        select_50[22:19],
-        select_53[18:17],
-        select_56[16],
-        select_81[32],
-        select_85[31],
-        select_90[31],
-        sub_327[22:0]
+        1'b0, add_351[9:0], mul_u18_u16_unit_y[9:0], select_122[6:0], select_125[6:0], select_128[6:0],
+        select_142[3:0], select_145[3:0], select_148[3:0], select_162[1:0], select_165[1:0], select_168[1:0],
+        select_181[0], select_184[0], select_187[0], select_210[23:22], select_217[23:22], select_225[23:22],
+        select_233[23:22], select_241[23:22], select_249[23:22], select_257[23:22], select_265[23:22],
+        select_273[23:22], select_281[23:22], select_289[23:22], select_297[23:22], select_305[23:22],
+        select_313[23:22], select_32[26:23], select_321[23:22], select_36[22:19], select_40[18:17],
+        select_44[16], select_47[26:23], select_50[22:19], select_53[18:17], select_56[16], select_81[32],
+        select_85[31], select_90[31], sub_327[22:0]
     };
 endmodule
 
@@ -3989,7 +2542,6 @@ endmodule
 // fraction_bits = 8
 module float_table (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     output reg  [15:0] y
@@ -3998,9 +2550,7 @@ module float_table (
     reg [7:0] fraction_s1;
     reg [16:0] slope_s2;
     reg [7:0] fraction_s2;
-    reg [15:0] rise_s3;
-    reg [15:0] start_s2;
-    reg [15:0] start_s3;
+    reg [15:0] rise_s3, start_s2, start_s3;
 
     reg [32:0] samples;
     always @(*) begin
@@ -4279,7 +2829,7 @@ module float_table (
         end
     end
 
-    wire _unused = &{1'b0, product_2[7:0], product_2[25:24], rst};
+    wire _unused = &{1'b0, product_2[7:0], product_2[25:24]};
 endmodule
 
 // Integer product, pipelined.
@@ -4288,7 +2838,6 @@ endmodule
 // b = u16
 module integer_mul_s2_au18_bu16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [17:0] a,
     input  wire [15:0] b,
@@ -4304,8 +2853,6 @@ module integer_mul_s2_au18_bu16 (
             y <= {16'd0, a_s1} * {18'd0, b_s1};
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Integer product, pipelined.
@@ -4314,14 +2861,12 @@ endmodule
 // b = u18
 module integer_mul_s2_au18_bu18 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [17:0] a,
     input  wire [17:0] b,
     output reg  [35:0] y
 );
-    reg [17:0] a_s1;
-    reg [17:0] b_s1;
+    reg [17:0] a_s1, b_s1;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -4330,8 +2875,6 @@ module integer_mul_s2_au18_bu18 (
             y <= {18'd0, a_s1} * {18'd0, b_s1};
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Integer product, pipelined.
@@ -4340,14 +2883,12 @@ endmodule
 // b = s16
 module integer_mul_s2_as16_bs16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     input  wire [15:0] b,
     output reg  [31:0] y
 );
-    reg [15:0] a_s1;
-    reg [15:0] b_s1;
+    reg [15:0] a_s1, b_s1;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -4356,8 +2897,6 @@ module integer_mul_s2_as16_bs16 (
             y <= $signed({{16{a_s1[15]}}, a_s1}) * $signed({{16{b_s1[15]}}, b_s1});
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Queue of two in registers.
@@ -4367,55 +2906,32 @@ module stream_skid_w26 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
+    input  wire [25:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight
+    output wire [25:0] out_data
 );
     reg second_valid;
-    reg [25:0] head;
-    reg [25:0] second;
+    reg [25:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [25:0] in_item = {in_end, in_last, in_inside, in_slot, in_pixel, in_weight};
 
-    assign out_end = head[25];
-    assign out_last = head[24];
-    assign out_inside = head[23];
-    assign out_slot = head[22];
-    assign out_pixel = head[21:16];
-    assign out_weight = head[15:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -4538,40 +3054,20 @@ module splat_tile_cache (
     input  wire [39:0] drain_attribute_1,
     input  wire [39:0] drain_attribute_2
 );
-    (* no_rw_check *)
-    reg touched_tiles [0:4095];
-    reg head_valid;
-    reg head_end;
-    reg [25:0] head_center_x;
-    reg [25:0] head_center_y;
-    reg [15:0] head_ax;
-    reg [15:0] head_bx;
-    reg [15:0] head_ay;
-    reg [15:0] head_by;
+    reg head_valid, head_end;
+    reg [25:0] head_center_x, head_center_y;
+    reg [15:0] head_ax, head_bx, head_ay, head_by;
     reg [19:0] head_delta;
-    reg [15:0] head_mx;
-    reg [15:0] head_my;
+    reg [15:0] head_mx, head_my;
     reg [3:0] head_shift;
-    reg [23:0] head_depth;
-    reg [23:0] head_depth_low;
-    reg [23:0] head_depth_high;
-    reg [11:0] head_attribute_0;
-    reg [11:0] head_attribute_1;
-    reg [11:0] head_attribute_2;
-    reg [2:0] head_left;
-    reg [2:0] head_right;
-    reg [2:0] head_top;
-    reg [2:0] head_bottom;
+    reg [23:0] head_depth, head_depth_low, head_depth_high;
+    reg [11:0] head_attribute_0, head_attribute_1, head_attribute_2;
+    reg [2:0] head_left, head_right, head_top, head_bottom;
     reg [11:0] head_tile;
     reg [2:0] mode;
     reg frame_ended;
     reg [11:0] code;
-    reg code_read;
-    reg looking;
-    reg looked;
-    reg moving;
-    reg slot;
-    reg evict;
+    reg code_read, looking, looked, moving, slot, evict;
     reg [11:0] evict_tile;
     reg load;
     reg [6:0] drained;
@@ -4582,138 +3078,90 @@ module splat_tile_cache (
     reg [6:0] filled;
     reg next;
     reg [11:0] tile_0;
-    reg resident_0;
-    reg ready_0;
+    reg resident_0, ready_0;
     reg [7:0] in_flight_0;
-    reg is_of_copy_0;
-    reg is_of_code_0;
+    reg is_of_copy_0, is_of_code_0;
     reg [11:0] tile_1;
-    reg resident_1;
-    reg ready_1;
+    reg resident_1, ready_1;
     reg [7:0] in_flight_1;
-    reg is_of_copy_1;
-    reg is_of_code_1;
-    reg stored_touched;
+    reg is_of_copy_1, is_of_code_1;
+    wire stored_touched;
     reg touched;
 
-    wire in_queue_in_ready;
-    wire in_queue_out_valid;
-    wire in_queue_out_end;
-    wire [25:0] in_queue_out_center_x;
-    wire [25:0] in_queue_out_center_y;
-    wire [15:0] in_queue_out_ax;
-    wire [15:0] in_queue_out_bx;
-    wire [15:0] in_queue_out_ay;
-    wire [15:0] in_queue_out_by;
-    wire [19:0] in_queue_out_delta;
-    wire [15:0] in_queue_out_mx;
-    wire [15:0] in_queue_out_my;
-    wire [3:0] in_queue_out_shift;
-    wire [23:0] in_queue_out_depth;
-    wire [23:0] in_queue_out_depth_low;
-    wire [23:0] in_queue_out_depth_high;
-    wire [11:0] in_queue_out_attribute_0;
-    wire [11:0] in_queue_out_attribute_1;
-    wire [11:0] in_queue_out_attribute_2;
-    wire [2:0] in_queue_out_left;
-    wire [2:0] in_queue_out_right;
-    wire [2:0] in_queue_out_top;
-    wire [2:0] in_queue_out_bottom;
-    wire [11:0] in_queue_out_tile;
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire out_queue_out_end;
-    wire [25:0] out_queue_out_center_x;
-    wire [25:0] out_queue_out_center_y;
-    wire [15:0] out_queue_out_ax;
-    wire [15:0] out_queue_out_bx;
-    wire [15:0] out_queue_out_ay;
-    wire [15:0] out_queue_out_by;
-    wire [19:0] out_queue_out_delta;
-    wire [15:0] out_queue_out_mx;
-    wire [15:0] out_queue_out_my;
-    wire [3:0] out_queue_out_shift;
-    wire [23:0] out_queue_out_depth;
-    wire [23:0] out_queue_out_depth_low;
-    wire [23:0] out_queue_out_depth_high;
-    wire [11:0] out_queue_out_attribute_0;
-    wire [11:0] out_queue_out_attribute_1;
-    wire [11:0] out_queue_out_attribute_2;
-    wire [2:0] out_queue_out_left;
-    wire [2:0] out_queue_out_right;
-    wire [2:0] out_queue_out_top;
-    wire [2:0] out_queue_out_bottom;
-    wire [11:0] out_queue_out_tile;
-    wire out_queue_out_slot;
-    wire write_queue_in_ready;
-    wire write_queue_out_valid;
-    wire [11:0] write_queue_out_tile;
-    wire [5:0] write_queue_out_pixel;
-    wire [27:0] write_queue_out_weight;
-    wire [51:0] write_queue_out_depth;
-    wire [39:0] write_queue_out_attribute_0;
-    wire [39:0] write_queue_out_attribute_1;
-    wire [39:0] write_queue_out_attribute_2;
-    wire pixel_queue_in_ready;
-    wire pixel_queue_out_valid;
-    wire pixel_queue_out_end;
-    wire [11:0] pixel_queue_out_tile;
-    wire [5:0] pixel_queue_out_pixel;
-    wire [27:0] pixel_queue_out_weight;
-    wire [51:0] pixel_queue_out_depth;
-    wire [39:0] pixel_queue_out_attribute_0;
-    wire [39:0] pixel_queue_out_attribute_1;
-    wire [39:0] pixel_queue_out_attribute_2;
+    wire in_queue_in_ready, in_queue_out_valid;
+    wire [304:0] in_queue_out_data;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [305:0] out_queue_out_data;
+    wire write_queue_in_ready, write_queue_out_valid;
+    wire [217:0] write_queue_out_data;
+    wire pixel_queue_in_ready, pixel_queue_out_valid;
+    wire [218:0] pixel_queue_out_data;
 
-    assign in_ready = in_queue_in_ready;
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
     wire term_1 = mode == 3'd6;
     wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
-    assign data_ready = take_data;
     wire term_2 = mode == 3'd5;
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
+    wire term_4 = mode == 3'd0;
+    wire term_5 = mode == 3'd4;
+    wire term_6 = mode == 3'd3;
     wire head_takes = ~head_valid;
-    wire in_queue_out_ready = head_takes;
     wire head_waits = (mode == 3'd1) & head_valid;
-    wire term_4 = head_waits & ~head_end;
-    wire term_5 = resident_0 & is_of_copy_0;
+    wire term_7 = head_waits & ~head_end;
+    wire term_8 = resident_0 & is_of_copy_0;
     wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{term_5, copy_slot};
-    wire term_6 = out_queue_in_ready & ~((term_5 & &in_flight_0) | (copy_slot & &in_flight_1));
-    wire send = term_4 & (copy_hit & term_6);
+    wire copy_hit = |{term_8, copy_slot};
+    wire term_9 = out_queue_in_ready & ~((term_8 & &in_flight_0) | (copy_slot & &in_flight_1));
+    wire send = term_7 & (copy_hit & term_9);
     wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire term_7 = send | send_end;
-    wire out_queue_out_ready = out_ready;
+    wire term_10 = send | send_end;
     wire held_leaves = holding & drain_step;
-    wire write_queue_out_ready = write_ready;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
-    wire term_8 = term_1 & beat;
-    wire [27:0] choice_9 = term_2 ? drain_weight : data_weight;
-    wire visible = |choice_9;
-    wire pixel_queue_out_ready = pixel_ready;
-    wire term_10 = mode == 3'd0;
+    wire term_11 = term_1 & beat;
+    wire [27:0] choice_12 = term_2 ? drain_weight : data_weight;
+    wire visible = |choice_12;
+    wire in_queue_out_end = in_queue_out_data[304];
+    wire [25:0] in_queue_out_center_x = in_queue_out_data[303:278];
+    wire [25:0] in_queue_out_center_y = in_queue_out_data[277:252];
+    wire [15:0] in_queue_out_ax = in_queue_out_data[251:236];
+    wire [15:0] in_queue_out_bx = in_queue_out_data[235:220];
+    wire [15:0] in_queue_out_ay = in_queue_out_data[219:204];
+    wire [15:0] in_queue_out_by = in_queue_out_data[203:188];
+    wire [19:0] in_queue_out_delta = in_queue_out_data[187:168];
+    wire [15:0] in_queue_out_mx = in_queue_out_data[167:152];
+    wire [15:0] in_queue_out_my = in_queue_out_data[151:136];
+    wire [3:0] in_queue_out_shift = in_queue_out_data[135:132];
+    wire [23:0] in_queue_out_depth = in_queue_out_data[131:108];
+    wire [23:0] in_queue_out_depth_low = in_queue_out_data[107:84];
+    wire [23:0] in_queue_out_depth_high = in_queue_out_data[83:60];
+    wire [11:0] in_queue_out_attribute_0 = in_queue_out_data[59:48];
+    wire [11:0] in_queue_out_attribute_1 = in_queue_out_data[47:36];
+    wire [11:0] in_queue_out_attribute_2 = in_queue_out_data[35:24];
+    wire [2:0] in_queue_out_left = in_queue_out_data[23:21];
+    wire [2:0] in_queue_out_right = in_queue_out_data[20:18];
+    wire [2:0] in_queue_out_top = in_queue_out_data[17:15];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
+    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
-    wire term_11 = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & term_11);
-    wire term_12 = mode == 3'd3;
-    wire term_13 = showing | holding;
-    wire term_14 = (term_2 & (drained[6] & ~term_13)) | (term_1 & drained[6]);
-    wire term_15 = mode == 3'd4;
-    wire next_tile = term_14 | (term_15 & ~touched);
+    wire term_13 = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & term_13);
+    wire term_14 = showing | holding;
+    wire term_15 = (term_2 & (drained[6] & ~term_14)) | (term_1 & drained[6]);
+    wire next_tile = term_15 | (term_5 & ~touched);
     wire sent_slot = resident_1 & is_of_code_1;
     wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
-    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_15 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_12 & code_read) ? 3'd4 : choice_16;
+    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_5 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_6 & code_read) ? 3'd4 : choice_16;
     wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
-    wire start = term_4 & (~copy_hit & (term_11 & term_18));
-    wire term_19 = ~evict | (drained[6] & ~(term_13 | write_queue_out_valid));
+    wire start = term_7 & (~copy_hit & (term_13 & term_18));
+    wire term_19 = ~evict | (drained[6] & ~(term_14 | write_queue_out_valid));
     wire done = moving & (filled[6] & (~fill_valid & term_19));
-    wire term_20 = start | term_15;
-    wire term_21 = touched & (looked | (term_15 & ~sent_hit));
-    wire term_22 = looked | term_15;
+    wire term_20 = start | term_5;
+    wire term_21 = touched & (looked | (term_5 & ~sent_hit));
+    wire term_22 = looked | term_5;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
     wire term_23 = start & ~next;
@@ -4725,207 +3173,78 @@ module splat_tile_cache (
     wire term_29 = send & copy_slot;
     wire term_30 = retire_valid & retire_slot;
 
+    assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
-    assign out_end = out_queue_out_end;
-    assign out_center_x = out_queue_out_center_x;
-    assign out_center_y = out_queue_out_center_y;
-    assign out_ax = out_queue_out_ax;
-    assign out_bx = out_queue_out_bx;
-    assign out_ay = out_queue_out_ay;
-    assign out_by = out_queue_out_by;
-    assign out_delta = out_queue_out_delta;
-    assign out_mx = out_queue_out_mx;
-    assign out_my = out_queue_out_my;
-    assign out_shift = out_queue_out_shift;
-    assign out_depth = out_queue_out_depth;
-    assign out_depth_low = out_queue_out_depth_low;
-    assign out_depth_high = out_queue_out_depth_high;
-    assign out_attribute_0 = out_queue_out_attribute_0;
-    assign out_attribute_1 = out_queue_out_attribute_1;
-    assign out_attribute_2 = out_queue_out_attribute_2;
-    assign out_left = out_queue_out_left;
-    assign out_right = out_queue_out_right;
-    assign out_top = out_queue_out_top;
-    assign out_bottom = out_queue_out_bottom;
-    assign out_tile = out_queue_out_tile;
-    assign out_slot = out_queue_out_slot;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
+        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile, out_slot
+    } = out_queue_out_data;
+    assign data_ready = take_data;
     assign write_valid = write_queue_out_valid;
-    assign write_tile = write_queue_out_tile;
-    assign write_pixel = write_queue_out_pixel;
-    assign write_weight = write_queue_out_weight;
-    assign write_depth = write_queue_out_depth;
-    assign write_attribute_0 = write_queue_out_attribute_0;
-    assign write_attribute_1 = write_queue_out_attribute_1;
-    assign write_attribute_2 = write_queue_out_attribute_2;
+    assign {
+        write_tile, write_pixel, write_weight, write_depth, write_attribute_0, write_attribute_1,
+        write_attribute_2
+    } = write_queue_out_data;
     assign pixel_valid = pixel_queue_out_valid;
-    assign pixel_end = pixel_queue_out_end;
-    assign pixel_tile = pixel_queue_out_tile;
-    assign pixel_pixel = pixel_queue_out_pixel;
-    assign pixel_weight = pixel_queue_out_weight;
-    assign pixel_depth = pixel_queue_out_depth;
-    assign pixel_attribute_0 = pixel_queue_out_attribute_0;
-    assign pixel_attribute_1 = pixel_queue_out_attribute_1;
-    assign pixel_attribute_2 = pixel_queue_out_attribute_2;
+    assign {
+        pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_attribute_0, pixel_attribute_1,
+        pixel_attribute_2
+    } = pixel_queue_out_data;
     assign slot_ready = {ready_1, ready_0};
     assign fill_slot = slot;
     assign drain_enable = drain_step;
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
-    stream_half_buffer_w305 in_queue (
+    memory_1w1r_unordered #(.WIDTH(1), .DEPTH(4096)) touched_tiles (
         .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(in_queue_in_ready),
-        .in_end(in_end),
-        .in_center_x(in_center_x),
-        .in_center_y(in_center_y),
-        .in_ax(in_ax),
-        .in_bx(in_bx),
-        .in_ay(in_ay),
-        .in_by(in_by),
-        .in_delta(in_delta),
-        .in_mx(in_mx),
-        .in_my(in_my),
-        .in_shift(in_shift),
-        .in_depth(in_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .in_left(in_left),
-        .in_right(in_right),
-        .in_top(in_top),
-        .in_bottom(in_bottom),
-        .in_tile(in_tile),
-        .out_valid(in_queue_out_valid),
-        .out_ready(in_queue_out_ready),
-        .out_end(in_queue_out_end),
-        .out_center_x(in_queue_out_center_x),
-        .out_center_y(in_queue_out_center_y),
-        .out_ax(in_queue_out_ax),
-        .out_bx(in_queue_out_bx),
-        .out_ay(in_queue_out_ay),
-        .out_by(in_queue_out_by),
-        .out_delta(in_queue_out_delta),
-        .out_mx(in_queue_out_mx),
-        .out_my(in_queue_out_my),
-        .out_shift(in_queue_out_shift),
-        .out_depth(in_queue_out_depth),
-        .out_depth_low(in_queue_out_depth_low),
-        .out_depth_high(in_queue_out_depth_high),
-        .out_attribute_0(in_queue_out_attribute_0),
-        .out_attribute_1(in_queue_out_attribute_1),
-        .out_attribute_2(in_queue_out_attribute_2),
-        .out_left(in_queue_out_left),
-        .out_right(in_queue_out_right),
-        .out_top(in_queue_out_top),
-        .out_bottom(in_queue_out_bottom),
-        .out_tile(in_queue_out_tile)
+        .write(looked | (term_4 | (term_5 & touched))), .write_address(looked ? read_tile : code),
+        .write_data(looked),
+        .read(1'd1), .read_address(term_6 ? code : head_tile), .read_data(stored_touched)
+    );
+
+    stream_half_buffer_w305 in_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .in_data({
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
+            in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
+            in_right, in_top, in_bottom, in_tile
+        }),
+        .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
     stream_half_buffer_w306 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_7),
-        .in_ready(out_queue_in_ready),
-        .in_end(head_end),
-        .in_center_x(head_center_x),
-        .in_center_y(head_center_y),
-        .in_ax(head_ax),
-        .in_bx(head_bx),
-        .in_ay(head_ay),
-        .in_by(head_by),
-        .in_delta(head_delta),
-        .in_mx(head_mx),
-        .in_my(head_my),
-        .in_shift(head_shift),
-        .in_depth(head_depth),
-        .in_depth_low(head_depth_low),
-        .in_depth_high(head_depth_high),
-        .in_attribute_0(head_attribute_0),
-        .in_attribute_1(head_attribute_1),
-        .in_attribute_2(head_attribute_2),
-        .in_left(head_left),
-        .in_right(head_right),
-        .in_top(head_top),
-        .in_bottom(head_bottom),
-        .in_tile(head_tile),
-        .in_slot(copy_slot),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_shift(out_queue_out_shift),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile),
-        .out_slot(out_queue_out_slot)
+        .clk(clk), .rst(rst),
+        .in_valid(term_10), .in_ready(out_queue_in_ready),
+        .in_data({
+            head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
+            head_my, head_shift, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
+            head_attribute_2, head_left, head_right, head_top, head_bottom, head_tile, copy_slot
+        }),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_skid_w218 write_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(moving & held_leaves),
-        .in_ready(write_queue_in_ready),
-        .in_tile(evict_tile),
-        .in_pixel(held_pixel),
-        .in_weight(drain_weight),
-        .in_depth(drain_depth),
-        .in_attribute_0(drain_attribute_0),
-        .in_attribute_1(drain_attribute_1),
-        .in_attribute_2(drain_attribute_2),
-        .out_valid(write_queue_out_valid),
-        .out_ready(write_queue_out_ready),
-        .out_tile(write_queue_out_tile),
-        .out_pixel(write_queue_out_pixel),
-        .out_weight(write_queue_out_weight),
-        .out_depth(write_queue_out_depth),
-        .out_attribute_0(write_queue_out_attribute_0),
-        .out_attribute_1(write_queue_out_attribute_1),
-        .out_attribute_2(write_queue_out_attribute_2)
+        .clk(clk), .rst(rst),
+        .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
+        .in_data({
+            evict_tile, held_pixel, drain_weight, drain_depth, drain_attribute_0, drain_attribute_1,
+            drain_attribute_2
+        }),
+        .out_valid(write_queue_out_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
     );
 
     stream_skid_w219 pixel_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(close | (((term_2 & held_leaves) | term_8) & visible)),
-        .in_ready(pixel_queue_in_ready),
-        .in_end(close),
-        .in_tile(code),
-        .in_pixel(term_2 ? held_pixel : drained[5:0]),
-        .in_weight(choice_9),
-        .in_depth(term_2 ? drain_depth : data_depth),
-        .in_attribute_0(term_2 ? drain_attribute_0 : data_attribute_0),
-        .in_attribute_1(term_2 ? drain_attribute_1 : data_attribute_1),
-        .in_attribute_2(term_2 ? drain_attribute_2 : data_attribute_2),
-        .out_valid(pixel_queue_out_valid),
-        .out_ready(pixel_queue_out_ready),
-        .out_end(pixel_queue_out_end),
-        .out_tile(pixel_queue_out_tile),
-        .out_pixel(pixel_queue_out_pixel),
-        .out_weight(pixel_queue_out_weight),
-        .out_depth(pixel_queue_out_depth),
-        .out_attribute_0(pixel_queue_out_attribute_0),
-        .out_attribute_1(pixel_queue_out_attribute_1),
-        .out_attribute_2(pixel_queue_out_attribute_2)
+        .clk(clk), .rst(rst),
+        .in_valid(close | (((term_2 & held_leaves) | term_11) & visible)), .in_ready(pixel_queue_in_ready),
+        .in_data({
+            close, code, term_2 ? held_pixel : drained[5:0], choice_12, term_2 ? drain_depth : data_depth,
+            term_2 ? drain_attribute_0 : data_attribute_0, term_2 ? drain_attribute_1 : data_attribute_1,
+            term_2 ? drain_attribute_2 : data_attribute_2
+        }),
+        .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -4950,46 +3269,28 @@ module splat_tile_cache (
             in_flight_1 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~term_7 : in_queue_out_valid;
-            mode <= ((term_10 & last_code) | close) ? 3'd1 : choice_17;
-            code_read <= term_12 & ~code_read;
+            head_valid <= head_valid ? ~term_10 : in_queue_out_valid;
+            mode <= ((term_4 & last_code) | close) ? 3'd1 : choice_17;
+            code_read <= term_6 & ~code_read;
             looking <= start;
             looked <= looking;
             fill_valid <= fill;
-            if (frame_end | finish) begin
-                frame_ended <= frame_end;
-            end
-            if (term_10 | next_tile) begin
-                code <= code + 12'd1;
-            end
-            if (looked | done) begin
-                moving <= looked;
-            end
-            if (term_21 | read_ready) begin
-                read_valid <= term_21;
-            end
+            if (frame_end | finish) frame_ended <= frame_end;
+            if (term_4 | next_tile) code <= code + 12'd1;
+            if (looked | done) moving <= looked;
+            if (term_21 | read_ready) read_valid <= term_21;
             if (drain_step) begin
                 showing <= drain_next;
                 holding <= showing;
             end
-            if (start | close) begin
-                next <= (next | close) ? 1'd0 : (next + 1'd1);
-            end
-            if (term_23 | close) begin
-                resident_0 <= term_23;
-            end
-            if (term_24 | term_23 | finish) begin
-                ready_0 <= term_24;
-            end
+            if (start | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
+            if (term_23 | close) resident_0 <= term_23;
+            if (term_24 | term_23 | finish) ready_0 <= term_24;
             if (term_25 ^ term_26) begin
                 in_flight_0 <= term_25 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (term_27 | close) begin
-                resident_1 <= term_27;
-            end
-            if (term_28 | term_27 | finish) begin
-                ready_1 <= term_28;
-            end
+            if (term_27 | close) resident_1 <= term_27;
+            if (term_28 | term_27 | finish) ready_1 <= term_28;
             if (term_29 ^ term_30) begin
                 in_flight_1 <= term_29 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
@@ -5021,39 +3322,25 @@ module splat_tile_cache (
             head_tile <= in_queue_out_tile;
         end
         if (term_20) begin
-            slot <= term_15 ? sent_slot : next;
-            read_tile <= term_15 ? code : head_tile;
+            slot <= term_5 ? sent_slot : next;
+            read_tile <= term_5 ? code : head_tile;
         end
         if (start) begin
             evict <= (~next & resident_0) | (next & resident_1);
             evict_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
         end
-        if (looked) begin
-            load <= touched;
-        end
-        if (term_22 | (drain_next | term_8)) begin
-            drained <= term_22 ? 7'd0 : (drained + 7'd1);
-        end
-        if (drain_next) begin
-            shown_pixel <= drained[5:0];
-        end
-        if (drain_step) begin
-            held_pixel <= shown_pixel;
-        end
-        if (term_22 | fill) begin
-            filled <= term_22 ? 7'd0 : (filled + 7'd1);
-        end
-        if (term_23) begin
-            tile_0 <= head_tile;
-        end
+        if (looked) load <= touched;
+        if (term_22 | (drain_next | term_11)) drained <= term_22 ? 7'd0 : (drained + 7'd1);
+        if (drain_next) shown_pixel <= drained[5:0];
+        if (drain_step) held_pixel <= shown_pixel;
+        if (term_22 | fill) filled <= term_22 ? 7'd0 : (filled + 7'd1);
+        if (term_23) tile_0 <= head_tile;
         is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_23);
         is_of_code_0 <= tile_0 == code;
         is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
         is_of_code_1 <= tile_1 == code;
         touched <= stored_touched;
-        if (term_27) begin
-            tile_1 <= head_tile;
-        end
+        if (term_27) tile_1 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -5062,17 +3349,6 @@ module splat_tile_cache (
             fill_attribute_1 <= load ? data_attribute_1 : 40'd0;
             fill_attribute_2 <= load ? data_attribute_2 : 40'd0;
         end
-    end
-    always @(posedge clk) begin
-        if (looked | (term_10 | (term_15 & touched))) begin
-            touched_tiles[looked ? read_tile : code] <= looked;
-        end
-        stored_touched <= touched_tiles[term_12 ? code : head_tile];
-`ifdef RTL_ASSERT
-        if ((looked | (term_10 | (term_15 & touched))) && (looked ? read_tile : code) == (term_12 ? code : head_tile)) begin
-            stored_touched <= ~touched_tiles[term_12 ? code : head_tile];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -5106,61 +3382,32 @@ module stream_skid_w219 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [11:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [39:0] in_attribute_0,
-    input  wire [39:0] in_attribute_1,
-    input  wire [39:0] in_attribute_2,
+    input  wire [218:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [11:0] out_tile,
-    output wire [5:0] out_pixel,
-    output wire [27:0] out_weight,
-    output wire [51:0] out_depth,
-    output wire [39:0] out_attribute_0,
-    output wire [39:0] out_attribute_1,
-    output wire [39:0] out_attribute_2
+    output wire [218:0] out_data
 );
     reg second_valid;
-    reg [218:0] head;
-    reg [218:0] second;
+    reg [218:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [218:0] in_item = {in_end, in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
 
-    assign out_end = head[218];
-    assign out_tile = head[217:206];
-    assign out_pixel = head[205:200];
-    assign out_weight = head[199:172];
-    assign out_depth = head[171:120];
-    assign out_attribute_0 = head[119:80];
-    assign out_attribute_1 = head[79:40];
-    assign out_attribute_2 = head[39:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5186,58 +3433,32 @@ module stream_skid_w218 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [11:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [39:0] in_attribute_0,
-    input  wire [39:0] in_attribute_1,
-    input  wire [39:0] in_attribute_2,
+    input  wire [217:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [11:0] out_tile,
-    output wire [5:0] out_pixel,
-    output wire [27:0] out_weight,
-    output wire [51:0] out_depth,
-    output wire [39:0] out_attribute_0,
-    output wire [39:0] out_attribute_1,
-    output wire [39:0] out_attribute_2
+    output wire [217:0] out_data
 );
     reg second_valid;
-    reg [217:0] head;
-    reg [217:0] second;
+    reg [217:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [217:0] in_item = {in_tile, in_pixel, in_weight, in_depth, in_attribute_0, in_attribute_1, in_attribute_2};
 
-    assign out_tile = head[217:206];
-    assign out_pixel = head[205:200];
-    assign out_weight = head[199:172];
-    assign out_depth = head[171:120];
-    assign out_attribute_0 = head[119:80];
-    assign out_attribute_1 = head[79:40];
-    assign out_attribute_2 = head[39:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5263,54 +3484,10 @@ module stream_half_buffer_w306 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [25:0] in_center_x,
-    input  wire [25:0] in_center_y,
-    input  wire [15:0] in_ax,
-    input  wire [15:0] in_bx,
-    input  wire [15:0] in_ay,
-    input  wire [15:0] in_by,
-    input  wire [19:0] in_delta,
-    input  wire [15:0] in_mx,
-    input  wire [15:0] in_my,
-    input  wire [3:0] in_shift,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
-    input  wire [2:0] in_left,
-    input  wire [2:0] in_right,
-    input  wire [2:0] in_top,
-    input  wire [2:0] in_bottom,
-    input  wire [11:0] in_tile,
-    input  wire in_slot,
+    input  wire [305:0] in_data,
     output wire out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [25:0] out_center_x,
-    output wire [25:0] out_center_y,
-    output wire [15:0] out_ax,
-    output wire [15:0] out_bx,
-    output wire [15:0] out_ay,
-    output wire [15:0] out_by,
-    output wire [19:0] out_delta,
-    output wire [15:0] out_mx,
-    output wire [15:0] out_my,
-    output wire [3:0] out_shift,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2,
-    output wire [2:0] out_left,
-    output wire [2:0] out_right,
-    output wire [2:0] out_top,
-    output wire [2:0] out_bottom,
-    output wire [11:0] out_tile,
-    output wire out_slot
+    output wire [305:0] out_data
 );
     reg full;
     reg [305:0] item;
@@ -5318,29 +3495,7 @@ module stream_half_buffer_w306 (
     assign in_ready = ~full;
 
     assign out_valid = full;
-    assign out_end = item[305];
-    assign out_center_x = item[304:279];
-    assign out_center_y = item[278:253];
-    assign out_ax = item[252:237];
-    assign out_bx = item[236:221];
-    assign out_ay = item[220:205];
-    assign out_by = item[204:189];
-    assign out_delta = item[188:169];
-    assign out_mx = item[168:153];
-    assign out_my = item[152:137];
-    assign out_shift = item[136:133];
-    assign out_depth = item[132:109];
-    assign out_depth_low = item[108:85];
-    assign out_depth_high = item[84:61];
-    assign out_attribute_0 = item[60:49];
-    assign out_attribute_1 = item[48:37];
-    assign out_attribute_2 = item[36:25];
-    assign out_left = item[24:22];
-    assign out_right = item[21:19];
-    assign out_top = item[18:16];
-    assign out_bottom = item[15:13];
-    assign out_tile = item[12:1];
-    assign out_slot = item[0];
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
@@ -5350,33 +3505,7 @@ module stream_half_buffer_w306 (
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            item <= {
-                in_end,
-                in_center_x,
-                in_center_y,
-                in_ax,
-                in_bx,
-                in_ay,
-                in_by,
-                in_delta,
-                in_mx,
-                in_my,
-                in_shift,
-                in_depth,
-                in_depth_low,
-                in_depth_high,
-                in_attribute_0,
-                in_attribute_1,
-                in_attribute_2,
-                in_left,
-                in_right,
-                in_top,
-                in_bottom,
-                in_tile,
-                in_slot
-            };
-        end
+        if (in_ready) item <= in_data;
     end
 endmodule
 
@@ -5434,366 +3563,89 @@ module splat_reorder (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    (* no_rw_check *)
-    reg [17:0] payloads_0 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_18 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_36 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_54 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_72 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_90 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_108 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_126 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_144 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_162 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_180 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_198 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_216 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_234 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_252 [0:1023];
-    (* no_rw_check *)
-    reg [17:0] payloads_270 [0:1023];
-    (* no_rw_check *)
-    reg [3:0] payloads_288 [0:1023];
     reg free_valid;
     reg [9:0] free;
     reg [10:0] fresh;
-    reg draining;
-    reg stage_valid;
+    reg draining, stage_valid;
     reg [11:0] stage_tile;
-    reg [17:0] stage_payload_0;
-    reg [17:0] stage_payload_18;
-    reg [17:0] stage_payload_36;
-    reg [17:0] stage_payload_54;
-    reg [17:0] stage_payload_72;
-    reg [17:0] stage_payload_90;
-    reg [17:0] stage_payload_108;
-    reg [17:0] stage_payload_126;
-    reg [17:0] stage_payload_144;
-    reg [17:0] stage_payload_162;
-    reg [17:0] stage_payload_180;
-    reg [17:0] stage_payload_198;
-    reg [17:0] stage_payload_216;
-    reg [17:0] stage_payload_234;
-    reg [17:0] stage_payload_252;
-    reg [17:0] stage_payload_270;
-    reg [3:0] stage_payload_288;
+    wire [291:0] stage_payload;
 
-    wire in_queue_in_ready;
-    wire in_queue_out_valid;
-    wire in_queue_out_end;
-    wire [25:0] in_queue_out_center_x;
-    wire [25:0] in_queue_out_center_y;
-    wire [15:0] in_queue_out_ax;
-    wire [15:0] in_queue_out_bx;
-    wire [15:0] in_queue_out_ay;
-    wire [15:0] in_queue_out_by;
-    wire [19:0] in_queue_out_delta;
-    wire [15:0] in_queue_out_mx;
-    wire [15:0] in_queue_out_my;
-    wire [3:0] in_queue_out_shift;
-    wire [23:0] in_queue_out_depth;
-    wire [23:0] in_queue_out_depth_low;
-    wire [23:0] in_queue_out_depth_high;
-    wire [11:0] in_queue_out_attribute_0;
-    wire [11:0] in_queue_out_attribute_1;
-    wire [11:0] in_queue_out_attribute_2;
-    wire [2:0] in_queue_out_left;
-    wire [2:0] in_queue_out_right;
-    wire [2:0] in_queue_out_top;
-    wire [2:0] in_queue_out_bottom;
-    wire [11:0] in_queue_out_tile;
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire out_queue_out_end;
-    wire [25:0] out_queue_out_center_x;
-    wire [25:0] out_queue_out_center_y;
-    wire [15:0] out_queue_out_ax;
-    wire [15:0] out_queue_out_bx;
-    wire [15:0] out_queue_out_ay;
-    wire [15:0] out_queue_out_by;
-    wire [19:0] out_queue_out_delta;
-    wire [15:0] out_queue_out_mx;
-    wire [15:0] out_queue_out_my;
-    wire [3:0] out_queue_out_shift;
-    wire [23:0] out_queue_out_depth;
-    wire [23:0] out_queue_out_depth_low;
-    wire [23:0] out_queue_out_depth_high;
-    wire [11:0] out_queue_out_attribute_0;
-    wire [11:0] out_queue_out_attribute_1;
-    wire [11:0] out_queue_out_attribute_2;
-    wire [2:0] out_queue_out_left;
-    wire [2:0] out_queue_out_right;
-    wire [2:0] out_queue_out_top;
-    wire [2:0] out_queue_out_bottom;
-    wire [11:0] out_queue_out_tile;
-    wire caught_in_ready;
-    wire caught_out_valid;
-    wire caught_out_end;
-    wire [25:0] caught_out_center_x;
-    wire [25:0] caught_out_center_y;
-    wire [15:0] caught_out_ax;
-    wire [15:0] caught_out_bx;
-    wire [15:0] caught_out_ay;
-    wire [15:0] caught_out_by;
-    wire [19:0] caught_out_delta;
-    wire [15:0] caught_out_mx;
-    wire [15:0] caught_out_my;
-    wire [3:0] caught_out_shift;
-    wire [23:0] caught_out_depth;
-    wire [23:0] caught_out_depth_low;
-    wire [23:0] caught_out_depth_high;
-    wire [11:0] caught_out_attribute_0;
-    wire [11:0] caught_out_attribute_1;
-    wire [11:0] caught_out_attribute_2;
-    wire [2:0] caught_out_left;
-    wire [2:0] caught_out_right;
-    wire [2:0] caught_out_top;
-    wire [2:0] caught_out_bottom;
-    wire [11:0] caught_out_tile;
-    wire heap_in_ready;
-    wire heap_out_valid;
+    wire in_queue_in_ready, in_queue_out_valid;
+    wire [304:0] in_queue_out_data;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [304:0] out_queue_out_data;
+    wire caught_in_ready, caught_out_valid;
+    wire [304:0] caught_out_data;
+    wire heap_in_ready, heap_out_valid;
     wire [11:0] heap_out_tile;
     wire [9:0] heap_out_pointer;
-    wire heap_empty;
-    wire returned_in_ready;
-    wire returned_out_valid;
-    wire [9:0] returned_out_pointer;
+    wire heap_empty, returned_in_ready, returned_out_valid;
+    wire [9:0] returned_out_data;
 
-    assign in_ready = in_queue_in_ready;
     wire open = in_queue_out_valid & ~draining;
+    wire in_queue_out_end = in_queue_out_data[304];
     wire offer = open & ~in_queue_out_end & free_valid;
+    wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire caught_out_ready = out_queue_in_ready;
-    wire out_queue_out_ready = out_ready;
     wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
-    wire advance = ~stage_valid | caught_in_ready;
-    wire heap_out_ready = advance;
-    wire leaving = heap_out_valid & heap_out_ready;
+    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
+    wire leaving = heap_out_valid & advance;
     wire all_used = fresh[10];
     wire returned_out_ready = ~free_valid & all_used;
 
+    assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
-    assign out_end = out_queue_out_end;
-    assign out_center_x = out_queue_out_center_x;
-    assign out_center_y = out_queue_out_center_y;
-    assign out_ax = out_queue_out_ax;
-    assign out_bx = out_queue_out_bx;
-    assign out_ay = out_queue_out_ay;
-    assign out_by = out_queue_out_by;
-    assign out_delta = out_queue_out_delta;
-    assign out_mx = out_queue_out_mx;
-    assign out_my = out_queue_out_my;
-    assign out_shift = out_queue_out_shift;
-    assign out_depth = out_queue_out_depth;
-    assign out_depth_low = out_queue_out_depth_low;
-    assign out_depth_high = out_queue_out_depth_high;
-    assign out_attribute_0 = out_queue_out_attribute_0;
-    assign out_attribute_1 = out_queue_out_attribute_1;
-    assign out_attribute_2 = out_queue_out_attribute_2;
-    assign out_left = out_queue_out_left;
-    assign out_right = out_queue_out_right;
-    assign out_top = out_queue_out_top;
-    assign out_bottom = out_queue_out_bottom;
-    assign out_tile = out_queue_out_tile;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
+        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile
+    } = out_queue_out_data;
+
+    memory_1w1r_unordered #(.WIDTH(292), .DEPTH(1024), .SLICE(18)) payloads (
+        .clk(clk),
+        .write(offer), .write_address(free), .write_data(in_queue_out_data[303:12]),
+        .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
+    );
 
     stream_half_buffer_w305 in_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(in_queue_in_ready),
-        .in_end(in_end),
-        .in_center_x(in_center_x),
-        .in_center_y(in_center_y),
-        .in_ax(in_ax),
-        .in_bx(in_bx),
-        .in_ay(in_ay),
-        .in_by(in_by),
-        .in_delta(in_delta),
-        .in_mx(in_mx),
-        .in_my(in_my),
-        .in_shift(in_shift),
-        .in_depth(in_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .in_left(in_left),
-        .in_right(in_right),
-        .in_top(in_top),
-        .in_bottom(in_bottom),
-        .in_tile(in_tile),
-        .out_valid(in_queue_out_valid),
-        .out_ready(in_queue_out_ready),
-        .out_end(in_queue_out_end),
-        .out_center_x(in_queue_out_center_x),
-        .out_center_y(in_queue_out_center_y),
-        .out_ax(in_queue_out_ax),
-        .out_bx(in_queue_out_bx),
-        .out_ay(in_queue_out_ay),
-        .out_by(in_queue_out_by),
-        .out_delta(in_queue_out_delta),
-        .out_mx(in_queue_out_mx),
-        .out_my(in_queue_out_my),
-        .out_shift(in_queue_out_shift),
-        .out_depth(in_queue_out_depth),
-        .out_depth_low(in_queue_out_depth_low),
-        .out_depth_high(in_queue_out_depth_high),
-        .out_attribute_0(in_queue_out_attribute_0),
-        .out_attribute_1(in_queue_out_attribute_1),
-        .out_attribute_2(in_queue_out_attribute_2),
-        .out_left(in_queue_out_left),
-        .out_right(in_queue_out_right),
-        .out_top(in_queue_out_top),
-        .out_bottom(in_queue_out_bottom),
-        .out_tile(in_queue_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .in_data({
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_shift,
+            in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_left,
+            in_right, in_top, in_bottom, in_tile
+        }),
+        .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_half_buffer_w305 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(caught_out_valid & caught_out_ready),
-        .in_ready(out_queue_in_ready),
-        .in_end(caught_out_end),
-        .in_center_x(caught_out_center_x),
-        .in_center_y(caught_out_center_y),
-        .in_ax(caught_out_ax),
-        .in_bx(caught_out_bx),
-        .in_ay(caught_out_ay),
-        .in_by(caught_out_by),
-        .in_delta(caught_out_delta),
-        .in_mx(caught_out_mx),
-        .in_my(caught_out_my),
-        .in_shift(caught_out_shift),
-        .in_depth(caught_out_depth),
-        .in_depth_low(caught_out_depth_low),
-        .in_depth_high(caught_out_depth_high),
-        .in_attribute_0(caught_out_attribute_0),
-        .in_attribute_1(caught_out_attribute_1),
-        .in_attribute_2(caught_out_attribute_2),
-        .in_left(caught_out_left),
-        .in_right(caught_out_right),
-        .in_top(caught_out_top),
-        .in_bottom(caught_out_bottom),
-        .in_tile(caught_out_tile),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_shift(out_queue_out_shift),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
+        .in_data(caught_out_data),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w305 caught (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(close | (stage_valid & caught_in_ready)),
-        .in_ready(caught_in_ready),
-        .in_end(close),
-        .in_center_x({stage_payload_288, stage_payload_270, stage_payload_252[17:14]}),
-        .in_center_y({stage_payload_252[13:0], stage_payload_234[17:6]}),
-        .in_ax({stage_payload_234[5:0], stage_payload_216[17:8]}),
-        .in_bx({stage_payload_216[7:0], stage_payload_198[17:10]}),
-        .in_ay({stage_payload_198[9:0], stage_payload_180[17:12]}),
-        .in_by({stage_payload_180[11:0], stage_payload_162[17:14]}),
-        .in_delta({stage_payload_162[13:0], stage_payload_144[17:12]}),
-        .in_mx({stage_payload_144[11:0], stage_payload_126[17:14]}),
-        .in_my({stage_payload_126[13:0], stage_payload_108[17:16]}),
-        .in_shift(stage_payload_108[15:12]),
-        .in_depth({stage_payload_108[11:0], stage_payload_90[17:6]}),
-        .in_depth_low({stage_payload_90[5:0], stage_payload_72}),
-        .in_depth_high({stage_payload_54, stage_payload_36[17:12]}),
-        .in_attribute_0(stage_payload_36[11:0]),
-        .in_attribute_1(stage_payload_18[17:6]),
-        .in_attribute_2({stage_payload_18[5:0], stage_payload_0[17:12]}),
-        .in_left(stage_payload_0[11:9]),
-        .in_right(stage_payload_0[8:6]),
-        .in_top(stage_payload_0[5:3]),
-        .in_bottom(stage_payload_0[2:0]),
-        .in_tile(stage_tile),
-        .out_valid(caught_out_valid),
-        .out_ready(caught_out_ready),
-        .out_end(caught_out_end),
-        .out_center_x(caught_out_center_x),
-        .out_center_y(caught_out_center_y),
-        .out_ax(caught_out_ax),
-        .out_bx(caught_out_bx),
-        .out_ay(caught_out_ay),
-        .out_by(caught_out_by),
-        .out_delta(caught_out_delta),
-        .out_mx(caught_out_mx),
-        .out_my(caught_out_my),
-        .out_shift(caught_out_shift),
-        .out_depth(caught_out_depth),
-        .out_depth_low(caught_out_depth_low),
-        .out_depth_high(caught_out_depth_high),
-        .out_attribute_0(caught_out_attribute_0),
-        .out_attribute_1(caught_out_attribute_1),
-        .out_attribute_2(caught_out_attribute_2),
-        .out_left(caught_out_left),
-        .out_right(caught_out_right),
-        .out_top(caught_out_top),
-        .out_bottom(caught_out_bottom),
-        .out_tile(caught_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
+        .in_data({close, stage_payload, stage_tile}),
+        .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_heap heap (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(offer),
-        .in_ready(heap_in_ready),
-        .in_tile(in_queue_out_tile),
-        .in_pointer(free),
-        .out_valid(heap_out_valid),
-        .out_ready(heap_out_ready),
-        .out_tile(heap_out_tile),
+        .clk(clk), .rst(rst),
+        .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile), .in_pointer(free),
+        .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
         .out_pointer(heap_out_pointer),
         .empty(heap_empty)
     );
 
     stream_fifo_d1024_w10 returned (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(leaving),
-        .in_ready(returned_in_ready),
-        .in_pointer(heap_out_pointer),
-        .out_valid(returned_out_valid),
-        .out_ready(returned_out_ready),
-        .out_pointer(returned_out_pointer)
+        .clk(clk), .rst(rst),
+        .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
     always @(posedge clk) begin
@@ -5804,251 +3656,14 @@ module splat_reorder (
             stage_valid <= 1'd0;
         end else begin
             free_valid <= free_valid ? ~insert : (~all_used | returned_out_valid);
-            if (~(free_valid | all_used)) begin
-                fresh <= fresh + 11'd1;
-            end
-            if (take_end | close) begin
-                draining <= take_end;
-            end
-            if (advance) begin
-                stage_valid <= leaving;
-            end
+            if (~(free_valid | all_used)) fresh <= fresh + 11'd1;
+            if (take_end | close) draining <= take_end;
+            if (advance) stage_valid <= leaving;
         end
     end
     always @(posedge clk) begin
-        if (~free_valid) begin
-            free <= all_used ? returned_out_pointer : fresh[9:0];
-        end
-        if (advance) begin
-            stage_tile <= heap_out_tile;
-        end
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_0[free] <= {
-                in_queue_out_attribute_2[5:0],
-                in_queue_out_left,
-                in_queue_out_right,
-                in_queue_out_top,
-                in_queue_out_bottom
-            };
-        end
-        if (advance) begin
-            stage_payload_0 <= payloads_0[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_0 <= ~payloads_0[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_18[free] <= {in_queue_out_attribute_1, in_queue_out_attribute_2[11:6]};
-        end
-        if (advance) begin
-            stage_payload_18 <= payloads_18[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_18 <= ~payloads_18[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_36[free] <= {in_queue_out_depth_high[5:0], in_queue_out_attribute_0};
-        end
-        if (advance) begin
-            stage_payload_36 <= payloads_36[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_36 <= ~payloads_36[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_54[free] <= in_queue_out_depth_high[23:6];
-        end
-        if (advance) begin
-            stage_payload_54 <= payloads_54[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_54 <= ~payloads_54[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_72[free] <= in_queue_out_depth_low[17:0];
-        end
-        if (advance) begin
-            stage_payload_72 <= payloads_72[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_72 <= ~payloads_72[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_90[free] <= {in_queue_out_depth[11:0], in_queue_out_depth_low[23:18]};
-        end
-        if (advance) begin
-            stage_payload_90 <= payloads_90[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_90 <= ~payloads_90[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_108[free] <= {in_queue_out_my[1:0], in_queue_out_shift, in_queue_out_depth[23:12]};
-        end
-        if (advance) begin
-            stage_payload_108 <= payloads_108[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_108 <= ~payloads_108[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_126[free] <= {in_queue_out_mx[3:0], in_queue_out_my[15:2]};
-        end
-        if (advance) begin
-            stage_payload_126 <= payloads_126[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_126 <= ~payloads_126[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_144[free] <= {in_queue_out_delta[5:0], in_queue_out_mx[15:4]};
-        end
-        if (advance) begin
-            stage_payload_144 <= payloads_144[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_144 <= ~payloads_144[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_162[free] <= {in_queue_out_by[3:0], in_queue_out_delta[19:6]};
-        end
-        if (advance) begin
-            stage_payload_162 <= payloads_162[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_162 <= ~payloads_162[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_180[free] <= {in_queue_out_ay[5:0], in_queue_out_by[15:4]};
-        end
-        if (advance) begin
-            stage_payload_180 <= payloads_180[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_180 <= ~payloads_180[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_198[free] <= {in_queue_out_bx[7:0], in_queue_out_ay[15:6]};
-        end
-        if (advance) begin
-            stage_payload_198 <= payloads_198[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_198 <= ~payloads_198[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_216[free] <= {in_queue_out_ax[9:0], in_queue_out_bx[15:8]};
-        end
-        if (advance) begin
-            stage_payload_216 <= payloads_216[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_216 <= ~payloads_216[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_234[free] <= {in_queue_out_center_y[11:0], in_queue_out_ax[15:10]};
-        end
-        if (advance) begin
-            stage_payload_234 <= payloads_234[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_234 <= ~payloads_234[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_252[free] <= {in_queue_out_center_x[3:0], in_queue_out_center_y[25:12]};
-        end
-        if (advance) begin
-            stage_payload_252 <= payloads_252[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_252 <= ~payloads_252[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_270[free] <= in_queue_out_center_x[21:4];
-        end
-        if (advance) begin
-            stage_payload_270 <= payloads_270[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_270 <= ~payloads_270[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_288[free] <= in_queue_out_center_x[25:22];
-        end
-        if (advance) begin
-            stage_payload_288 <= payloads_288[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_288 <= ~payloads_288[heap_out_pointer];
-        end
-`endif
+        if (~free_valid) free <= all_used ? returned_out_data : fresh[9:0];
+        if (advance) stage_tile <= heap_out_tile;
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -6077,27 +3692,28 @@ module stream_fifo_d1024_w10 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [9:0] in_pointer,
+    input  wire [9:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [9:0] out_pointer
+    output wire [9:0] out_data
 );
-    (* no_rw_check *)
-    reg [9:0] entries [0:1023];
-    reg [10:0] held;
-    reg [10:0] waiting;
-    reg [9:0] write_address;
-    reg [9:0] read_address;
-    reg [9:0] item;
+    reg [10:0] held, waiting;
+    reg [9:0] write_address, read_address;
+    wire [9:0] item;
 
     wire has_room = ~held[10];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_pointer = item;
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(10), .DEPTH(1024)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -6109,27 +3725,10 @@ module stream_fifo_d1024_w10 (
         end else begin
             held <= (held + {10'd0, push}) - {10'd0, pop};
             waiting <= (waiting + {10'd0, push}) - {10'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 10'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 10'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 10'd1;
+            if (fetch) read_address <= read_address + 10'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= in_pointer;
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -6176,285 +3775,150 @@ module splat_heap (
     reg lower;
     reg [9:0] count;
     reg [13:0] arrival;
-    reg [9:0] alive_even;
-    reg [9:0] alive_odd;
-    reg occupied;
-    reg full;
-    reg fresh_epoch_blocked;
+    reg [9:0] alive_even, alive_odd;
+    reg occupied, full, fresh_epoch_blocked;
     reg [11:0] current;
-    reg sweep;
-    reg last_epoch;
+    reg sweep, last_epoch;
     reg [11:0] newcomer_tile;
 
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire [11:0] out_queue_out_tile;
-    wire [9:0] out_queue_out_pointer;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [21:0] out_queue_out_data;
     wire [36:0] stage_0_root;
-    wire stage_0_below_valid;
-    wire stage_0_below_hole;
-    wire stage_0_below_carry;
-    wire stage_0_below_right;
-    wire stage_0_below_left_exists;
-    wire stage_0_below_right_exists;
-    wire stage_0_below_follows;
+    wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
+    wire stage_0_below_left_exists, stage_0_below_right_exists, stage_0_below_follows;
     wire [36:0] stage_0_below_entry;
     wire [26:0] stage_0_below_rival;
     wire [1:0] stage_0_below_row;
     wire [36:0] stage_2_rise_entry;
-    wire stage_2_rise_exists;
-    wire stage_2_rise_ahead;
-    wire stage_2_rise_right;
-    wire stage_2_rise_childless;
+    wire stage_2_rise_exists, stage_2_rise_ahead, stage_2_rise_right, stage_2_rise_childless;
     wire [1:0] stage_2_rise_node;
-    wire stage_2_below_valid;
-    wire stage_2_below_hole;
-    wire stage_2_below_carry;
-    wire stage_2_below_right;
-    wire stage_2_below_left_exists;
-    wire stage_2_below_right_exists;
-    wire stage_2_below_follows;
+    wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
+    wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
     wire [36:0] stage_2_below_entry;
     wire [26:0] stage_2_below_rival;
     wire [3:0] stage_2_below_row;
     wire [36:0] stage_4_rise_entry;
-    wire stage_4_rise_exists;
-    wire stage_4_rise_ahead;
-    wire stage_4_rise_right;
-    wire stage_4_rise_childless;
+    wire stage_4_rise_exists, stage_4_rise_ahead, stage_4_rise_right, stage_4_rise_childless;
     wire [3:0] stage_4_rise_node;
-    wire stage_4_below_valid;
-    wire stage_4_below_hole;
-    wire stage_4_below_carry;
-    wire stage_4_below_right;
-    wire stage_4_below_left_exists;
-    wire stage_4_below_right_exists;
-    wire stage_4_below_follows;
+    wire stage_4_below_valid, stage_4_below_hole, stage_4_below_carry, stage_4_below_right;
+    wire stage_4_below_left_exists, stage_4_below_right_exists, stage_4_below_follows;
     wire [36:0] stage_4_below_entry;
     wire [26:0] stage_4_below_rival;
     wire [5:0] stage_4_below_row;
     wire [36:0] stage_6_rise_entry;
-    wire stage_6_rise_exists;
-    wire stage_6_rise_ahead;
-    wire stage_6_rise_right;
-    wire stage_6_rise_childless;
+    wire stage_6_rise_exists, stage_6_rise_ahead, stage_6_rise_right, stage_6_rise_childless;
     wire [5:0] stage_6_rise_node;
-    wire stage_6_below_valid;
-    wire stage_6_below_hole;
-    wire stage_6_below_carry;
-    wire stage_6_below_right;
-    wire stage_6_below_left_exists;
-    wire stage_6_below_right_exists;
-    wire stage_6_below_follows;
+    wire stage_6_below_valid, stage_6_below_hole, stage_6_below_carry, stage_6_below_right;
+    wire stage_6_below_left_exists, stage_6_below_right_exists, stage_6_below_follows;
     wire [36:0] stage_6_below_entry;
     wire [26:0] stage_6_below_rival;
     wire [7:0] stage_6_below_row;
     wire [36:0] stage_8_rise_entry;
-    wire stage_8_rise_exists;
-    wire stage_8_rise_ahead;
-    wire stage_8_rise_right;
-    wire stage_8_rise_childless;
+    wire stage_8_rise_exists, stage_8_rise_ahead, stage_8_rise_right, stage_8_rise_childless;
     wire [7:0] stage_8_rise_node;
 
     wire begins = ~lower;
     wire pop = begins & (occupied & out_queue_in_ready);
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
-    assign in_ready = ready;
-    wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
     wire newcomer_sweep = sweep ^ (newcomer_tile < current);
     wire term_1 = push & ~arrival[13];
     wire term_2 = push & arrival[13];
 
+    assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
-    assign out_tile = out_queue_out_tile;
-    assign out_pointer = out_queue_out_pointer;
+    assign {out_tile, out_pointer} = out_queue_out_data;
     assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w22 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(pop),
-        .in_ready(out_queue_in_ready),
-        .in_tile(stage_0_root[35:24]),
-        .in_pointer(stage_0_root[9:0]),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_tile(out_queue_out_tile),
-        .out_pointer(out_queue_out_pointer)
+        .clk(clk), .rst(rst),
+        .in_valid(pop), .in_ready(out_queue_in_ready), .in_data({stage_0_root[35:24], stage_0_root[9:0]}),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_level0 stage_0 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(push | pop),
-        .step_hole(pop),
-        .step_carry(push),
-        .step_right(1'd1),
-        .step_left_exists(1'd0),
-        .step_right_exists(occupied),
-        .step_follows(1'd1),
-        .step_entry({1'd0, in_tile, arrival, in_pointer}),
-        .step_rival(27'd0),
+        .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
+        .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
+        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_rival(27'd0),
         .newcomer_sweep(newcomer_sweep),
-        .below_rise_entry(stage_2_rise_entry),
-        .below_rise_exists(stage_2_rise_exists),
-        .below_rise_ahead(stage_2_rise_ahead),
-        .below_rise_right(stage_2_rise_right),
-        .below_rise_childless(stage_2_rise_childless),
-        .below_rise_node(stage_2_rise_node),
+        .below_rise_entry(stage_2_rise_entry), .below_rise_exists(stage_2_rise_exists),
+        .below_rise_ahead(stage_2_rise_ahead), .below_rise_right(stage_2_rise_right),
+        .below_rise_childless(stage_2_rise_childless), .below_rise_node(stage_2_rise_node),
         .root(stage_0_root),
-        .below_valid(stage_0_below_valid),
-        .below_hole(stage_0_below_hole),
-        .below_carry(stage_0_below_carry),
-        .below_right(stage_0_below_right),
-        .below_left_exists(stage_0_below_left_exists),
-        .below_right_exists(stage_0_below_right_exists),
-        .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry),
-        .below_rival(stage_0_below_rival),
-        .below_row(stage_0_below_row)
+        .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
+        .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
+        .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
+        .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_level2 stage_2 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_0_below_valid),
-        .step_hole(stage_0_below_hole),
-        .step_carry(stage_0_below_carry),
-        .step_right(stage_0_below_right),
-        .step_left_exists(stage_0_below_left_exists),
-        .step_right_exists(stage_0_below_right_exists),
-        .step_follows(stage_0_below_follows),
-        .step_entry(stage_0_below_entry),
-        .step_rival(stage_0_below_rival),
-        .step_row(stage_0_below_row),
-        .below_rise_entry(stage_4_rise_entry),
-        .below_rise_exists(stage_4_rise_exists),
-        .below_rise_ahead(stage_4_rise_ahead),
-        .below_rise_right(stage_4_rise_right),
-        .below_rise_childless(stage_4_rise_childless),
-        .below_rise_node(stage_4_rise_node),
-        .rise_entry(stage_2_rise_entry),
-        .rise_exists(stage_2_rise_exists),
-        .rise_ahead(stage_2_rise_ahead),
-        .rise_right(stage_2_rise_right),
-        .rise_childless(stage_2_rise_childless),
+        .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
+        .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
+        .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
+        .step_entry(stage_0_below_entry), .step_rival(stage_0_below_rival), .step_row(stage_0_below_row),
+        .below_rise_entry(stage_4_rise_entry), .below_rise_exists(stage_4_rise_exists),
+        .below_rise_ahead(stage_4_rise_ahead), .below_rise_right(stage_4_rise_right),
+        .below_rise_childless(stage_4_rise_childless), .below_rise_node(stage_4_rise_node),
+        .rise_entry(stage_2_rise_entry), .rise_exists(stage_2_rise_exists), .rise_ahead(stage_2_rise_ahead),
+        .rise_right(stage_2_rise_right), .rise_childless(stage_2_rise_childless),
         .rise_node(stage_2_rise_node),
-        .below_valid(stage_2_below_valid),
-        .below_hole(stage_2_below_hole),
-        .below_carry(stage_2_below_carry),
-        .below_right(stage_2_below_right),
-        .below_left_exists(stage_2_below_left_exists),
-        .below_right_exists(stage_2_below_right_exists),
-        .below_follows(stage_2_below_follows),
-        .below_entry(stage_2_below_entry),
-        .below_rival(stage_2_below_rival),
-        .below_row(stage_2_below_row)
+        .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
+        .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
+        .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
+        .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
     );
 
     splat_heap_stage_level4 stage_4 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_2_below_valid),
-        .step_hole(stage_2_below_hole),
-        .step_carry(stage_2_below_carry),
-        .step_right(stage_2_below_right),
-        .step_left_exists(stage_2_below_left_exists),
-        .step_right_exists(stage_2_below_right_exists),
-        .step_follows(stage_2_below_follows),
-        .step_entry(stage_2_below_entry),
-        .step_rival(stage_2_below_rival),
-        .step_row(stage_2_below_row),
-        .below_rise_entry(stage_6_rise_entry),
-        .below_rise_exists(stage_6_rise_exists),
-        .below_rise_ahead(stage_6_rise_ahead),
-        .below_rise_right(stage_6_rise_right),
-        .below_rise_childless(stage_6_rise_childless),
-        .below_rise_node(stage_6_rise_node),
-        .rise_entry(stage_4_rise_entry),
-        .rise_exists(stage_4_rise_exists),
-        .rise_ahead(stage_4_rise_ahead),
-        .rise_right(stage_4_rise_right),
-        .rise_childless(stage_4_rise_childless),
+        .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
+        .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
+        .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
+        .step_entry(stage_2_below_entry), .step_rival(stage_2_below_rival), .step_row(stage_2_below_row),
+        .below_rise_entry(stage_6_rise_entry), .below_rise_exists(stage_6_rise_exists),
+        .below_rise_ahead(stage_6_rise_ahead), .below_rise_right(stage_6_rise_right),
+        .below_rise_childless(stage_6_rise_childless), .below_rise_node(stage_6_rise_node),
+        .rise_entry(stage_4_rise_entry), .rise_exists(stage_4_rise_exists), .rise_ahead(stage_4_rise_ahead),
+        .rise_right(stage_4_rise_right), .rise_childless(stage_4_rise_childless),
         .rise_node(stage_4_rise_node),
-        .below_valid(stage_4_below_valid),
-        .below_hole(stage_4_below_hole),
-        .below_carry(stage_4_below_carry),
-        .below_right(stage_4_below_right),
-        .below_left_exists(stage_4_below_left_exists),
-        .below_right_exists(stage_4_below_right_exists),
-        .below_follows(stage_4_below_follows),
-        .below_entry(stage_4_below_entry),
-        .below_rival(stage_4_below_rival),
-        .below_row(stage_4_below_row)
+        .below_valid(stage_4_below_valid), .below_hole(stage_4_below_hole), .below_carry(stage_4_below_carry),
+        .below_right(stage_4_below_right), .below_left_exists(stage_4_below_left_exists),
+        .below_right_exists(stage_4_below_right_exists), .below_follows(stage_4_below_follows),
+        .below_entry(stage_4_below_entry), .below_rival(stage_4_below_rival), .below_row(stage_4_below_row)
     );
 
     splat_heap_stage_level6 stage_6 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_4_below_valid),
-        .step_hole(stage_4_below_hole),
-        .step_carry(stage_4_below_carry),
-        .step_right(stage_4_below_right),
-        .step_left_exists(stage_4_below_left_exists),
-        .step_right_exists(stage_4_below_right_exists),
-        .step_follows(stage_4_below_follows),
-        .step_entry(stage_4_below_entry),
-        .step_rival(stage_4_below_rival),
-        .step_row(stage_4_below_row),
-        .below_rise_entry(stage_8_rise_entry),
-        .below_rise_exists(stage_8_rise_exists),
-        .below_rise_ahead(stage_8_rise_ahead),
-        .below_rise_right(stage_8_rise_right),
-        .below_rise_childless(stage_8_rise_childless),
-        .below_rise_node(stage_8_rise_node),
-        .rise_entry(stage_6_rise_entry),
-        .rise_exists(stage_6_rise_exists),
-        .rise_ahead(stage_6_rise_ahead),
-        .rise_right(stage_6_rise_right),
-        .rise_childless(stage_6_rise_childless),
+        .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
+        .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
+        .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
+        .step_entry(stage_4_below_entry), .step_rival(stage_4_below_rival), .step_row(stage_4_below_row),
+        .below_rise_entry(stage_8_rise_entry), .below_rise_exists(stage_8_rise_exists),
+        .below_rise_ahead(stage_8_rise_ahead), .below_rise_right(stage_8_rise_right),
+        .below_rise_childless(stage_8_rise_childless), .below_rise_node(stage_8_rise_node),
+        .rise_entry(stage_6_rise_entry), .rise_exists(stage_6_rise_exists), .rise_ahead(stage_6_rise_ahead),
+        .rise_right(stage_6_rise_right), .rise_childless(stage_6_rise_childless),
         .rise_node(stage_6_rise_node),
-        .below_valid(stage_6_below_valid),
-        .below_hole(stage_6_below_hole),
-        .below_carry(stage_6_below_carry),
-        .below_right(stage_6_below_right),
-        .below_left_exists(stage_6_below_left_exists),
-        .below_right_exists(stage_6_below_right_exists),
-        .below_follows(stage_6_below_follows),
-        .below_entry(stage_6_below_entry),
-        .below_rival(stage_6_below_rival),
-        .below_row(stage_6_below_row)
+        .below_valid(stage_6_below_valid), .below_hole(stage_6_below_hole), .below_carry(stage_6_below_carry),
+        .below_right(stage_6_below_right), .below_left_exists(stage_6_below_left_exists),
+        .below_right_exists(stage_6_below_right_exists), .below_follows(stage_6_below_follows),
+        .below_entry(stage_6_below_entry), .below_rival(stage_6_below_rival), .below_row(stage_6_below_row)
     );
 
     splat_heap_stage_level8 stage_8 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_6_below_valid),
-        .step_hole(stage_6_below_hole),
-        .step_carry(stage_6_below_carry),
-        .step_right(stage_6_below_right),
-        .step_left_exists(stage_6_below_left_exists),
-        .step_right_exists(stage_6_below_right_exists),
-        .step_follows(stage_6_below_follows),
-        .step_entry(stage_6_below_entry),
-        .step_rival(stage_6_below_rival),
-        .step_row(stage_6_below_row),
-        .rise_entry(stage_8_rise_entry),
-        .rise_exists(stage_8_rise_exists),
-        .rise_ahead(stage_8_rise_ahead),
-        .rise_right(stage_8_rise_right),
-        .rise_childless(stage_8_rise_childless),
+        .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
+        .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
+        .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
+        .step_entry(stage_6_below_entry), .step_rival(stage_6_below_rival), .step_row(stage_6_below_row),
+        .rise_entry(stage_8_rise_entry), .rise_exists(stage_8_rise_exists), .rise_ahead(stage_8_rise_ahead),
+        .rise_right(stage_8_rise_right), .rise_childless(stage_8_rise_childless),
         .rise_node(stage_8_rise_node)
     );
 
@@ -6475,12 +3939,8 @@ module splat_heap (
             occupied <= |count;
             full <= &count;
             fresh_epoch_blocked <= (arrival[12:0] == 13'd0) & (arrival[13] ? |alive_odd : |alive_even);
-            if (push ^ pop) begin
-                count <= push ? (count + 10'd1) : (count - 10'd1);
-            end
-            if (push) begin
-                arrival <= arrival + 14'd1;
-            end
+            if (push ^ pop) count <= push ? (count + 10'd1) : (count - 10'd1);
+            if (push) arrival <= arrival + 14'd1;
             if (term_1 ^ (pop & ~stage_0_root[23])) begin
                 alive_even <= term_1 ? (alive_even + 10'd1) : (alive_even - 10'd1);
             end
@@ -6494,9 +3954,7 @@ module splat_heap (
         end
     end
     always @(posedge clk) begin
-        if (push) begin
-            last_epoch <= arrival[13];
-        end
+        if (push) last_epoch <= arrival[13];
         newcomer_tile <= in_tile;
     end
 
@@ -6529,45 +3987,22 @@ module splat_heap_stage_level8 (
     output wire rise_childless,
     output wire [7:0] rise_node
 );
-    (* no_rw_check *)
-    reg [39:0] left_nodes [0:511];
-    (* no_rw_check *)
-    reg [39:0] right_nodes [0:511];
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [26:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [26:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [36:0] compared_entry;
-    reg compared_right_below;
-    reg compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
-    reg settled_rival_mark;
+    reg compared_right_below, compared_left_count, settled_valid, settled_hole, settled_carry;
+    reg settled_existed, settled_ahead, settled_rival_exists, settled_rival_mark;
     reg [36:0] settled_entry;
-    reg settled_right_below;
-    reg settled_left_count;
+    reg settled_right_below, settled_left_count;
     reg [39:0] stored;
-    reg [8:0] row;
-    reg [8:0] row_before;
-    reg [9:0] last_row;
-    reg [9:0] last_row_before;
-    reg [39:0] left_shown;
-    reg [39:0] right_shown;
+    reg [8:0] row, row_before;
+    reg [9:0] last_row, last_row_before;
+    wire [39:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[39:3] : compared_entry;
     wire term_1 = compared_carried[36] == sweep;
@@ -6582,40 +4017,38 @@ module splat_heap_stage_level8 (
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
     wire term_6 = ~(chosen_left_count | chosen_right_below);
-    wire choice_7 = lower ? compared_hole : step_hole;
-    wire choice_8 = lower ? compared_follows : step_follows;
-    wire choice_9 = lower ? chosen_left_count : step_left_exists;
-    wire choice_10 = lower ? chosen_right_below : step_right_exists;
-    wire newer = choice_8 & settled_valid;
-    wire [9:0] choice_11 = lower ? last_row_before : {1'd0, row_before};
-    wire side = choice_11[0];
-    wire choice_12 = lower ? 1'd0 : compared_exists;
-    wire term_13 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_5);
-    wire is_first = settled_hole ? ((settled_carry | choice_12) & term_13) : settled_ahead;
+    wire [9:0] choice_7 = lower ? last_row_before : {1'd0, row_before};
+    wire side = choice_7[0];
+    wire [36:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
+    wire choice_8 = lower ? 1'd0 : compared_exists;
+    wire term_9 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_5);
+    wire is_first = settled_hole ? ((settled_carry | choice_8) & term_9) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire choice_14 = (choice_9 & choice_10) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_10;
-    wire goes_right = choice_7 ? choice_14 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire term_10 = settled_hole & ~settled_carry & choice_8;
+    wire choice_11 = lower ? 1'd0 : compared_right;
+    wire term_12 = settled_right_below & ~(term_10 & choice_11 & (lower ? 1'd0 : term_6));
+    wire term_13 = ~settled_hole & settled_existed;
+    wire term_14 = ~choice_11;
+    wire sum_15 = settled_left_count + ((term_10 & term_14) | (term_13 & term_14));
+    wire [39:0] node_to_store = {
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        term_12 | (term_13 & choice_11), sum_15
+    };
+    wire choice_16 = lower ? compared_hole : step_hole;
+    wire choice_17 = lower ? chosen_left_count : step_left_exists;
+    wire choice_18 = lower ? chosen_right_below : step_right_exists;
+    wire choice_19 = lower ? compared_follows : step_follows;
+    wire newer = choice_19 & settled_valid;
+    wire choice_20 = (choice_17 & choice_18) ? (newer ? first_side : (left_shown[2] ^ right_shown[2])) : choice_18;
+    wire goes_right = choice_16 ? choice_20 : lower ? (chosen_left_count | ~lower) : step_right;
+    wire [9:0] next_row = {row, goes_right};
+    wire [8:0] choice_21 = lower ? {1'd0, step_row} : next_row[8:0];
     wire same_side = goes_right ^ ~side;
     wire [26:0] rival = compared_rival_stored ? stored[39:13] : compared_rival;
-    wire [36:0] choice_15 = ~goes_right ? right_shown[39:3] : left_shown[39:3];
-    wire term_16 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
-    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_16;
-    wire term_17 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
-    wire [36:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
-    wire term_18 = settled_hole & ~settled_carry & choice_12;
-    wire choice_19 = lower ? 1'd0 : compared_right;
-    wire term_20 = settled_right_below & ~(term_18 & choice_19 & (lower ? 1'd0 : term_6));
-    wire term_21 = ~settled_hole & settled_existed;
-    wire term_22 = ~choice_19;
-    wire sum_23 = settled_left_count + ((term_18 & term_22) | (term_21 & term_22));
-    wire [39:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        term_20 | (term_21 & choice_19),
-        sum_23
-    };
-    wire [9:0] next_row = {row, goes_right};
-    wire [8:0] choice_24 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire [36:0] choice_22 = ~goes_right ? right_shown[39:3] : left_shown[39:3];
+    wire term_23 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_23;
+    wire term_24 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -6623,6 +4056,18 @@ module splat_heap_stage_level8 (
     assign rise_right = compared_right;
     assign rise_childless = term_6;
     assign rise_node = row_before[7:0];
+
+    memory_1w1r_unordered #(.WIDTH(40), .DEPTH(512)) left_nodes (
+        .clk(clk),
+        .write(settled_valid & ~side), .write_address(choice_7[9:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_21), .read_data(left_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(40), .DEPTH(512)) right_nodes (
+        .clk(clk),
+        .write(settled_valid & side), .write_address(choice_7[9:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_21), .read_data(right_shown)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -6636,18 +4081,18 @@ module splat_heap_stage_level8 (
         end
     end
     always @(posedge clk) begin
-        compared_hole <= choice_7;
+        compared_hole <= choice_16;
         compared_carry <= lower ? compared_carry : step_carry;
-        compared_follows <= choice_8 & same_side;
+        compared_follows <= choice_19 & same_side;
         compared_carried <= lower ? (carried_first ? chosen_entry : compared_carried) : step_entry;
-        compared_exists <= goes_right ? choice_10 : choice_9;
+        compared_exists <= goes_right ? choice_18 : choice_17;
         compared_right <= goes_right;
-        compared_was_first <= goes_right == choice_14;
+        compared_was_first <= goes_right == choice_20;
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_15[36:10];
-        compared_rival_exists <= goes_right ? choice_9 : choice_10;
+        compared_rival <= choice_22[36:10];
+        compared_rival_exists <= goes_right ? choice_17 : choice_18;
         compared_rival_mark <= ~goes_right ? right_shown[2] : left_shown[2];
         compared_entry <= goes_right ? right_shown[39:3] : left_shown[39:3];
         compared_right_below <= goes_right ? right_shown[1] : left_shown[1];
@@ -6655,42 +4100,20 @@ module splat_heap_stage_level8 (
         settled_hole <= compared_hole;
         settled_carry <= compared_carry;
         settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_17;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_24;
         settled_rival_exists <= compared_rival_exists;
         settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
         settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry;
         settled_right_below <= chosen_right_below & compared_exists;
         settled_left_count <= chosen_left_count & compared_exists;
         stored <= node_to_store;
-        row <= choice_24;
+        row <= choice_21;
         row_before <= row;
         last_row <= next_row;
         last_row_before <= last_row;
     end
-    always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_11[9:1]] <= node_to_store;
-        end
-        left_shown <= left_nodes[choice_24];
-`ifdef RTL_ASSERT
-        if ((settled_valid & ~side) && (choice_11[9:1]) == (choice_24)) begin
-            left_shown <= ~left_nodes[choice_24];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_11[9:1]] <= node_to_store;
-        end
-        right_shown <= right_nodes[choice_24];
-`ifdef RTL_ASSERT
-        if ((settled_valid & side) && (choice_11[9:1]) == (choice_24)) begin
-            right_shown <= ~right_nodes[choice_24];
-        end
-`endif
-    end
 
-    wire _unused = &{1'b0, choice_15[9:0]};
+    wire _unused = &{1'b0, choice_22[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6735,43 +4158,24 @@ module splat_heap_stage_level6 (
     output wire [26:0] below_rival,
     output wire [7:0] below_row
 );
-    (* no_rw_check *)
-    reg [41:0] left_nodes [0:127];
-    (* no_rw_check *)
-    reg [41:0] right_nodes [0:127];
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [26:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [26:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [36:0] compared_entry;
     reg compared_right_below;
     reg [2:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [36:0] settled_entry;
     reg settled_right_below;
     reg [2:0] settled_left_count;
     reg [41:0] stored;
-    reg [6:0] row;
-    reg [6:0] row_before;
-    reg [41:0] left_shown;
-    reg [41:0] right_shown;
+    reg [6:0] row, row_before;
+    wire [41:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[41:5] : compared_entry;
     wire term_1 = compared_carried[36] == sweep;
@@ -6804,26 +4208,24 @@ module splat_heap_stage_level6 (
     wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[4] ^ right_shown[4])) : choice_12;
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [7:0] next_row = {row, goes_right};
-    wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_18 = ~goes_right ? right_shown[41:5] : left_shown[41:5];
-    wire term_19 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
-    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_19;
-    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
     wire [36:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_21 = settled_hole & ~settled_carry & choice_15;
-    wire choice_22 = lower ? below_rise_right : compared_right;
-    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
-    wire term_24 = ~settled_hole & settled_existed;
-    wire term_25 = ~choice_22;
-    wire term_26 = term_21 & term_25;
-    wire [2:0] sum_27 = settled_left_count + {{2{term_26}}, term_26 | (term_24 & term_25)};
+    wire term_18 = settled_hole & ~settled_carry & choice_15;
+    wire choice_19 = lower ? below_rise_right : compared_right;
+    wire term_20 = term_18 & choice_19 & (lower ? below_rise_childless : term_6);
+    wire term_21 = ~settled_hole & settled_existed;
+    wire term_22 = ~choice_19;
+    wire term_23 = term_18 & term_22;
+    wire [2:0] sum_24 = settled_left_count + {{2{term_23}}, term_23 | (term_21 & term_22)};
     wire [41:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_23) | (term_24 & choice_22),
-        sum_27
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_20) | (term_21 & choice_19), sum_24
     };
-    wire [6:0] choice_28 = lower ? {1'd0, step_row} : next_row[6:0];
+    wire [6:0] choice_25 = lower ? {1'd0, step_row} : next_row[6:0];
+    wire same_side = goes_right ^ ~side;
+    wire [36:0] choice_26 = ~goes_right ? right_shown[41:5] : left_shown[41:5];
+    wire term_27 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_27;
+    wire term_28 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -6841,6 +4243,18 @@ module splat_heap_stage_level6 (
     assign below_entry = choice_9;
     assign below_rival = rival;
     assign below_row = next_row;
+
+    memory_1w1r_unordered #(.WIDTH(42), .DEPTH(128)) left_nodes (
+        .clk(clk),
+        .write(settled_valid & ~side), .write_address(choice_14[7:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25), .read_data(left_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(42), .DEPTH(128)) right_nodes (
+        .clk(clk),
+        .write(settled_valid & side), .write_address(choice_14[7:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25), .read_data(right_shown)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -6864,7 +4278,7 @@ module splat_heap_stage_level6 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[36:10];
+        compared_rival <= choice_26[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[4] : left_shown[4];
         compared_entry <= goes_right ? right_shown[41:5] : left_shown[41:5];
@@ -6873,40 +4287,18 @@ module splat_heap_stage_level6 (
         settled_hole <= compared_hole;
         settled_carry <= compared_carry;
         settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_28;
         settled_rival_exists <= compared_rival_exists;
         settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
         settled_entry <= first;
         settled_right_below <= chosen_right_below & compared_exists;
         settled_left_count <= chosen_left_count & {3{compared_exists}};
         stored <= node_to_store;
-        row <= choice_28;
+        row <= choice_25;
         row_before <= row;
     end
-    always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_14[7:1]] <= node_to_store;
-        end
-        left_shown <= left_nodes[choice_28];
-`ifdef RTL_ASSERT
-        if ((settled_valid & ~side) && (choice_14[7:1]) == (choice_28)) begin
-            left_shown <= ~left_nodes[choice_28];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_14[7:1]] <= node_to_store;
-        end
-        right_shown <= right_nodes[choice_28];
-`ifdef RTL_ASSERT
-        if ((settled_valid & side) && (choice_14[7:1]) == (choice_28)) begin
-            right_shown <= ~right_nodes[choice_28];
-        end
-`endif
-    end
 
-    wire _unused = &{1'b0, choice_18[9:0]};
+    wire _unused = &{1'b0, choice_26[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -6951,43 +4343,24 @@ module splat_heap_stage_level4 (
     output wire [26:0] below_rival,
     output wire [5:0] below_row
 );
-    (* no_rw_check *)
-    reg [43:0] left_nodes [0:31];
-    (* no_rw_check *)
-    reg [43:0] right_nodes [0:31];
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [26:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [26:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [36:0] compared_entry;
     reg compared_right_below;
     reg [4:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [36:0] settled_entry;
     reg settled_right_below;
     reg [4:0] settled_left_count;
     reg [43:0] stored;
-    reg [4:0] row;
-    reg [4:0] row_before;
-    reg [43:0] left_shown;
-    reg [43:0] right_shown;
+    reg [4:0] row, row_before;
+    wire [43:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[43:7] : compared_entry;
     wire term_1 = compared_carried[36] == sweep;
@@ -7020,26 +4393,24 @@ module splat_heap_stage_level4 (
     wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[6] ^ right_shown[6])) : choice_12;
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [5:0] next_row = {row, goes_right};
-    wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_18 = ~goes_right ? right_shown[43:7] : left_shown[43:7];
-    wire term_19 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
-    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_19;
-    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
     wire [36:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_21 = settled_hole & ~settled_carry & choice_15;
-    wire choice_22 = lower ? below_rise_right : compared_right;
-    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
-    wire term_24 = ~settled_hole & settled_existed;
-    wire term_25 = ~choice_22;
-    wire term_26 = term_21 & term_25;
-    wire [4:0] sum_27 = settled_left_count + {{4{term_26}}, term_26 | (term_24 & term_25)};
+    wire term_18 = settled_hole & ~settled_carry & choice_15;
+    wire choice_19 = lower ? below_rise_right : compared_right;
+    wire term_20 = term_18 & choice_19 & (lower ? below_rise_childless : term_6);
+    wire term_21 = ~settled_hole & settled_existed;
+    wire term_22 = ~choice_19;
+    wire term_23 = term_18 & term_22;
+    wire [4:0] sum_24 = settled_left_count + {{4{term_23}}, term_23 | (term_21 & term_22)};
     wire [43:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_23) | (term_24 & choice_22),
-        sum_27
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_20) | (term_21 & choice_19), sum_24
     };
-    wire [4:0] choice_28 = lower ? {1'd0, step_row} : next_row[4:0];
+    wire [4:0] choice_25 = lower ? {1'd0, step_row} : next_row[4:0];
+    wire same_side = goes_right ^ ~side;
+    wire [36:0] choice_26 = ~goes_right ? right_shown[43:7] : left_shown[43:7];
+    wire term_27 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_27;
+    wire term_28 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -7057,6 +4428,18 @@ module splat_heap_stage_level4 (
     assign below_entry = choice_9;
     assign below_rival = rival;
     assign below_row = next_row;
+
+    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(32)) left_nodes (
+        .clk(clk),
+        .write(settled_valid & ~side), .write_address(choice_14[5:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25), .read_data(left_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(32)) right_nodes (
+        .clk(clk),
+        .write(settled_valid & side), .write_address(choice_14[5:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25), .read_data(right_shown)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -7080,7 +4463,7 @@ module splat_heap_stage_level4 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[36:10];
+        compared_rival <= choice_26[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[6] : left_shown[6];
         compared_entry <= goes_right ? right_shown[43:7] : left_shown[43:7];
@@ -7089,40 +4472,18 @@ module splat_heap_stage_level4 (
         settled_hole <= compared_hole;
         settled_carry <= compared_carry;
         settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_28;
         settled_rival_exists <= compared_rival_exists;
         settled_rival_mark <= compared_rival_stored ? stored[6] : compared_rival_mark;
         settled_entry <= first;
         settled_right_below <= chosen_right_below & compared_exists;
         settled_left_count <= chosen_left_count & {5{compared_exists}};
         stored <= node_to_store;
-        row <= choice_28;
+        row <= choice_25;
         row_before <= row;
     end
-    always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_14[5:1]] <= node_to_store;
-        end
-        left_shown <= left_nodes[choice_28];
-`ifdef RTL_ASSERT
-        if ((settled_valid & ~side) && (choice_14[5:1]) == (choice_28)) begin
-            left_shown <= ~left_nodes[choice_28];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_14[5:1]] <= node_to_store;
-        end
-        right_shown <= right_nodes[choice_28];
-`ifdef RTL_ASSERT
-        if ((settled_valid & side) && (choice_14[5:1]) == (choice_28)) begin
-            right_shown <= ~right_nodes[choice_28];
-        end
-`endif
-    end
 
-    wire _unused = &{1'b0, choice_18[9:0]};
+    wire _unused = &{1'b0, choice_26[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -7167,43 +4528,24 @@ module splat_heap_stage_level2 (
     output wire [26:0] below_rival,
     output wire [3:0] below_row
 );
-    (* no_rw_check *)
-    reg [45:0] left_nodes [0:7];
-    (* no_rw_check *)
-    reg [45:0] right_nodes [0:7];
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [26:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [26:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [36:0] compared_entry;
     reg compared_right_below;
     reg [6:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [36:0] settled_entry;
     reg settled_right_below;
     reg [6:0] settled_left_count;
     reg [45:0] stored;
-    reg [2:0] row;
-    reg [2:0] row_before;
-    reg [45:0] left_shown;
-    reg [45:0] right_shown;
+    reg [2:0] row, row_before;
+    wire [45:0] left_shown, right_shown;
 
     wire [36:0] chosen_entry = compared_chosen_stored ? stored[45:9] : compared_entry;
     wire term_1 = compared_carried[36] == sweep;
@@ -7236,26 +4578,24 @@ module splat_heap_stage_level2 (
     wire choice_17 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[8] ^ right_shown[8])) : choice_12;
     wire goes_right = choice_10 ? choice_17 : lower ? term_8 : step_right;
     wire [3:0] next_row = {row, goes_right};
-    wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_18 = ~goes_right ? right_shown[45:9] : left_shown[45:9];
-    wire term_19 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
-    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_19;
-    wire term_20 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
     wire [36:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_21 = settled_hole & ~settled_carry & choice_15;
-    wire choice_22 = lower ? below_rise_right : compared_right;
-    wire term_23 = term_21 & choice_22 & (lower ? below_rise_childless : term_6);
-    wire term_24 = ~settled_hole & settled_existed;
-    wire term_25 = ~choice_22;
-    wire term_26 = term_21 & term_25;
-    wire [6:0] sum_27 = settled_left_count + {{6{term_26}}, term_26 | (term_24 & term_25)};
+    wire term_18 = settled_hole & ~settled_carry & choice_15;
+    wire choice_19 = lower ? below_rise_right : compared_right;
+    wire term_20 = term_18 & choice_19 & (lower ? below_rise_childless : term_6);
+    wire term_21 = ~settled_hole & settled_existed;
+    wire term_22 = ~choice_19;
+    wire term_23 = term_18 & term_22;
+    wire [6:0] sum_24 = settled_left_count + {{6{term_23}}, term_23 | (term_21 & term_22)};
     wire [45:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_23) | (term_24 & choice_22),
-        sum_27
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_20) | (term_21 & choice_19), sum_24
     };
-    wire [2:0] choice_28 = lower ? {1'd0, step_row} : next_row[2:0];
+    wire [2:0] choice_25 = lower ? {1'd0, step_row} : next_row[2:0];
+    wire same_side = goes_right ^ ~side;
+    wire [36:0] choice_26 = ~goes_right ? right_shown[45:9] : left_shown[45:9];
+    wire term_27 = joined_2 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (compared_carried[36] ^ rival[26]) ? term_1 : term_27;
+    wire term_28 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -7273,6 +4613,18 @@ module splat_heap_stage_level2 (
     assign below_entry = choice_9;
     assign below_rival = rival;
     assign below_row = next_row;
+
+    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(8)) left_nodes (
+        .clk(clk),
+        .write(settled_valid & ~side), .write_address(choice_14[3:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25), .read_data(left_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(8)) right_nodes (
+        .clk(clk),
+        .write(settled_valid & side), .write_address(choice_14[3:1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_25), .read_data(right_shown)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -7296,7 +4648,7 @@ module splat_heap_stage_level2 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_18[36:10];
+        compared_rival <= choice_26[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[8] : left_shown[8];
         compared_entry <= goes_right ? right_shown[45:9] : left_shown[45:9];
@@ -7305,40 +4657,18 @@ module splat_heap_stage_level2 (
         settled_hole <= compared_hole;
         settled_carry <= compared_carry;
         settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_20;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_28;
         settled_rival_exists <= compared_rival_exists;
         settled_rival_mark <= compared_rival_stored ? stored[8] : compared_rival_mark;
         settled_entry <= first;
         settled_right_below <= chosen_right_below & compared_exists;
         settled_left_count <= chosen_left_count & {7{compared_exists}};
         stored <= node_to_store;
-        row <= choice_28;
+        row <= choice_25;
         row_before <= row;
     end
-    always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_14[3:1]] <= node_to_store;
-        end
-        left_shown <= left_nodes[choice_28];
-`ifdef RTL_ASSERT
-        if ((settled_valid & ~side) && (choice_14[3:1]) == (choice_28)) begin
-            left_shown <= ~left_nodes[choice_28];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_14[3:1]] <= node_to_store;
-        end
-        right_shown <= right_nodes[choice_28];
-`ifdef RTL_ASSERT
-        if ((settled_valid & side) && (choice_14[3:1]) == (choice_28)) begin
-            right_shown <= ~right_nodes[choice_28];
-        end
-`endif
-    end
 
-    wire _unused = &{1'b0, choice_18[9:0]};
+    wire _unused = &{1'b0, choice_26[9:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -7378,43 +4708,24 @@ module splat_heap_stage_level0 (
     output wire [26:0] below_rival,
     output wire [1:0] below_row
 );
-    (* no_rw_check *)
-    reg [47:0] left_nodes [0:1];
-    (* no_rw_check *)
-    reg [47:0] right_nodes [0:1];
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [36:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [26:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [26:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [36:0] compared_entry;
     reg compared_right_below;
     reg [8:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [36:0] settled_entry;
     reg settled_right_below;
     reg [8:0] settled_left_count;
     reg [47:0] stored;
-    reg row;
-    reg row_before;
-    reg [47:0] left_shown;
-    reg [47:0] right_shown;
+    reg row, row_before;
+    wire [47:0] left_shown, right_shown;
 
     wire choice_1 = lower ? compared_follows : step_follows;
     wire newer = choice_1 & settled_valid;
@@ -7449,21 +4760,21 @@ module splat_heap_stage_level0 (
     wire choice_18 = (choice_11 & choice_12) ? (newer ? first_side : (left_shown[10] ^ right_shown[10])) : choice_12;
     wire goes_right = choice_10 ? choice_18 : lower ? term_8 : step_right;
     wire [1:0] next_row = {row, goes_right};
+    wire term_19 = settled_hole & ~settled_carry & choice_14;
+    wire choice_20 = lower ? below_rise_right : compared_right;
+    wire choice_21 = lower ? below_rise_childless : ~(|chosen_left_count | chosen_right_below);
+    wire term_22 = ~settled_hole & settled_existed;
+    wire term_23 = (settled_right_below & ~(term_19 & choice_20 & choice_21)) | (term_22 & choice_20);
+    wire term_24 = ~choice_20;
+    wire term_25 = term_19 & term_24;
+    wire [8:0] sum_26 = settled_left_count + {{8{term_25}}, term_25 | (term_22 & term_24)};
+    wire [47:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_23, sum_26};
+    wire choice_27 = lower ? 1'd0 : next_row[0];
     wire same_side = goes_right ^ ~side;
-    wire [36:0] choice_19 = ~goes_right ? right_shown[47:11] : left_shown[47:11];
-    wire term_20 = joined_4 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
-    wire before_rival = (choice_2 ^ rival[26]) ? term_3 : term_20;
-    wire term_21 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
-    wire term_22 = settled_hole & ~settled_carry & choice_14;
-    wire choice_23 = lower ? below_rise_right : compared_right;
-    wire choice_24 = lower ? below_rise_childless : ~(|chosen_left_count | chosen_right_below);
-    wire term_25 = ~settled_hole & settled_existed;
-    wire term_26 = (settled_right_below & ~(term_22 & choice_23 & choice_24)) | (term_25 & choice_23);
-    wire term_27 = ~choice_23;
-    wire term_28 = term_22 & term_27;
-    wire [8:0] sum_29 = settled_left_count + {{8{term_28}}, term_28 | (term_25 & term_27)};
-    wire [47:0] node_to_store = {entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark), term_26, sum_29};
-    wire choice_30 = lower ? 1'd0 : next_row[0];
+    wire [36:0] choice_28 = ~goes_right ? right_shown[47:11] : left_shown[47:11];
+    wire term_29 = joined_4 < {rival[25:14], rival[13] == last_epoch, rival[12:0]};
+    wire before_rival = (choice_2 ^ rival[26]) ? term_3 : term_29;
+    wire term_30 = (compared_exists & compared_was_first) | (carried_first & (before_rival | ~compared_rival_exists));
 
     assign root = newer ? entry_to_store : right_shown[47:11];
     assign below_valid = term_7;
@@ -7476,6 +4787,18 @@ module splat_heap_stage_level0 (
     assign below_entry = choice_9;
     assign below_rival = rival;
     assign below_row = next_row;
+
+    memory_1w1r_unordered #(.WIDTH(48), .DEPTH(2)) left_nodes (
+        .clk(clk),
+        .write(settled_valid & ~side), .write_address(choice_13[1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(left_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(48), .DEPTH(2)) right_nodes (
+        .clk(clk),
+        .write(settled_valid & side), .write_address(choice_13[1]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_27), .read_data(right_shown)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -7499,7 +4822,7 @@ module splat_heap_stage_level0 (
         compared_parent_rival <= lower ? rival : step_rival;
         compared_chosen_stored <= newer & same_side;
         compared_rival_stored <= newer & ~same_side;
-        compared_rival <= choice_19[36:10];
+        compared_rival <= choice_28[36:10];
         compared_rival_exists <= goes_right ? choice_11 : choice_12;
         compared_rival_mark <= ~goes_right ? right_shown[10] : left_shown[10];
         compared_entry <= goes_right ? right_shown[47:11] : left_shown[47:11];
@@ -7508,40 +4831,18 @@ module splat_heap_stage_level0 (
         settled_hole <= compared_hole;
         settled_carry <= compared_carry;
         settled_existed <= compared_exists;
-        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_21;
+        settled_ahead <= compared_hole ? (compared_carry & before_rival) : term_30;
         settled_rival_exists <= compared_rival_exists;
         settled_rival_mark <= compared_rival_stored ? stored[10] : compared_rival_mark;
         settled_entry <= first;
         settled_right_below <= chosen_right_below & compared_exists;
         settled_left_count <= chosen_left_count & {9{compared_exists}};
         stored <= node_to_store;
-        row <= choice_30;
+        row <= choice_27;
         row_before <= row;
     end
-    always @(posedge clk) begin
-        if (settled_valid & ~side) begin
-            left_nodes[choice_13[1]] <= node_to_store;
-        end
-        left_shown <= left_nodes[choice_30];
-`ifdef RTL_ASSERT
-        if ((settled_valid & ~side) && (choice_13[1]) == (choice_30)) begin
-            left_shown <= ~left_nodes[choice_30];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (settled_valid & side) begin
-            right_nodes[choice_13[1]] <= node_to_store;
-        end
-        right_shown <= right_nodes[choice_30];
-`ifdef RTL_ASSERT
-        if ((settled_valid & side) && (choice_13[1]) == (choice_30)) begin
-            right_shown <= ~right_nodes[choice_30];
-        end
-`endif
-    end
 
-    wire _unused = &{1'b0, choice_19[9:0]};
+    wire _unused = &{1'b0, choice_28[9:0]};
 endmodule
 
 // Queue of two in registers.
@@ -7551,43 +4852,32 @@ module stream_skid_w22 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [11:0] in_tile,
-    input  wire [9:0] in_pointer,
+    input  wire [21:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [11:0] out_tile,
-    output wire [9:0] out_pointer
+    output wire [21:0] out_data
 );
     reg second_valid;
-    reg [21:0] head;
-    reg [21:0] second;
+    reg [21:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [21:0] in_item = {in_tile, in_pointer};
 
-    assign out_tile = head[21:10];
-    assign out_pointer = head[9:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -7658,62 +4948,22 @@ module splat_splitter (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    reg busy;
-    reg idle;
-    reg last;
-    reg splat_end;
-    reg [25:0] splat_center_x;
-    reg [25:0] splat_center_y;
-    reg [15:0] splat_ax;
-    reg [15:0] splat_bx;
-    reg [15:0] splat_ay;
-    reg [15:0] splat_by;
+    reg busy, idle, last, splat_end;
+    reg [25:0] splat_center_x, splat_center_y;
+    reg [15:0] splat_ax, splat_bx, splat_ay, splat_by;
     reg [19:0] splat_delta;
-    reg [15:0] splat_mx;
-    reg [15:0] splat_my;
+    reg [15:0] splat_mx, splat_my;
     reg [3:0] splat_shift;
-    reg [23:0] splat_depth;
-    reg [23:0] splat_depth_low;
-    reg [23:0] splat_depth_high;
-    reg [11:0] splat_attribute_0;
-    reg [11:0] splat_attribute_1;
-    reg [11:0] splat_attribute_2;
-    reg [8:0] splat_left;
-    reg [8:0] splat_right;
-    reg [8:0] splat_top;
-    reg [8:0] splat_bottom;
-    reg [5:0] column;
-    reg [5:0] row;
+    reg [23:0] splat_depth, splat_depth_low, splat_depth_high;
+    reg [11:0] splat_attribute_0, splat_attribute_1, splat_attribute_2;
+    reg [8:0] splat_left, splat_right, splat_top, splat_bottom;
+    reg [5:0] column, row;
 
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire out_queue_out_end;
-    wire [25:0] out_queue_out_center_x;
-    wire [25:0] out_queue_out_center_y;
-    wire [15:0] out_queue_out_ax;
-    wire [15:0] out_queue_out_bx;
-    wire [15:0] out_queue_out_ay;
-    wire [15:0] out_queue_out_by;
-    wire [19:0] out_queue_out_delta;
-    wire [15:0] out_queue_out_mx;
-    wire [15:0] out_queue_out_my;
-    wire [3:0] out_queue_out_shift;
-    wire [23:0] out_queue_out_depth;
-    wire [23:0] out_queue_out_depth_low;
-    wire [23:0] out_queue_out_depth_high;
-    wire [11:0] out_queue_out_attribute_0;
-    wire [11:0] out_queue_out_attribute_1;
-    wire [11:0] out_queue_out_attribute_2;
-    wire [2:0] out_queue_out_left;
-    wire [2:0] out_queue_out_right;
-    wire [2:0] out_queue_out_top;
-    wire [2:0] out_queue_out_bottom;
-    wire [11:0] out_queue_out_tile;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [304:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
-    assign in_ready = ready;
     wire right_most = column == splat_right[8:3];
-    wire out_queue_out_ready = out_ready;
     wire take = ready & in_valid;
     wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
     wire term_2 = in_end | term_1;
@@ -7721,81 +4971,25 @@ module splat_splitter (
     wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
     wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
 
+    assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
-    assign out_end = out_queue_out_end;
-    assign out_center_x = out_queue_out_center_x;
-    assign out_center_y = out_queue_out_center_y;
-    assign out_ax = out_queue_out_ax;
-    assign out_bx = out_queue_out_bx;
-    assign out_ay = out_queue_out_ay;
-    assign out_by = out_queue_out_by;
-    assign out_delta = out_queue_out_delta;
-    assign out_mx = out_queue_out_mx;
-    assign out_my = out_queue_out_my;
-    assign out_shift = out_queue_out_shift;
-    assign out_depth = out_queue_out_depth;
-    assign out_depth_low = out_queue_out_depth_low;
-    assign out_depth_high = out_queue_out_depth_high;
-    assign out_attribute_0 = out_queue_out_attribute_0;
-    assign out_attribute_1 = out_queue_out_attribute_1;
-    assign out_attribute_2 = out_queue_out_attribute_2;
-    assign out_left = out_queue_out_left;
-    assign out_right = out_queue_out_right;
-    assign out_top = out_queue_out_top;
-    assign out_bottom = out_queue_out_bottom;
-    assign out_tile = out_queue_out_tile;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
+        out_attribute_2, out_left, out_right, out_top, out_bottom, out_tile
+    } = out_queue_out_data;
 
     stream_half_buffer_w305 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(out_queue_in_ready & busy),
-        .in_ready(out_queue_in_ready),
-        .in_end(splat_end),
-        .in_center_x(splat_center_x),
-        .in_center_y(splat_center_y),
-        .in_ax(splat_ax),
-        .in_bx(splat_bx),
-        .in_ay(splat_ay),
-        .in_by(splat_by),
-        .in_delta(splat_delta),
-        .in_mx(splat_mx),
-        .in_my(splat_my),
-        .in_shift(splat_shift),
-        .in_depth(splat_depth),
-        .in_depth_low(splat_depth_low),
-        .in_depth_high(splat_depth_high),
-        .in_attribute_0(splat_attribute_0),
-        .in_attribute_1(splat_attribute_1),
-        .in_attribute_2(splat_attribute_2),
-        .in_left((column == splat_left[8:3]) ? splat_left[2:0] : 3'd0),
-        .in_right(right_most ? splat_right[2:0] : 3'd7),
-        .in_top((row == splat_top[8:3]) ? splat_top[2:0] : 3'd0),
-        .in_bottom((row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7),
-        .in_tile({row, column}),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_shift(out_queue_out_shift),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+        .in_data({
+            splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
+            splat_mx, splat_my, splat_shift, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
+            splat_attribute_1, splat_attribute_2, (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0,
+            right_most ? splat_right[2:0] : 3'd7, (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
+            (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
+        }),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -7846,52 +5040,10 @@ module stream_half_buffer_w305 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [25:0] in_center_x,
-    input  wire [25:0] in_center_y,
-    input  wire [15:0] in_ax,
-    input  wire [15:0] in_bx,
-    input  wire [15:0] in_ay,
-    input  wire [15:0] in_by,
-    input  wire [19:0] in_delta,
-    input  wire [15:0] in_mx,
-    input  wire [15:0] in_my,
-    input  wire [3:0] in_shift,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
-    input  wire [2:0] in_left,
-    input  wire [2:0] in_right,
-    input  wire [2:0] in_top,
-    input  wire [2:0] in_bottom,
-    input  wire [11:0] in_tile,
+    input  wire [304:0] in_data,
     output wire out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [25:0] out_center_x,
-    output wire [25:0] out_center_y,
-    output wire [15:0] out_ax,
-    output wire [15:0] out_bx,
-    output wire [15:0] out_ay,
-    output wire [15:0] out_by,
-    output wire [19:0] out_delta,
-    output wire [15:0] out_mx,
-    output wire [15:0] out_my,
-    output wire [3:0] out_shift,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2,
-    output wire [2:0] out_left,
-    output wire [2:0] out_right,
-    output wire [2:0] out_top,
-    output wire [2:0] out_bottom,
-    output wire [11:0] out_tile
+    output wire [304:0] out_data
 );
     reg full;
     reg [304:0] item;
@@ -7899,28 +5051,7 @@ module stream_half_buffer_w305 (
     assign in_ready = ~full;
 
     assign out_valid = full;
-    assign out_end = item[304];
-    assign out_center_x = item[303:278];
-    assign out_center_y = item[277:252];
-    assign out_ax = item[251:236];
-    assign out_bx = item[235:220];
-    assign out_ay = item[219:204];
-    assign out_by = item[203:188];
-    assign out_delta = item[187:168];
-    assign out_mx = item[167:152];
-    assign out_my = item[151:136];
-    assign out_shift = item[135:132];
-    assign out_depth = item[131:108];
-    assign out_depth_low = item[107:84];
-    assign out_depth_high = item[83:60];
-    assign out_attribute_0 = item[59:48];
-    assign out_attribute_1 = item[47:36];
-    assign out_attribute_2 = item[35:24];
-    assign out_left = item[23:21];
-    assign out_right = item[20:18];
-    assign out_top = item[17:15];
-    assign out_bottom = item[14:12];
-    assign out_tile = item[11:0];
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
@@ -7930,32 +5061,7 @@ module stream_half_buffer_w305 (
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            item <= {
-                in_end,
-                in_center_x,
-                in_center_y,
-                in_ax,
-                in_bx,
-                in_ay,
-                in_by,
-                in_delta,
-                in_mx,
-                in_my,
-                in_shift,
-                in_depth,
-                in_depth_low,
-                in_depth_high,
-                in_attribute_0,
-                in_attribute_1,
-                in_attribute_2,
-                in_left,
-                in_right,
-                in_top,
-                in_bottom,
-                in_tile
-            };
-        end
+        if (in_ready) item <= in_data;
     end
 endmodule
 
@@ -8048,14 +5154,7 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg delay_9_from_7 [0:7];
     reg [2:0] phase;
-    reg load_0;
-    reg load_1;
-    reg load_2;
-    reg load_3;
-    reg load_4;
-    reg load_5;
-    reg load_6;
-    reg load_7;
+    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
     reg [1:0] delay_5_from_0_pointer;
     reg [8:0] delay_5_from_0_out;
     reg [3:0] delay_17_from_0_pointer;
@@ -8086,179 +5185,45 @@ module splat_setup (
     reg [42:0] delay_11_from_6_out;
     reg [3:0] delay_12_from_6_pointer;
     reg [29:0] delay_12_from_6_out;
-    reg [3:0] delay_13_from_6_pointer;
-    reg [3:0] delay_13_from_6_out;
+    reg [3:0] delay_13_from_6_pointer, delay_13_from_6_out;
     reg [2:0] delay_9_from_7_pointer;
-    reg delay_9_from_7_out;
-    reg end_d18;
-    reg end_d19;
-    reg end_d20;
-    reg end_d21;
-    reg [23:0] recip_15_d1;
-    reg [23:0] reinterpret_16_d1;
-    reg [23:0] reinterpret_16_d2;
-    reg [23:0] reinterpret_16_d3;
-    reg [23:0] mul_17_d1;
-    reg [23:0] mul_17_d2;
-    reg [23:0] mul_17_d3;
-    reg [23:0] reinterpret_18_d1;
-    reg [23:0] reinterpret_18_d2;
-    reg [23:0] reinterpret_18_d3;
-    reg [23:0] mul_19_d1;
-    reg [23:0] mul_19_d2;
-    reg [23:0] mul_19_d3;
-    reg [23:0] add_22_d1;
-    reg [23:0] add_22_d2;
-    reg [23:0] add_22_d3;
-    reg [23:0] add_22_d4;
-    reg whole_d7;
-    reg whole_d8;
-    reg whole_d9;
-    reg whole_d10;
-    reg whole_d11;
-    reg [23:0] reinterpret_30_d1;
-    reg [23:0] reinterpret_30_d2;
-    reg [23:0] reinterpret_30_d3;
-    reg [23:0] mul_31_d1;
-    reg [23:0] reinterpret_32_d1;
-    reg [23:0] reinterpret_32_d2;
-    reg [23:0] reinterpret_32_d3;
-    reg [23:0] mul_33_d1;
-    reg [23:0] mul_37_d1;
-    reg [23:0] reinterpret_38_d1;
-    reg [23:0] reinterpret_38_d2;
-    reg [23:0] reinterpret_38_d3;
-    reg [23:0] mul_39_d1;
-    reg [23:0] mul_43_d1;
-    reg [23:0] add_46_d1;
-    reg [23:0] add_46_d2;
-    reg [23:0] add_46_d3;
-    reg [23:0] add_46_d4;
-    reg [23:0] add_46_d5;
-    reg [23:0] add_46_d6;
-    reg [23:0] add_46_d7;
-    reg [23:0] add_49_d1;
-    reg [23:0] add_49_d2;
-    reg [23:0] add_54_d1;
-    reg [23:0] mul_55_d1;
-    reg [23:0] add_59_d1;
-    reg [23:0] add_59_d2;
-    reg [23:0] add_59_d3;
-    reg [23:0] add_59_d4;
-    reg [23:0] add_64_d1;
-    reg [23:0] add_66_d1;
-    reg [21:0] shr_82_d1;
-    reg [21:0] select_85_d1;
-    reg [21:0] min_86_d1;
-    reg [8:0] resize_91_d1;
-    reg [8:0] resize_91_d2;
-    reg [8:0] resize_91_d3;
-    reg [8:0] resize_91_d4;
-    reg [8:0] resize_91_d5;
+    reg delay_9_from_7_out, end_d18, end_d19, end_d20, end_d21;
+    reg [23:0] recip_15_d1, reinterpret_16_d1, reinterpret_16_d2, reinterpret_16_d3, mul_17_d1, mul_17_d2, mul_17_d3;
+    reg [23:0] reinterpret_18_d1, reinterpret_18_d2, reinterpret_18_d3, mul_19_d1, mul_19_d2, mul_19_d3, add_22_d1;
+    reg [23:0] add_22_d2, add_22_d3, add_22_d4;
+    reg whole_d7, whole_d8, whole_d9, whole_d10, whole_d11;
+    reg [23:0] reinterpret_30_d1, reinterpret_30_d2, reinterpret_30_d3, mul_31_d1, reinterpret_32_d1;
+    reg [23:0] reinterpret_32_d2, reinterpret_32_d3, mul_33_d1, mul_37_d1, reinterpret_38_d1, reinterpret_38_d2;
+    reg [23:0] reinterpret_38_d3, mul_39_d1, mul_43_d1, add_46_d1, add_46_d2, add_46_d3, add_46_d4, add_46_d5;
+    reg [23:0] add_46_d6, add_46_d7, add_49_d1, add_49_d2, add_54_d1, mul_55_d1, add_59_d1, add_59_d2, add_59_d3;
+    reg [23:0] add_59_d4, add_64_d1, add_66_d1;
+    reg [21:0] shr_82_d1, select_85_d1, min_86_d1;
+    reg [8:0] resize_91_d1, resize_91_d2, resize_91_d3, resize_91_d4, resize_91_d5;
     reg lt_92_d1;
-    reg [23:0] reinterpret_95_d1;
-    reg [23:0] reinterpret_95_d2;
-    reg [23:0] reinterpret_95_d3;
-    reg [23:0] mul_96_d1;
-    reg [23:0] reinterpret_97_d1;
-    reg [23:0] reinterpret_97_d2;
-    reg [23:0] reinterpret_97_d3;
-    reg [23:0] mul_98_d1;
-    reg [23:0] mul_102_d1;
-    reg [23:0] reinterpret_103_d1;
-    reg [23:0] reinterpret_103_d2;
-    reg [23:0] reinterpret_103_d3;
-    reg [23:0] mul_104_d1;
-    reg [23:0] mul_108_d1;
-    reg [23:0] add_111_d1;
-    reg [23:0] add_111_d2;
-    reg [23:0] add_111_d3;
-    reg [23:0] add_111_d4;
-    reg [23:0] add_111_d5;
-    reg [23:0] add_111_d6;
-    reg [23:0] add_111_d7;
-    reg [23:0] add_111_d8;
-    reg [23:0] add_111_d9;
-    reg [23:0] add_114_d1;
-    reg [23:0] add_114_d2;
-    reg [23:0] add_119_d1;
-    reg [23:0] mul_120_d1;
-    reg [23:0] add_121_d1;
-    reg [23:0] add_124_d1;
-    reg [23:0] add_124_d2;
-    reg [23:0] add_124_d3;
-    reg [23:0] add_124_d4;
-    reg [23:0] neg_125_d1;
-    reg [23:0] min_129_d1;
+    reg [23:0] reinterpret_95_d1, reinterpret_95_d2, reinterpret_95_d3, mul_96_d1, reinterpret_97_d1;
+    reg [23:0] reinterpret_97_d2, reinterpret_97_d3, mul_98_d1, mul_102_d1, reinterpret_103_d1, reinterpret_103_d2;
+    reg [23:0] reinterpret_103_d3, mul_104_d1, mul_108_d1, add_111_d1, add_111_d2, add_111_d3, add_111_d4;
+    reg [23:0] add_111_d5, add_111_d6, add_111_d7, add_111_d8, add_111_d9, add_114_d1, add_114_d2, add_119_d1;
+    reg [23:0] mul_120_d1, add_121_d1, add_124_d1, add_124_d2, add_124_d3, add_124_d4, neg_125_d1, min_129_d1;
     reg [23:0] max_131_d1;
-    reg [21:0] shr_142_d1;
-    reg [21:0] select_143_d1;
-    reg [21:0] min_144_d1;
-    reg [8:0] resize_148_d1;
-    reg [8:0] resize_148_d2;
-    reg [8:0] resize_148_d3;
-    reg [8:0] resize_148_d4;
+    reg [21:0] shr_142_d1, select_143_d1, min_144_d1;
+    reg [8:0] resize_148_d1, resize_148_d2, resize_148_d3, resize_148_d4;
     reg lt_149_d1;
     reg [23:0] mul_151_d1;
-    reg equal_160_d1;
-    reg lt_163_d1;
-    reg [23:0] mul_169_d1;
-    reg [23:0] neg_171_d1;
-    reg [23:0] mul_174_d6;
-    reg [23:0] add_176_d1;
-    reg [23:0] add_176_d2;
-    reg [23:0] add_176_d3;
-    reg [23:0] add_179_d1;
-    reg [23:0] add_179_d2;
-    reg [23:0] abs_180_d1;
-    reg [23:0] abs_180_d2;
-    reg [23:0] sqrt_181_d1;
-    reg [23:0] mul_183_d1;
-    reg [23:0] mul_183_d2;
-    reg [23:0] mul_183_d3;
-    reg [23:0] select_188_d1;
-    reg [23:0] select_188_d2;
-    reg [23:0] min_189_d1;
-    reg [23:0] select_190_d1;
-    reg le_195_d1;
-    reg le_195_d2;
-    reg le_195_d3;
-    reg le_195_d4;
-    reg and_196_d1;
-    reg bits_198_d1;
-    reg or_203_d1;
-    reg or_203_d2;
-    reg or_203_d3;
-    reg or_203_d4;
-    reg lt_207_d1;
-    reg placed_d1;
-    reg placed_d2;
+    reg equal_160_d1, lt_163_d1;
+    reg [23:0] mul_169_d1, neg_171_d1, mul_174_d6, add_176_d1, add_176_d2, add_176_d3, add_179_d1, add_179_d2;
+    reg [23:0] abs_180_d1, abs_180_d2, sqrt_181_d1, mul_183_d1, mul_183_d2, mul_183_d3, select_188_d1, select_188_d2;
+    reg [23:0] min_189_d1, select_190_d1;
+    reg le_195_d1, le_195_d2, le_195_d3, le_195_d4, and_196_d1, bits_198_d1, or_203_d1, or_203_d2, or_203_d3;
+    reg or_203_d4, lt_207_d1, placed_d1, placed_d2;
     reg [27:0] shr_221_d1;
-    reg [25:0] resize_223_d1;
-    reg [25:0] select_224_d10;
-    reg [25:0] select_224_d11;
-    reg [25:0] select_224_d12;
-    reg [25:0] select_224_d13;
+    reg [25:0] resize_223_d1, select_224_d10, select_224_d11, select_224_d12, select_224_d13;
     reg [27:0] shr_232_d1;
-    reg [25:0] resize_234_d1;
-    reg [25:0] select_235_d10;
-    reg [25:0] select_235_d11;
-    reg [25:0] select_235_d12;
-    reg [25:0] select_235_d13;
-    reg [26:0] reinterpret_241_d1;
-    reg [26:0] resize_242_d1;
-    reg [26:0] sub_243_d1;
-    reg [26:0] reinterpret_245_d1;
-    reg [26:0] sub_246_d1;
+    reg [25:0] resize_234_d1, select_235_d10, select_235_d11, select_235_d12, select_235_d13;
+    reg [26:0] reinterpret_241_d1, resize_242_d1, sub_243_d1, reinterpret_245_d1, sub_246_d1;
     reg [25:0] bits_250_d1;
-    reg [26:0] not_252_d1;
-    reg [26:0] reinterpret_260_d1;
-    reg [26:0] resize_261_d1;
-    reg [26:0] sub_262_d1;
-    reg [26:0] reinterpret_264_d1;
-    reg [26:0] sub_265_d1;
-    reg [25:0] bits_269_d1;
-    reg [25:0] or_270_d1;
+    reg [26:0] not_252_d1, reinterpret_260_d1, resize_261_d1, sub_262_d1, reinterpret_264_d1, sub_265_d1;
+    reg [25:0] bits_269_d1, or_270_d1;
     reg [26:0] not_272_d1;
     reg [10:0] bits_277_d1;
     reg not_280_d1;
@@ -8277,30 +5242,13 @@ module splat_setup (
     reg [4:0] bits_312_d1;
     reg not_315_d1;
     reg [3:0] bits_318_d1;
-    reg not_320_d1;
-    reg equal_325_d1;
+    reg not_320_d1, equal_325_d1;
     reg [3:0] select_328_d1;
-    reg equal_331_d1;
-    reg equal_337_d1;
-    reg [3:0] shift_d1;
-    reg [3:0] shift_d2;
-    reg [3:0] shift_d3;
-    reg [9:0] add_343_d1;
-    reg [9:0] resize_344_d11;
-    reg [9:0] select_347_d1;
-    reg [9:0] resize_351_d13;
-    reg [9:0] resize_353_d13;
-    reg [9:0] resize_355_d1;
-    reg [9:0] resize_355_d13;
-    reg [9:0] resize_357_d11;
-    reg [9:0] resize_359_d11;
-    reg [9:0] max_360_d1;
-    reg [9:0] max_361_d1;
-    reg [9:0] max_362_d1;
-    reg [9:0] max_363_d1;
-    reg [9:0] max_364_d1;
-    reg [9:0] exponent_d1;
-    reg [9:0] add_367_d1;
+    reg equal_331_d1, equal_337_d1;
+    reg [3:0] shift_d1, shift_d2, shift_d3;
+    reg [9:0] add_343_d1, resize_344_d11, select_347_d1, resize_351_d13, resize_353_d13, resize_355_d1;
+    reg [9:0] resize_355_d13, resize_357_d11, resize_359_d11, max_360_d1, max_361_d1, max_362_d1, max_363_d1;
+    reg [9:0] max_364_d1, exponent_d1, add_367_d1;
     reg and_371_d1;
     reg [23:0] reinterpret_379_d1;
     reg [17:0] shr_388_d1;
@@ -8335,119 +5283,29 @@ module splat_setup (
     reg [23:0] reinterpret_518_d1;
     reg [21:0] shr_527_d1;
     reg [19:0] resize_529_d1;
-    reg or_533_d1;
-    reg equal_534_d1;
-    reg or_537_d1;
-    reg or_537_d2;
-    reg or_539_d1;
-    reg or_541_d1;
-    reg equal_542_d1;
-    reg vanishes_d1;
-    reg not_549_d1;
-    reg or_550_d1;
-    reg [23:0] max_569_d1;
-    reg [23:0] to_fixed_570_d1;
-    reg [23:0] to_fixed_570_d2;
-    reg [23:0] to_fixed_570_d3;
-    reg [23:0] to_fixed_570_d4;
-    reg [23:0] recip_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_b;
-    reg [23:0] mul_f24_ftz_unit_copy2_a;
-    reg [23:0] mul_f24_ftz_unit_copy2_b;
-    reg [23:0] mul_f24_ftz_unit_copy3_a;
-    reg [23:0] mul_f24_ftz_unit_copy3_b;
-    reg [23:0] mul_f24_ftz_unit_copy4_a;
-    reg [23:0] mul_f24_ftz_unit_copy4_b;
-    reg [23:0] mul_f24_ftz_unit_copy5_a;
-    reg [23:0] mul_f24_ftz_unit_copy5_b;
-    reg [23:0] mul_f24_ftz_unit_copy6_a;
-    reg [23:0] mul_f24_ftz_unit_copy6_b;
-    reg [23:0] add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b;
-    reg [23:0] add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b;
-    reg [23:0] add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b;
-    reg [23:0] add_f24_ftz_unit_copy4_a;
-    reg [23:0] add_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_copy5_a;
-    reg [23:0] add_f24_ftz_unit_copy5_b;
-    reg [23:0] sqrt_f24_ftz_unit_a;
-    reg [23:0] min_f24_ftz_unit_a;
-    reg [23:0] min_f24_ftz_unit_b;
-    reg [23:0] max_f24_ftz_unit_a;
-    reg [23:0] max_f24_ftz_unit_b;
-    reg [23:0] max_f24_ftz_unit_copy2_a;
-    reg [23:0] max_f24_ftz_unit_copy2_b;
-    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
-    reg [23:0] le_f24_ftz_unit_a;
-    reg [23:0] le_f24_ftz_unit_b;
-    reg [23:0] to_fixed_f24_ftz_s27q13_unit_a;
-    reg [23:0] to_fixed_f24_ftz_s17q16_unit_a;
-    reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
+    reg or_533_d1, equal_534_d1, or_537_d1, or_537_d2, or_539_d1, or_541_d1, equal_542_d1, vanishes_d1;
+    reg not_549_d1, or_550_d1;
+    reg [23:0] max_569_d1, to_fixed_570_d1, to_fixed_570_d2, to_fixed_570_d3, to_fixed_570_d4, recip_f24_ftz_unit_a;
+    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
+    reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
+    reg [23:0] mul_f24_ftz_unit_copy4_b, mul_f24_ftz_unit_copy5_a, mul_f24_ftz_unit_copy5_b;
+    reg [23:0] mul_f24_ftz_unit_copy6_a, mul_f24_ftz_unit_copy6_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b;
+    reg [23:0] add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
+    reg [23:0] add_f24_ftz_unit_copy3_b, add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b;
+    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, sqrt_f24_ftz_unit_a, min_f24_ftz_unit_a;
+    reg [23:0] min_f24_ftz_unit_b, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
+    reg [23:0] max_f24_ftz_unit_copy2_b, to_fixed_f24_ftz_u21q8_unit_a, le_f24_ftz_unit_a, le_f24_ftz_unit_b;
+    reg [23:0] to_fixed_f24_ftz_s27q13_unit_a, to_fixed_f24_ftz_s17q16_unit_a, to_fixed_f24_ftz_u24q24_unit_a;
+    reg [20:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire [25:0] queue_out_center_x;
-    wire [25:0] queue_out_center_y;
-    wire [15:0] queue_out_ax;
-    wire [15:0] queue_out_bx;
-    wire [15:0] queue_out_ay;
-    wire [15:0] queue_out_by;
-    wire [19:0] queue_out_delta;
-    wire [15:0] queue_out_mx;
-    wire [15:0] queue_out_my;
-    wire [3:0] queue_out_shift;
-    wire [23:0] queue_out_depth;
-    wire [23:0] queue_out_depth_low;
-    wire [23:0] queue_out_depth_high;
-    wire [11:0] queue_out_attribute_0;
-    wire [11:0] queue_out_attribute_1;
-    wire [11:0] queue_out_attribute_2;
-    wire [8:0] queue_out_left;
-    wire [8:0] queue_out_right;
-    wire [8:0] queue_out_top;
-    wire [8:0] queue_out_bottom;
-    wire [23:0] recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [316:0] queue_out_data;
+    wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_y, mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y;
     wire lt_f24_ftz_unit_y;
-    wire [23:0] sqrt_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_y;
-    wire [23:0] max_f24_ftz_unit_y;
-    wire [23:0] max_f24_ftz_unit_copy2_y;
+    wire [23:0] sqrt_f24_ftz_unit_y, min_f24_ftz_unit_y, max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire le_f24_ftz_unit_y;
     wire [26:0] to_fixed_f24_ftz_s27q13_unit_y;
@@ -8455,9 +5313,8 @@ module splat_setup (
     wire [20:0] to_fixed_f24_ftz_s21q20_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    assign in_ready = load_0;
     wire term_1 = phase == 3'd1;
-    wire term_2 = valid_d21 & or_203_d4 & term_1;
+    wire term_2 = in_flight[20] & or_203_d4 & term_1;
     wire covers_nothing = vanishes_d1 | delay_12_from_2_out;
     wire [15:0] select_554 = covers_nothing ? 16'd0 : resize_390_d1;
     wire [15:0] select_555 = covers_nothing ? 16'd0 : resize_413_d1;
@@ -8466,10 +5323,9 @@ module splat_setup (
     wire [19:0] select_559 = covers_nothing ? 20'd0 : resize_529_d1;
     wire [15:0] select_560 = covers_nothing ? 16'd0 : resize_482_d1;
     wire [15:0] select_561 = covers_nothing ? 16'd0 : resize_505_d1;
-    wire queue_out_ready = out_ready;
     wire term_3 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
     wire advance_next = ~term_4;
     wire [21:0] add_81 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_73 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
@@ -8742,277 +5598,134 @@ module splat_setup (
     wire xor_200 = bits_198_d1 ^ xor_199;
     wire or_201 = edge_on | xor_200;
 
+    assign in_ready = load_0;
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_center_x = queue_out_center_x;
-    assign out_center_y = queue_out_center_y;
-    assign out_ax = queue_out_ax;
-    assign out_bx = queue_out_bx;
-    assign out_ay = queue_out_ay;
-    assign out_by = queue_out_by;
-    assign out_delta = queue_out_delta;
-    assign out_mx = queue_out_mx;
-    assign out_my = queue_out_my;
-    assign out_shift = queue_out_shift;
-    assign out_depth = queue_out_depth;
-    assign out_depth_low = queue_out_depth_low;
-    assign out_depth_high = queue_out_depth_high;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
-    assign out_left = queue_out_left;
-    assign out_right = queue_out_right;
-    assign out_top = queue_out_top;
-    assign out_bottom = queue_out_bottom;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_shift, out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1,
+        out_attribute_2, out_left, out_right, out_top, out_bottom
+    } = queue_out_data;
 
     stream_skid_w317 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_2),
-        .in_ready(queue_in_ready),
-        .in_end(end_d21),
-        .in_center_x(select_224_d13),
-        .in_center_y(select_235_d13),
-        .in_ax(select_554),
-        .in_bx(select_555),
-        .in_ay(select_556),
-        .in_by(select_557),
-        .in_delta(select_559),
-        .in_mx(select_560),
-        .in_my(select_561),
-        .in_shift(shift_d3),
-        .in_depth(delay_7_from_1_out),
-        .in_depth_low(delay_5_from_5_out[47:24]),
-        .in_depth_high(to_fixed_570_d4),
-        .in_attribute_0(delay_21_from_0_out[11:0]),
-        .in_attribute_1(delay_21_from_0_out[23:12]),
-        .in_attribute_2(delay_21_from_0_out[35:24]),
-        .in_left(delay_5_from_3_out),
-        .in_right(resize_91_d5),
-        .in_top(delay_5_from_0_out),
-        .in_bottom(resize_148_d4),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_center_x(queue_out_center_x),
-        .out_center_y(queue_out_center_y),
-        .out_ax(queue_out_ax),
-        .out_bx(queue_out_bx),
-        .out_ay(queue_out_ay),
-        .out_by(queue_out_by),
-        .out_delta(queue_out_delta),
-        .out_mx(queue_out_mx),
-        .out_my(queue_out_my),
-        .out_shift(queue_out_shift),
-        .out_depth(queue_out_depth),
-        .out_depth_low(queue_out_depth_low),
-        .out_depth_high(queue_out_depth_high),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2),
-        .out_left(queue_out_left),
-        .out_right(queue_out_right),
-        .out_top(queue_out_top),
-        .out_bottom(queue_out_bottom)
+        .clk(clk), .rst(rst),
+        .in_valid(term_2), .in_ready(queue_in_ready),
+        .in_data({
+            end_d21, select_224_d13, select_235_d13, select_554, select_555, select_556, select_557, select_559,
+            select_560, select_561, shift_d3, delay_7_from_1_out, delay_5_from_5_out[47:24], to_fixed_570_d4,
+            delay_21_from_0_out[11:0], delay_21_from_0_out[23:12], delay_21_from_0_out[35:24], delay_5_from_3_out,
+            resize_91_d5, delay_5_from_0_out, resize_148_d4
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_recip recip_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_a),
-        .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
 
     float_mul_s5 mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_a),
-        .b(mul_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s5 mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy2_a),
-        .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s5 mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_a),
-        .b(mul_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s5 mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy4_a),
-        .b(mul_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s5 mul_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy5_a),
-        .b(mul_f24_ftz_unit_copy5_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_a), .b(mul_f24_ftz_unit_copy5_b),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s5 mul_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy6_a),
-        .b(mul_f24_ftz_unit_copy6_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_a), .b(mul_f24_ftz_unit_copy6_b),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_add add_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_a),
-        .b(add_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add add_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_a),
-        .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add add_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy3_a),
-        .b(add_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add add_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy4_a),
-        .b(add_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add add_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy5_a),
-        .b(add_f24_ftz_unit_copy5_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_lt lt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(24'h3d0000),
-        .b(add_f24_ftz_unit_y),
-        .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(24'h3d0000), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
     );
 
     float_sqrt sqrt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(sqrt_f24_ftz_unit_a),
-        .y(sqrt_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
     float_min min_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_f24_ftz_unit_a),
-        .b(min_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
         .y(min_f24_ftz_unit_y)
     );
 
     float_max max_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(max_f24_ftz_unit_a),
-        .b(max_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
         .y(max_f24_ftz_unit_y)
     );
 
     float_max max_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(max_f24_ftz_unit_copy2_a),
-        .b(max_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
         .y(max_f24_ftz_unit_copy2_y)
     );
 
     float_to_fixed_w21_fraction8_iunsigned to_fixed_f24_ftz_u21q8_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_u21q8_unit_a),
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
     float_le le_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(le_f24_ftz_unit_a),
-        .b(le_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
         .y(le_f24_ftz_unit_y)
     );
 
     float_to_fixed_w27_fraction13_isigned to_fixed_f24_ftz_s27q13_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_s27q13_unit_a),
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s27q13_unit_a),
         .y(to_fixed_f24_ftz_s27q13_unit_y)
     );
 
     float_to_fixed_w17_fraction16_isigned to_fixed_f24_ftz_s17q16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_s17q16_unit_a),
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_s17q16_unit_a),
         .y(to_fixed_f24_ftz_s17q16_unit_y)
     );
 
     float_to_fixed_w21_fraction20_isigned to_fixed_f24_ftz_s21q20_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(reinterpret_518_d1),
-        .y(to_fixed_f24_ftz_s21q20_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(reinterpret_518_d1), .y(to_fixed_f24_ftz_s21q20_unit_y)
     );
 
     float_to_fixed_w24_fraction24_iunsigned to_fixed_f24_ftz_u24q24_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_u24q24_unit_a),
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u24q24_unit_a),
         .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
 
@@ -9044,27 +5757,7 @@ module splat_setup (
             delay_12_from_6_pointer <= 4'd0;
             delay_13_from_6_pointer <= 4'd0;
             delay_9_from_7_pointer <= 3'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
+            in_flight <= 21'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -9079,27 +5772,7 @@ module splat_setup (
                 delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
                 delay_21_from_0_pointer <= (delay_21_from_0_pointer == 5'd19) ? (delay_21_from_0_pointer - 5'd19) : (delay_21_from_0_pointer + 5'd1);
-                valid_d1 <= in_valid;
-                valid_d2 <= valid_d1;
-                valid_d3 <= valid_d2;
-                valid_d4 <= valid_d3;
-                valid_d5 <= valid_d4;
-                valid_d6 <= valid_d5;
-                valid_d7 <= valid_d6;
-                valid_d8 <= valid_d7;
-                valid_d9 <= valid_d8;
-                valid_d10 <= valid_d9;
-                valid_d11 <= valid_d10;
-                valid_d12 <= valid_d11;
-                valid_d13 <= valid_d12;
-                valid_d14 <= valid_d13;
-                valid_d15 <= valid_d14;
-                valid_d16 <= valid_d15;
-                valid_d17 <= valid_d16;
-                valid_d18 <= valid_d17;
-                valid_d19 <= valid_d18;
-                valid_d20 <= valid_d19;
-                valid_d21 <= valid_d20;
+                in_flight <= {in_flight[19:0], in_valid};
             end
             if (load_1) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
@@ -9446,199 +6119,105 @@ module splat_setup (
         end
     end
     always @(posedge clk) begin
-        if (load_0) begin
-            delay_5_from_0[delay_5_from_0_pointer] <= select_143[8:0];
-        end
-        if (load_0) begin
-            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-        end
+        if (load_0) delay_5_from_0[delay_5_from_0_pointer] <= select_143[8:0];
+        if (load_0) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_0) begin
-            delay_17_from_0[delay_17_from_0_pointer] <= in_end;
-        end
-        if (load_0) begin
-            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
-        end
+        if (load_0) delay_17_from_0[delay_17_from_0_pointer] <= in_end;
+        if (load_0) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
         if (load_0) begin
             delay_21_from_0[delay_21_from_0_pointer] <= {in_attribute_2, in_attribute_1, in_attribute_0};
         end
-        if (load_0) begin
-            delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
-        end
+        if (load_0) delay_21_from_0_out <= delay_21_from_0[delay_21_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
-        end
-        if (load_1) begin
-            delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
-        end
+        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
+        if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_7_from_1[delay_7_from_1_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
-        end
-        if (load_1) begin
-            delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
-        end
+        if (load_1) delay_7_from_1[delay_7_from_1_pointer] <= to_fixed_f24_ftz_u24q24_unit_y;
+        if (load_1) delay_7_from_1_out <= delay_7_from_1[delay_7_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_9_from_1[delay_9_from_1_pointer] <= {select_235, select_224};
-        end
-        if (load_1) begin
-            delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
-        end
+        if (load_1) delay_9_from_1[delay_9_from_1_pointer] <= {select_235, select_224};
+        if (load_1) delay_9_from_1_out <= delay_9_from_1[delay_9_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_10_from_1[delay_10_from_1_pointer] <= joined_17;
-        end
-        if (load_1) begin
-            delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
-        end
+        if (load_1) delay_10_from_1[delay_10_from_1_pointer] <= joined_17;
+        if (load_1) delay_10_from_1_out <= delay_10_from_1[delay_10_from_1_pointer];
     end
     always @(posedge clk) begin
         if (load_1) begin
             delay_11_from_1[delay_11_from_1_pointer] <= {add_f24_ftz_unit_copy5_y[14:0], add_f24_ftz_unit_copy5_y[23], not_486};
         end
-        if (load_1) begin
-            delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
-        end
+        if (load_1) delay_11_from_1_out <= delay_11_from_1[delay_11_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_2) begin
-            delay_12_from_2[delay_12_from_2_pointer] <= or_551;
-        end
-        if (load_2) begin
-            delay_12_from_2_out <= delay_12_from_2[delay_12_from_2_pointer];
-        end
+        if (load_2) delay_12_from_2[delay_12_from_2_pointer] <= or_551;
+        if (load_2) delay_12_from_2_out <= delay_12_from_2[delay_12_from_2_pointer];
     end
     always @(posedge clk) begin
-        if (load_3) begin
-            delay_5_from_3[delay_5_from_3_pointer] <= select_85[8:0];
-        end
-        if (load_3) begin
-            delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
-        end
+        if (load_3) delay_5_from_3[delay_5_from_3_pointer] <= select_85[8:0];
+        if (load_3) delay_5_from_3_out <= delay_5_from_3[delay_5_from_3_pointer];
     end
     always @(posedge clk) begin
         if (load_5) begin
             delay_5_from_5[delay_5_from_5_pointer] <= {to_fixed_f24_ftz_u24q24_unit_y, mul_f24_ftz_unit_copy6_y};
         end
-        if (load_5) begin
-            delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
-        end
+        if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
         if (load_5) begin
             delay_12_from_5[delay_12_from_5_pointer] <= {
-                mul_108_d1[14:0],
-                mul_108_d1[23],
-                mul_102_d1[14:0],
-                mul_102_d1[23],
-                mul_43_d1[14:0],
-                mul_43_d1[23],
-                mul_37_d1[14:0],
-                mul_37_d1[23]
+                mul_108_d1[14:0], mul_108_d1[23], mul_102_d1[14:0], mul_102_d1[23], mul_43_d1[14:0], mul_43_d1[23],
+                mul_37_d1[14:0], mul_37_d1[23]
             };
         end
-        if (load_5) begin
-            delay_12_from_5_out <= delay_12_from_5[delay_12_from_5_pointer];
-        end
+        if (load_5) delay_12_from_5_out <= delay_12_from_5[delay_12_from_5_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_10_from_6[delay_10_from_6_pointer] <= {2'd0, add_f24_ftz_unit_copy2_y[22:15], 2'd0, add_f24_ftz_unit_y[22:15], bits_198_d1};
         end
-        if (load_6) begin
-            delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
-        end
+        if (load_6) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_11_from_6[delay_11_from_6_pointer] <= {
-                add_f24_ftz_unit_y[14:0],
-                not_510,
-                add_f24_ftz_unit_copy2_y[14:0],
-                add_f24_ftz_unit_copy2_y[23],
-                not_463,
-                resize_355_d1
+                add_f24_ftz_unit_y[14:0], not_510, add_f24_ftz_unit_copy2_y[14:0], add_f24_ftz_unit_copy2_y[23],
+                not_463, resize_355_d1
             };
         end
-        if (load_6) begin
-            delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
-        end
+        if (load_6) delay_11_from_6_out <= delay_11_from_6[delay_11_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_12_from_6[delay_12_from_6_pointer] <= {
-                2'd0,
-                mul_f24_ftz_unit_copy3_y[22:15],
-                2'd0,
-                mul_f24_ftz_unit_copy2_y[22:15],
-                2'd0,
+                2'd0, mul_f24_ftz_unit_copy3_y[22:15], 2'd0, mul_f24_ftz_unit_copy2_y[22:15], 2'd0,
                 mul_f24_ftz_unit_y[22:15]
             };
         end
-        if (load_6) begin
-            delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
-        end
+        if (load_6) delay_12_from_6_out <= delay_12_from_6[delay_12_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_13_from_6[delay_13_from_6_pointer] <= {not_440, not_417, not_394, not_370};
         end
-        if (load_6) begin
-            delay_13_from_6_out <= delay_13_from_6[delay_13_from_6_pointer];
-        end
+        if (load_6) delay_13_from_6_out <= delay_13_from_6[delay_13_from_6_pointer];
     end
     always @(posedge clk) begin
-        if (load_7) begin
-            delay_9_from_7[delay_9_from_7_pointer] <= or_201;
-        end
-        if (load_7) begin
-            delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
-        end
+        if (load_7) delay_9_from_7[delay_9_from_7_pointer] <= or_201;
+        if (load_7) delay_9_from_7_out <= delay_9_from_7[delay_9_from_7_pointer];
     end
 
     wire _unused = &{
-        1'b0,
-        add_219[0],
-        add_231[0],
-        add_386[0],
-        add_410[0],
-        add_433[0],
-        add_456[0],
-        add_479[0],
-        add_502[0],
-        add_525[0],
-        min_222[27:26],
-        min_233[27:26],
-        min_389[17:16],
-        min_412[17:16],
-        min_435[17:16],
-        min_458[17:16],
-        min_481[17:16],
-        min_504[17:16],
-        min_528[21:20],
-        or_275[14:0],
-        select_249[26],
-        select_253[26],
-        select_268[26],
-        select_273[26],
-        select_373[9:8],
-        select_397[9:8],
-        select_420[9:8],
-        select_443[9:8],
-        select_466[9:8],
-        select_489[9:8],
-        select_513[9:8],
-        sub_146[21:9],
-        sub_89[21:9]
+        1'b0, add_219[0], add_231[0], add_386[0], add_410[0], add_433[0], add_456[0], add_479[0], add_502[0],
+        add_525[0], min_222[27:26], min_233[27:26], min_389[17:16], min_412[17:16], min_435[17:16],
+        min_458[17:16], min_481[17:16], min_504[17:16], min_528[21:20], or_275[14:0], select_249[26],
+        select_253[26], select_268[26], select_273[26], select_373[9:8], select_397[9:8], select_420[9:8],
+        select_443[9:8], select_466[9:8], select_489[9:8], select_513[9:8], sub_146[21:9], sub_89[21:9]
     };
 
 `ifdef RTL_ASSERT
@@ -9721,7 +6300,6 @@ endmodule
 // integer = unsigned
 module float_to_fixed_w24_fraction24_iunsigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [23:0] y
@@ -9729,14 +6307,7 @@ module float_to_fixed_w24_fraction24_iunsigned (
     reg [4:0] distance_s1;
     reg [15:0] significand_s1;
     reg [23:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
@@ -9762,7 +6333,7 @@ module float_to_fixed_w24_fraction24_iunsigned (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], rst};
+    wire _unused = &{1'b0, difference_2[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -9773,7 +6344,6 @@ endmodule
 // integer = signed
 module float_to_fixed_w21_fraction20_isigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [20:0] y
@@ -9781,14 +6351,7 @@ module float_to_fixed_w21_fraction20_isigned (
     reg [4:0] distance_s1;
     reg [15:0] significand_s1;
     reg [20:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h796;
@@ -9815,7 +6378,7 @@ module float_to_fixed_w21_fraction20_isigned (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], rst};
+    wire _unused = &{1'b0, difference_2[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -9826,7 +6389,6 @@ endmodule
 // integer = signed
 module float_to_fixed_w17_fraction16_isigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [16:0] y
@@ -9834,14 +6396,7 @@ module float_to_fixed_w17_fraction16_isigned (
     reg [4:0] distance_s1;
     reg [15:0] significand_s1;
     reg [16:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
@@ -9868,7 +6423,7 @@ module float_to_fixed_w17_fraction16_isigned (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], rst};
+    wire _unused = &{1'b0, difference_2[10:5]};
 endmodule
 
 // Floating to fixed point.
@@ -9879,7 +6434,6 @@ endmodule
 // integer = signed
 module float_to_fixed_w27_fraction13_isigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [26:0] y
@@ -9887,14 +6441,7 @@ module float_to_fixed_w27_fraction13_isigned (
     reg [4:0] distance_s1;
     reg [15:0] significand_s1;
     reg [26:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h78f;
@@ -9921,7 +6468,7 @@ module float_to_fixed_w27_fraction13_isigned (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], rst};
+    wire _unused = &{1'b0, difference_2[10:5]};
 endmodule
 
 // Whether one floating-point number is less than another or equal.
@@ -9929,15 +6476,12 @@ endmodule
 // format = f24-ftz
 module float_le (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  y
 );
-    reg unordered_s1;
-    reg both_zero_s1;
-    reg compared_s1;
+    reg unordered_s1, both_zero_s1, compared_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -9952,8 +6496,6 @@ module float_le (
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating to fixed point.
@@ -9964,7 +6506,6 @@ endmodule
 // integer = unsigned
 module float_to_fixed_w21_fraction8_iunsigned (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [20:0] y
@@ -9972,14 +6513,7 @@ module float_to_fixed_w21_fraction8_iunsigned (
     reg [4:0] distance_s1;
     reg [15:0] significand_s1;
     reg [20:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
@@ -10005,7 +6539,7 @@ module float_to_fixed_w21_fraction8_iunsigned (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], rst};
+    wire _unused = &{1'b0, difference_2[10:5]};
 endmodule
 
 // Greater of two floating-point numbers.
@@ -10013,17 +6547,13 @@ endmodule
 // format = f24-ftz
 module float_max (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg a_nan_s1;
-    reg b_nan_s1;
-    reg less_s1;
-    reg [23:0] a_s1;
-    reg [23:0] b_s1;
+    reg a_nan_s1, b_nan_s1, less_s1;
+    reg [23:0] a_s1, b_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -10038,8 +6568,6 @@ module float_max (
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Lesser of two floating-point numbers.
@@ -10047,17 +6575,13 @@ endmodule
 // format = f24-ftz
 module float_min (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg a_nan_s1;
-    reg b_nan_s1;
-    reg less_s1;
-    reg [23:0] a_s1;
-    reg [23:0] b_s1;
+    reg a_nan_s1, b_nan_s1, less_s1;
+    reg [23:0] a_s1, b_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -10072,8 +6596,6 @@ module float_min (
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating-point square root, correctly rounded.
@@ -10081,7 +6603,6 @@ endmodule
 // format = f24-ftz
 module float_sqrt (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [23:0] y
@@ -10097,8 +6618,7 @@ module float_sqrt (
     reg [8:0] pending_s3;
     reg [5:0] remainder_s4;
     reg [4:0] root_s4;
-    reg [6:0] pending_s4;
-    reg [6:0] remainder_s5;
+    reg [6:0] pending_s4, remainder_s5;
     reg [5:0] root_s5;
     reg [4:0] pending_s5;
     reg [7:0] remainder_s6;
@@ -10125,89 +6645,16 @@ module float_sqrt (
     reg [15:0] root_s15;
     reg [17:0] remainder_s16;
     reg [16:0] root_s16;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
-    reg [9:0] exponent_s5;
-    reg [9:0] exponent_s6;
-    reg [9:0] exponent_s7;
-    reg [9:0] exponent_s8;
-    reg [9:0] exponent_s9;
-    reg [9:0] exponent_s10;
-    reg [9:0] exponent_s11;
-    reg [9:0] exponent_s12;
-    reg [9:0] exponent_s13;
-    reg [9:0] exponent_s14;
-    reg [9:0] exponent_s15;
-    reg [9:0] exponent_s16;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg sign_s6;
-    reg sign_s7;
-    reg sign_s8;
-    reg sign_s9;
-    reg sign_s10;
-    reg sign_s11;
-    reg sign_s12;
-    reg sign_s13;
-    reg sign_s14;
-    reg sign_s15;
-    reg sign_s16;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg nan_s6;
-    reg nan_s7;
-    reg nan_s8;
-    reg nan_s9;
-    reg nan_s10;
-    reg nan_s11;
-    reg nan_s12;
-    reg nan_s13;
-    reg nan_s14;
-    reg nan_s15;
-    reg nan_s16;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg infinite_s6;
-    reg infinite_s7;
-    reg infinite_s8;
-    reg infinite_s9;
-    reg infinite_s10;
-    reg infinite_s11;
-    reg infinite_s12;
-    reg infinite_s13;
-    reg infinite_s14;
-    reg infinite_s15;
-    reg infinite_s16;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-    reg zero_s6;
-    reg zero_s7;
-    reg zero_s8;
-    reg zero_s9;
-    reg zero_s10;
-    reg zero_s11;
-    reg zero_s12;
-    reg zero_s13;
-    reg zero_s14;
-    reg zero_s15;
-    reg zero_s16;
-    reg sign_s17;
-    reg nan_s17;
-    reg infinite_s17;
+    reg [9:0] exponent_s1, exponent_s2, exponent_s3, exponent_s4, exponent_s5, exponent_s6, exponent_s7;
+    reg [9:0] exponent_s8, exponent_s9, exponent_s10, exponent_s11, exponent_s12, exponent_s13, exponent_s14;
+    reg [9:0] exponent_s15, exponent_s16;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, sign_s5, sign_s6, sign_s7, sign_s8, sign_s9, sign_s10, sign_s11;
+    reg sign_s12, sign_s13, sign_s14, sign_s15, sign_s16, nan_s1, nan_s2, nan_s3, nan_s4, nan_s5, nan_s6;
+    reg nan_s7, nan_s8, nan_s9, nan_s10, nan_s11, nan_s12, nan_s13, nan_s14, nan_s15, nan_s16, infinite_s1;
+    reg infinite_s2, infinite_s3, infinite_s4, infinite_s5, infinite_s6, infinite_s7, infinite_s8;
+    reg infinite_s9, infinite_s10, infinite_s11, infinite_s12, infinite_s13, infinite_s14, infinite_s15;
+    reg infinite_s16, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5, zero_s6, zero_s7, zero_s8, zero_s9;
+    reg zero_s10, zero_s11, zero_s12, zero_s13, zero_s14, zero_s15, zero_s16, sign_s17, nan_s17, infinite_s17;
     reg zero_s17;
     reg [22:0] rounded_s17;
 
@@ -10369,26 +6816,10 @@ module float_sqrt (
     end
 
     wire _unused = &{
-        1'b0,
-        difference_10[9],
-        difference_11[10],
-        difference_12[11],
-        difference_13[12],
-        difference_14[13],
-        difference_15[14],
-        difference_16[15],
-        difference_17[16],
-        difference_18[17],
-        difference_19[18],
-        difference_4[3],
-        difference_5[4],
-        difference_6[5],
-        difference_7[6],
-        difference_8[7],
-        difference_9[8],
-        root_s16[16],
-        rst,
-        sum_20[0]
+        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
+        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
+        difference_4[3], difference_5[4], difference_6[5], difference_7[6], difference_8[7], difference_9[8],
+        root_s16[16], sum_20[0]
     };
 endmodule
 
@@ -10397,35 +6828,18 @@ endmodule
 // format = f24-ftz
 module float_mul_s5 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg [15:0] left_s1;
-    reg [15:0] right_s1;
+    reg [15:0] left_s1, right_s1;
     reg [9:0] exponent_s1;
     reg [31:0] product_s2;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s2, exponent_s3;
     reg [17:0] significand_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg sign_s4;
-    reg nan_s4;
-    reg infinite_s4;
-    reg zero_s4;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, zero_s1;
+    reg zero_s2, zero_s3, sign_s4, nan_s4, infinite_s4, zero_s4;
     reg [22:0] rounded_s4;
 
     wire [7:0] a_field = a[22:15];
@@ -10473,7 +6887,7 @@ module float_mul_s5 (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s3[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Floating-point reciprocal, correctly rounded.
@@ -10481,7 +6895,6 @@ endmodule
 // format = f24-ftz
 module float_recip (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [23:0] y
@@ -10532,109 +6945,23 @@ module float_recip (
     reg [14:0] quotient_s15;
     reg [15:0] divisor_s15;
     reg [16:0] remainder_s16;
-    reg [15:0] quotient_s16;
-    reg [15:0] divisor_s16;
-    reg [16:0] remainder_s17;
-    reg [16:0] quotient_s17;
+    reg [15:0] quotient_s16, divisor_s16;
+    reg [16:0] remainder_s17, quotient_s17;
     reg [15:0] divisor_s17;
     reg [16:0] remainder_s18;
     reg [17:0] quotient_s18;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
-    reg [9:0] exponent_s5;
-    reg [9:0] exponent_s6;
-    reg [9:0] exponent_s7;
-    reg [9:0] exponent_s8;
-    reg [9:0] exponent_s9;
-    reg [9:0] exponent_s10;
-    reg [9:0] exponent_s11;
-    reg [9:0] exponent_s12;
-    reg [9:0] exponent_s13;
-    reg [9:0] exponent_s14;
-    reg [9:0] exponent_s15;
-    reg [9:0] exponent_s16;
-    reg [9:0] exponent_s17;
-    reg [9:0] exponent_s18;
-    reg [9:0] exponent_s19;
+    reg [9:0] exponent_s1, exponent_s2, exponent_s3, exponent_s4, exponent_s5, exponent_s6, exponent_s7;
+    reg [9:0] exponent_s8, exponent_s9, exponent_s10, exponent_s11, exponent_s12, exponent_s13, exponent_s14;
+    reg [9:0] exponent_s15, exponent_s16, exponent_s17, exponent_s18, exponent_s19;
     reg [17:0] significand_s19;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg sign_s6;
-    reg sign_s7;
-    reg sign_s8;
-    reg sign_s9;
-    reg sign_s10;
-    reg sign_s11;
-    reg sign_s12;
-    reg sign_s13;
-    reg sign_s14;
-    reg sign_s15;
-    reg sign_s16;
-    reg sign_s17;
-    reg sign_s18;
-    reg sign_s19;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg nan_s6;
-    reg nan_s7;
-    reg nan_s8;
-    reg nan_s9;
-    reg nan_s10;
-    reg nan_s11;
-    reg nan_s12;
-    reg nan_s13;
-    reg nan_s14;
-    reg nan_s15;
-    reg nan_s16;
-    reg nan_s17;
-    reg nan_s18;
-    reg nan_s19;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg infinite_s6;
-    reg infinite_s7;
-    reg infinite_s8;
-    reg infinite_s9;
-    reg infinite_s10;
-    reg infinite_s11;
-    reg infinite_s12;
-    reg infinite_s13;
-    reg infinite_s14;
-    reg infinite_s15;
-    reg infinite_s16;
-    reg infinite_s17;
-    reg infinite_s18;
-    reg infinite_s19;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-    reg zero_s6;
-    reg zero_s7;
-    reg zero_s8;
-    reg zero_s9;
-    reg zero_s10;
-    reg zero_s11;
-    reg zero_s12;
-    reg zero_s13;
-    reg zero_s14;
-    reg zero_s15;
-    reg zero_s16;
-    reg zero_s17;
-    reg zero_s18;
-    reg zero_s19;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, sign_s5, sign_s6, sign_s7, sign_s8, sign_s9, sign_s10, sign_s11;
+    reg sign_s12, sign_s13, sign_s14, sign_s15, sign_s16, sign_s17, sign_s18, sign_s19, nan_s1, nan_s2;
+    reg nan_s3, nan_s4, nan_s5, nan_s6, nan_s7, nan_s8, nan_s9, nan_s10, nan_s11, nan_s12, nan_s13, nan_s14;
+    reg nan_s15, nan_s16, nan_s17, nan_s18, nan_s19, infinite_s1, infinite_s2, infinite_s3, infinite_s4;
+    reg infinite_s5, infinite_s6, infinite_s7, infinite_s8, infinite_s9, infinite_s10, infinite_s11;
+    reg infinite_s12, infinite_s13, infinite_s14, infinite_s15, infinite_s16, infinite_s17, infinite_s18;
+    reg infinite_s19, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5, zero_s6, zero_s7, zero_s8, zero_s9;
+    reg zero_s10, zero_s11, zero_s12, zero_s13, zero_s14, zero_s15, zero_s16, zero_s17, zero_s18, zero_s19;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -10838,27 +7165,10 @@ module float_recip (
     end
 
     wire _unused = &{
-        1'b0,
-        difference_11[16],
-        difference_13[16],
-        difference_15[16],
-        difference_17[16],
-        difference_19[16],
-        difference_2[16],
-        difference_21[16],
-        difference_23[16],
-        difference_25[16],
-        difference_27[16],
-        difference_29[16],
-        difference_3[16],
-        difference_31[16],
-        difference_33[16],
-        difference_35[16],
-        difference_5[16],
-        difference_7[16],
-        difference_9[16],
-        rst,
-        significand_s19[17]
+        1'b0, difference_11[16], difference_13[16], difference_15[16], difference_17[16], difference_19[16],
+        difference_2[16], difference_21[16], difference_23[16], difference_25[16], difference_27[16],
+        difference_29[16], difference_3[16], difference_31[16], difference_33[16], difference_35[16],
+        difference_5[16], difference_7[16], difference_9[16], significand_s19[17]
     };
 endmodule
 
@@ -10869,122 +7179,32 @@ module stream_skid_w317 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [25:0] in_center_x,
-    input  wire [25:0] in_center_y,
-    input  wire [15:0] in_ax,
-    input  wire [15:0] in_bx,
-    input  wire [15:0] in_ay,
-    input  wire [15:0] in_by,
-    input  wire [19:0] in_delta,
-    input  wire [15:0] in_mx,
-    input  wire [15:0] in_my,
-    input  wire [3:0] in_shift,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
-    input  wire [8:0] in_left,
-    input  wire [8:0] in_right,
-    input  wire [8:0] in_top,
-    input  wire [8:0] in_bottom,
+    input  wire [316:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [25:0] out_center_x,
-    output wire [25:0] out_center_y,
-    output wire [15:0] out_ax,
-    output wire [15:0] out_bx,
-    output wire [15:0] out_ay,
-    output wire [15:0] out_by,
-    output wire [19:0] out_delta,
-    output wire [15:0] out_mx,
-    output wire [15:0] out_my,
-    output wire [3:0] out_shift,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2,
-    output wire [8:0] out_left,
-    output wire [8:0] out_right,
-    output wire [8:0] out_top,
-    output wire [8:0] out_bottom
+    output wire [316:0] out_data
 );
     reg second_valid;
-    reg [316:0] head;
-    reg [316:0] second;
+    reg [316:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [316:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_shift,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom
-    };
 
-    assign out_end = head[316];
-    assign out_center_x = head[315:290];
-    assign out_center_y = head[289:264];
-    assign out_ax = head[263:248];
-    assign out_bx = head[247:232];
-    assign out_ay = head[231:216];
-    assign out_by = head[215:200];
-    assign out_delta = head[199:180];
-    assign out_mx = head[179:164];
-    assign out_my = head[163:148];
-    assign out_shift = head[147:144];
-    assign out_depth = head[143:120];
-    assign out_depth_low = head[119:96];
-    assign out_depth_high = head[95:72];
-    assign out_attribute_0 = head[71:60];
-    assign out_attribute_1 = head[59:48];
-    assign out_attribute_2 = head[47:36];
-    assign out_left = head[35:27];
-    assign out_right = head[26:18];
-    assign out_top = head[17:9];
-    assign out_bottom = head[8:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -11054,110 +7274,31 @@ module splat_transform (
     output wire [11:0] out_attribute_2
 );
     reg [2:0] phase;
-    reg load_0;
-    reg load_1;
-    reg load_2;
-    reg load_3;
-    reg load_5;
-    reg load_6;
-    reg load_7;
-    reg end_d1;
-    reg end_d2;
-    reg end_d3;
-    reg end_d4;
-    reg [11:0] attribute_0_d1;
-    reg [11:0] attribute_0_d2;
-    reg [11:0] attribute_0_d3;
-    reg [11:0] attribute_0_d4;
-    reg [11:0] attribute_1_d1;
-    reg [11:0] attribute_1_d2;
-    reg [11:0] attribute_1_d3;
-    reg [11:0] attribute_1_d4;
-    reg [11:0] attribute_2_d1;
-    reg [11:0] attribute_2_d2;
-    reg [11:0] attribute_2_d3;
-    reg [11:0] attribute_2_d4;
-    reg [23:0] reinterpret_26_d1;
-    reg [23:0] reinterpret_27_d1;
-    reg [23:0] reinterpret_28_d1;
-    reg [23:0] mul_37_d1;
-    reg [23:0] add_44_d1;
-    reg [23:0] add_45_d1;
-    reg [23:0] add_46_d1;
-    reg [23:0] reinterpret_47_d1;
-    reg [23:0] reinterpret_48_d1;
-    reg [23:0] reinterpret_49_d1;
-    reg [23:0] mul_53_d1;
-    reg [23:0] add_54_d1;
-    reg [23:0] mul_55_d1;
-    reg [23:0] mul_58_d1;
-    reg [23:0] add_59_d1;
-    reg [23:0] mul_63_d1;
-    reg [23:0] add_64_d1;
-    reg [23:0] reinterpret_65_d1;
-    reg [23:0] reinterpret_66_d1;
-    reg [23:0] reinterpret_67_d1;
-    reg [23:0] mul_68_d1;
-    reg [23:0] mul_71_d1;
-    reg [23:0] add_72_d1;
-    reg [23:0] add_75_d1;
-    reg [23:0] mul_76_d1;
-    reg [23:0] add_77_d1;
-    reg [23:0] mul_78_d1;
-    reg [23:0] add_80_d1;
-    reg [23:0] mul_81_d1;
-    reg [23:0] add_82_d1;
-    reg [23:0] mul_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_b;
-    reg [23:0] mul_f24_ftz_unit_copy2_a;
-    reg [23:0] mul_f24_ftz_unit_copy2_b;
-    reg [23:0] mul_f24_ftz_unit_copy3_a;
-    reg [23:0] mul_f24_ftz_unit_copy3_b;
-    reg [23:0] mul_f24_ftz_unit_copy4_a;
-    reg [23:0] mul_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b;
-    reg [23:0] add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b;
-    reg [23:0] add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
+    reg load_0, load_1, load_2, load_3, load_5, load_6, load_7, end_d1, end_d2, end_d3, end_d4;
+    reg [11:0] attribute_0_d1, attribute_0_d2, attribute_0_d3, attribute_0_d4, attribute_1_d1, attribute_1_d2;
+    reg [11:0] attribute_1_d3, attribute_1_d4, attribute_2_d1, attribute_2_d2, attribute_2_d3, attribute_2_d4;
+    reg [23:0] reinterpret_26_d1, reinterpret_27_d1, reinterpret_28_d1, mul_37_d1, add_44_d1, add_45_d1, add_46_d1;
+    reg [23:0] reinterpret_47_d1, reinterpret_48_d1, reinterpret_49_d1, mul_53_d1, add_54_d1, mul_55_d1, mul_58_d1;
+    reg [23:0] add_59_d1, mul_63_d1, add_64_d1, reinterpret_65_d1, reinterpret_66_d1, reinterpret_67_d1, mul_68_d1;
+    reg [23:0] mul_71_d1, add_72_d1, add_75_d1, mul_76_d1, add_77_d1, mul_78_d1, add_80_d1, mul_81_d1, add_82_d1;
+    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
+    reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
+    reg [23:0] mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
+    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
+    reg [3:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire [23:0] queue_out_center_x;
-    wire [23:0] queue_out_center_y;
-    wire [23:0] queue_out_center_z;
-    wire [23:0] queue_out_tangent1_x;
-    wire [23:0] queue_out_tangent1_y;
-    wire [23:0] queue_out_tangent1_z;
-    wire [23:0] queue_out_tangent2_x;
-    wire [23:0] queue_out_tangent2_y;
-    wire [23:0] queue_out_tangent2_z;
-    wire [11:0] queue_out_attribute_0;
-    wire [11:0] queue_out_attribute_1;
-    wire [11:0] queue_out_attribute_2;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [252:0] queue_out_data;
+    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
 
-    assign in_ready = load_0;
     wire or_84 = end_d4 | lt_f24_ftz_unit_y;
     wire term_1 = phase == 3'd4;
-    wire term_2 = valid_d4 & or_84 & term_1;
-    wire queue_out_ready = out_ready;
+    wire term_2 = in_flight[3] & or_84 & term_1;
     wire term_3 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
     wire advance_next = ~term_4;
     wire [23:0] choice_5 = phase[0] ? reinterpret_28_d1 : reinterpret_67_d1;
     wire [23:0] choice_6 = phase[1] ? choice_5 : phase[0] ? reinterpret_49_d1 : reinterpret_65_d1;
@@ -11183,125 +7324,60 @@ module splat_transform (
     wire [23:0] choice_26 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
     wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_63_d1 : mul_f24_ftz_unit_copy4_y) : choice_26;
 
+    assign in_ready = load_0;
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_center_x = queue_out_center_x;
-    assign out_center_y = queue_out_center_y;
-    assign out_center_z = queue_out_center_z;
-    assign out_tangent1_x = queue_out_tangent1_x;
-    assign out_tangent1_y = queue_out_tangent1_y;
-    assign out_tangent1_z = queue_out_tangent1_z;
-    assign out_tangent2_x = queue_out_tangent2_x;
-    assign out_tangent2_y = queue_out_tangent2_y;
-    assign out_tangent2_z = queue_out_tangent2_z;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
+    assign {
+        out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
+        out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2
+    } = queue_out_data;
 
     stream_skid_w253 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_2),
-        .in_ready(queue_in_ready),
-        .in_end(end_d4),
-        .in_center_x(add_44_d1),
-        .in_center_y(add_45_d1),
-        .in_center_z(add_46_d1),
-        .in_tangent1_x(add_54_d1),
-        .in_tangent1_y(add_59_d1),
-        .in_tangent1_z(add_64_d1),
-        .in_tangent2_x(add_72_d1),
-        .in_tangent2_y(add_77_d1),
-        .in_tangent2_z(add_82_d1),
-        .in_attribute_0(attribute_0_d4),
-        .in_attribute_1(attribute_1_d4),
-        .in_attribute_2(attribute_2_d4),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_center_x(queue_out_center_x),
-        .out_center_y(queue_out_center_y),
-        .out_center_z(queue_out_center_z),
-        .out_tangent1_x(queue_out_tangent1_x),
-        .out_tangent1_y(queue_out_tangent1_y),
-        .out_tangent1_z(queue_out_tangent1_z),
-        .out_tangent2_x(queue_out_tangent2_x),
-        .out_tangent2_y(queue_out_tangent2_y),
-        .out_tangent2_z(queue_out_tangent2_z),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2)
+        .clk(clk), .rst(rst),
+        .in_valid(term_2), .in_ready(queue_in_ready),
+        .in_data({
+            end_d4, add_44_d1, add_45_d1, add_46_d1, add_54_d1, add_59_d1, add_64_d1, add_72_d1, add_77_d1,
+            add_82_d1, attribute_0_d4, attribute_1_d4, attribute_2_d4
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_mul_s4 mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_a),
-        .b(mul_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4 mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy2_a),
-        .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4 mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_a),
-        .b(mul_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4 mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy4_a),
-        .b(mul_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_add add_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_a),
-        .b(add_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add add_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_a),
-        .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add add_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy3_a),
-        .b(add_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_lt lt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(near_plane),
-        .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_copy2_y),
         .y(lt_f24_ftz_unit_y)
     );
 
@@ -11315,10 +7391,7 @@ module splat_transform (
             load_5 <= 1'd0;
             load_6 <= 1'd0;
             load_7 <= 1'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
+            in_flight <= 4'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -11328,12 +7401,7 @@ module splat_transform (
             load_5 <= advance_next & (phase_next == 3'd5);
             load_6 <= advance_next & (phase_next == 3'd6);
             load_7 <= advance_next & (phase_next == 3'd7);
-            if (load_0) begin
-                valid_d1 <= in_valid;
-                valid_d2 <= valid_d1;
-                valid_d3 <= valid_d2;
-                valid_d4 <= valid_d3;
-            end
+            if (load_0) in_flight <= {in_flight[2:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -11385,9 +7453,7 @@ module splat_transform (
             mul_76_d1 <= mul_f24_ftz_unit_copy2_y;
             mul_81_d1 <= mul_f24_ftz_unit_copy3_y;
         end
-        if (load_5) begin
-            add_54_d1 <= add_f24_ftz_unit_copy2_y;
-        end
+        if (load_5) add_54_d1 <= add_f24_ftz_unit_copy2_y;
         if (load_6) begin
             add_59_d1 <= add_f24_ftz_unit_copy2_y;
             add_64_d1 <= add_f24_ftz_unit_copy3_y;
@@ -11502,15 +7568,12 @@ endmodule
 // format = f24-ftz
 module float_lt (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  y
 );
-    reg unordered_s1;
-    reg both_zero_s1;
-    reg compared_s1;
+    reg unordered_s1, both_zero_s1, compared_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -11525,8 +7588,6 @@ module float_lt (
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating-point sum.
@@ -11534,46 +7595,22 @@ endmodule
 // format = f24-ftz
 module float_add (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
     reg [9:0] distance_s1;
-    reg [15:0] large_s1;
-    reg [15:0] small_s1;
-    reg [15:0] large_s2;
+    reg [15:0] large_s1, small_s1, large_s2;
     reg [18:0] aligned_s2;
-    reg subtract_s1;
-    reg subtract_s2;
+    reg subtract_s1, subtract_s2;
     reg [19:0] sum_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg subtract_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, subtract_s3;
     reg [19:0] value_s4;
     reg [4:0] zeros_s4;
-    reg [9:0] limit_s1;
-    reg [9:0] limit_s2;
-    reg [9:0] limit_s3;
-    reg [9:0] limit_s4;
-    reg [9:0] exponent_s5;
+    reg [9:0] limit_s1, limit_s2, limit_s3, limit_s4, exponent_s5;
     reg [17:0] significand_s5;
-    reg sign_s4;
-    reg sign_s5;
-    reg nan_s4;
-    reg nan_s5;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg zero_s4;
-    reg zero_s5;
+    reg sign_s4, sign_s5, nan_s4, nan_s5, infinite_s4, infinite_s5, zero_s4, zero_s5;
 
     wire swap = a[22:0] < b[22:0];
     wire [7:0] b_field = b[22:15];
@@ -11656,7 +7693,7 @@ module float_add (
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], rst, significand_s5[17], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_12[0]};
 endmodule
 
 // Floating-point product.
@@ -11664,31 +7701,18 @@ endmodule
 // format = f24-ftz
 module float_mul_s4 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg [15:0] left_s1;
-    reg [15:0] right_s1;
+    reg [15:0] left_s1, right_s1;
     reg [9:0] exponent_s1;
     reg [31:0] product_s2;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s2, exponent_s3;
     reg [17:0] significand_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, zero_s1;
+    reg zero_s2, zero_s3;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -11731,7 +7755,7 @@ module float_mul_s4 (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s3[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Queue of two in registers.
@@ -11741,90 +7765,32 @@ module stream_skid_w253 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [11:0] in_attribute_0,
-    input  wire [11:0] in_attribute_1,
-    input  wire [11:0] in_attribute_2,
+    input  wire [252:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_center_z,
-    output wire [23:0] out_tangent1_x,
-    output wire [23:0] out_tangent1_y,
-    output wire [23:0] out_tangent1_z,
-    output wire [23:0] out_tangent2_x,
-    output wire [23:0] out_tangent2_y,
-    output wire [23:0] out_tangent2_z,
-    output wire [11:0] out_attribute_0,
-    output wire [11:0] out_attribute_1,
-    output wire [11:0] out_attribute_2
+    output wire [252:0] out_data
 );
     reg second_valid;
-    reg [252:0] head;
-    reg [252:0] second;
+    reg [252:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [252:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_center_z,
-        in_tangent1_x,
-        in_tangent1_y,
-        in_tangent1_z,
-        in_tangent2_x,
-        in_tangent2_y,
-        in_tangent2_z,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2
-    };
 
-    assign out_end = head[252];
-    assign out_center_x = head[251:228];
-    assign out_center_y = head[227:204];
-    assign out_center_z = head[203:180];
-    assign out_tangent1_x = head[179:156];
-    assign out_tangent1_y = head[155:132];
-    assign out_tangent1_z = head[131:108];
-    assign out_tangent2_x = head[107:84];
-    assign out_tangent2_y = head[83:60];
-    assign out_tangent2_z = head[59:36];
-    assign out_attribute_0 = head[35:24];
-    assign out_attribute_1 = head[23:12];
-    assign out_attribute_2 = head[11:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -11841,4 +7807,38 @@ module stream_skid_w253 (
         end
     end
 `endif
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is anything: with assertions, the old one inverted.
+module memory_1w1r_unordered #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            (* no_rw_check *)
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+`ifdef RTL_ASSERT
+                if (read && write && read_address == write_address) read_word <= ~words[read_address];
+`endif
+            end
+        end
+    endgenerate
 endmodule

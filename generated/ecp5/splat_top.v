@@ -104,374 +104,138 @@ module splat_top (
     output wire event_hazard,
     output wire event_slot_wait
 );
-    reg [23:0] uniform_m00;
-    reg [23:0] uniform_m01;
-    reg [23:0] uniform_m02;
-    reg [23:0] uniform_m03;
-    reg [23:0] uniform_m10;
-    reg [23:0] uniform_m11;
-    reg [23:0] uniform_m12;
-    reg [23:0] uniform_m13;
-    reg [23:0] uniform_m20;
-    reg [23:0] uniform_m21;
-    reg [23:0] uniform_m22;
-    reg [23:0] uniform_m23;
-    reg [23:0] uniform_scale_x;
-    reg [23:0] uniform_scale_y;
-    reg [23:0] uniform_origin_x;
-    reg [23:0] uniform_origin_y;
-    reg [23:0] uniform_depth_a;
-    reg [23:0] uniform_depth_b;
-    reg [23:0] uniform_near_plane;
-    reg [23:0] uniform_epsilon_scale;
-    reg [23:0] uniform_epsilon_bias;
-    reg [23:0] uniform_filter_radius;
-    reg [23:0] uniform_filter_scale;
+    reg [23:0] uniform_m00, uniform_m01, uniform_m02, uniform_m03, uniform_m10, uniform_m11, uniform_m12;
+    reg [23:0] uniform_m13, uniform_m20, uniform_m21, uniform_m22, uniform_m23, uniform_scale_x, uniform_scale_y;
+    reg [23:0] uniform_origin_x, uniform_origin_y, uniform_depth_a, uniform_depth_b, uniform_near_plane;
+    reg [23:0] uniform_epsilon_scale, uniform_epsilon_bias, uniform_filter_radius, uniform_filter_scale;
 
-    wire transform_in_ready;
-    wire transform_out_valid;
-    wire transform_out_end;
-    wire [23:0] transform_out_center_x;
-    wire [23:0] transform_out_center_y;
-    wire [23:0] transform_out_center_z;
-    wire [23:0] transform_out_tangent1_x;
-    wire [23:0] transform_out_tangent1_y;
-    wire [23:0] transform_out_tangent1_z;
-    wire [23:0] transform_out_tangent2_x;
-    wire [23:0] transform_out_tangent2_y;
-    wire [23:0] transform_out_tangent2_z;
-    wire [15:0] transform_out_attribute_0;
-    wire [15:0] transform_out_attribute_1;
-    wire [15:0] transform_out_attribute_2;
-    wire [15:0] transform_out_attribute_3;
-    wire [15:0] transform_out_attribute_4;
-    wire [15:0] transform_out_attribute_5;
-    wire [15:0] transform_out_attribute_6;
-    wire [15:0] transform_out_attribute_7;
-    wire [15:0] transform_out_attribute_8;
-    wire [15:0] transform_out_attribute_9;
-    wire [15:0] transform_out_attribute_10;
-    wire [15:0] transform_out_attribute_11;
-    wire [15:0] transform_out_attribute_12;
-    wire [15:0] transform_out_cardinal_0;
-    wire setup_in_ready;
-    wire setup_out_valid;
-    wire setup_out_end;
-    wire [23:0] setup_out_center_x;
-    wire [23:0] setup_out_center_y;
-    wire [23:0] setup_out_ax;
-    wire [23:0] setup_out_bx;
-    wire [23:0] setup_out_ay;
-    wire [23:0] setup_out_by;
-    wire [23:0] setup_out_delta;
-    wire [23:0] setup_out_mx;
-    wire [23:0] setup_out_my;
-    wire [23:0] setup_out_depth;
-    wire [23:0] setup_out_depth_low;
+    wire transform_in_ready, transform_out_valid, transform_out_end;
+    wire [23:0] transform_out_center_x, transform_out_center_y, transform_out_center_z, transform_out_tangent1_x;
+    wire [23:0] transform_out_tangent1_y, transform_out_tangent1_z, transform_out_tangent2_x;
+    wire [23:0] transform_out_tangent2_y, transform_out_tangent2_z;
+    wire [15:0] transform_out_attribute_0, transform_out_attribute_1, transform_out_attribute_2;
+    wire [15:0] transform_out_attribute_3, transform_out_attribute_4, transform_out_attribute_5;
+    wire [15:0] transform_out_attribute_6, transform_out_attribute_7, transform_out_attribute_8;
+    wire [15:0] transform_out_attribute_9, transform_out_attribute_10, transform_out_attribute_11;
+    wire [15:0] transform_out_attribute_12, transform_out_cardinal_0;
+    wire setup_in_ready, setup_out_valid, setup_out_end;
+    wire [23:0] setup_out_center_x, setup_out_center_y, setup_out_ax, setup_out_bx, setup_out_ay, setup_out_by;
+    wire [23:0] setup_out_delta, setup_out_mx, setup_out_my, setup_out_depth, setup_out_depth_low;
     wire [23:0] setup_out_depth_high;
-    wire [15:0] setup_out_attribute_0;
-    wire [15:0] setup_out_attribute_1;
-    wire [15:0] setup_out_attribute_2;
-    wire [15:0] setup_out_attribute_3;
-    wire [15:0] setup_out_attribute_4;
-    wire [15:0] setup_out_attribute_5;
-    wire [15:0] setup_out_attribute_6;
-    wire [15:0] setup_out_attribute_7;
-    wire [15:0] setup_out_attribute_8;
-    wire [15:0] setup_out_attribute_9;
-    wire [15:0] setup_out_attribute_10;
-    wire [15:0] setup_out_attribute_11;
-    wire [15:0] setup_out_attribute_12;
-    wire [15:0] setup_out_cardinal_0;
-    wire [8:0] setup_out_left;
-    wire [8:0] setup_out_right;
-    wire [8:0] setup_out_top;
-    wire [8:0] setup_out_bottom;
-    wire splitter_in_ready;
-    wire splitter_out_valid;
-    wire splitter_out_end;
-    wire [23:0] splitter_out_center_x;
-    wire [23:0] splitter_out_center_y;
-    wire [23:0] splitter_out_ax;
-    wire [23:0] splitter_out_bx;
-    wire [23:0] splitter_out_ay;
-    wire [23:0] splitter_out_by;
-    wire [23:0] splitter_out_delta;
-    wire [23:0] splitter_out_mx;
-    wire [23:0] splitter_out_my;
-    wire [23:0] splitter_out_depth;
-    wire [23:0] splitter_out_depth_low;
-    wire [23:0] splitter_out_depth_high;
-    wire [15:0] splitter_out_attribute_0;
-    wire [15:0] splitter_out_attribute_1;
-    wire [15:0] splitter_out_attribute_2;
-    wire [15:0] splitter_out_attribute_3;
-    wire [15:0] splitter_out_attribute_4;
-    wire [15:0] splitter_out_attribute_5;
-    wire [15:0] splitter_out_attribute_6;
-    wire [15:0] splitter_out_attribute_7;
-    wire [15:0] splitter_out_attribute_8;
-    wire [15:0] splitter_out_attribute_9;
-    wire [15:0] splitter_out_attribute_10;
-    wire [15:0] splitter_out_attribute_11;
-    wire [15:0] splitter_out_attribute_12;
-    wire [15:0] splitter_out_cardinal_0;
-    wire [2:0] splitter_out_left;
-    wire [2:0] splitter_out_right;
-    wire [2:0] splitter_out_top;
-    wire [2:0] splitter_out_bottom;
+    wire [15:0] setup_out_attribute_0, setup_out_attribute_1, setup_out_attribute_2, setup_out_attribute_3;
+    wire [15:0] setup_out_attribute_4, setup_out_attribute_5, setup_out_attribute_6, setup_out_attribute_7;
+    wire [15:0] setup_out_attribute_8, setup_out_attribute_9, setup_out_attribute_10, setup_out_attribute_11;
+    wire [15:0] setup_out_attribute_12, setup_out_cardinal_0;
+    wire [8:0] setup_out_left, setup_out_right, setup_out_top, setup_out_bottom;
+    wire splitter_in_ready, splitter_out_valid, splitter_out_end;
+    wire [23:0] splitter_out_center_x, splitter_out_center_y, splitter_out_ax, splitter_out_bx, splitter_out_ay;
+    wire [23:0] splitter_out_by, splitter_out_delta, splitter_out_mx, splitter_out_my, splitter_out_depth;
+    wire [23:0] splitter_out_depth_low, splitter_out_depth_high;
+    wire [15:0] splitter_out_attribute_0, splitter_out_attribute_1, splitter_out_attribute_2;
+    wire [15:0] splitter_out_attribute_3, splitter_out_attribute_4, splitter_out_attribute_5;
+    wire [15:0] splitter_out_attribute_6, splitter_out_attribute_7, splitter_out_attribute_8;
+    wire [15:0] splitter_out_attribute_9, splitter_out_attribute_10, splitter_out_attribute_11;
+    wire [15:0] splitter_out_attribute_12, splitter_out_cardinal_0;
+    wire [2:0] splitter_out_left, splitter_out_right, splitter_out_top, splitter_out_bottom;
     wire [11:0] splitter_out_tile;
-    wire reorder_in_ready;
-    wire reorder_out_valid;
-    wire reorder_out_end;
-    wire [23:0] reorder_out_center_x;
-    wire [23:0] reorder_out_center_y;
-    wire [23:0] reorder_out_ax;
-    wire [23:0] reorder_out_bx;
-    wire [23:0] reorder_out_ay;
-    wire [23:0] reorder_out_by;
-    wire [23:0] reorder_out_delta;
-    wire [23:0] reorder_out_mx;
-    wire [23:0] reorder_out_my;
-    wire [23:0] reorder_out_depth;
-    wire [23:0] reorder_out_depth_low;
-    wire [23:0] reorder_out_depth_high;
-    wire [15:0] reorder_out_attribute_0;
-    wire [15:0] reorder_out_attribute_1;
-    wire [15:0] reorder_out_attribute_2;
-    wire [15:0] reorder_out_attribute_3;
-    wire [15:0] reorder_out_attribute_4;
-    wire [15:0] reorder_out_attribute_5;
-    wire [15:0] reorder_out_attribute_6;
-    wire [15:0] reorder_out_attribute_7;
-    wire [15:0] reorder_out_attribute_8;
-    wire [15:0] reorder_out_attribute_9;
-    wire [15:0] reorder_out_attribute_10;
-    wire [15:0] reorder_out_attribute_11;
-    wire [15:0] reorder_out_attribute_12;
-    wire [15:0] reorder_out_cardinal_0;
-    wire [2:0] reorder_out_left;
-    wire [2:0] reorder_out_right;
-    wire [2:0] reorder_out_top;
-    wire [2:0] reorder_out_bottom;
+    wire reorder_in_ready, reorder_out_valid, reorder_out_end;
+    wire [23:0] reorder_out_center_x, reorder_out_center_y, reorder_out_ax, reorder_out_bx, reorder_out_ay;
+    wire [23:0] reorder_out_by, reorder_out_delta, reorder_out_mx, reorder_out_my, reorder_out_depth;
+    wire [23:0] reorder_out_depth_low, reorder_out_depth_high;
+    wire [15:0] reorder_out_attribute_0, reorder_out_attribute_1, reorder_out_attribute_2, reorder_out_attribute_3;
+    wire [15:0] reorder_out_attribute_4, reorder_out_attribute_5, reorder_out_attribute_6, reorder_out_attribute_7;
+    wire [15:0] reorder_out_attribute_8, reorder_out_attribute_9, reorder_out_attribute_10, reorder_out_attribute_11;
+    wire [15:0] reorder_out_attribute_12, reorder_out_cardinal_0;
+    wire [2:0] reorder_out_left, reorder_out_right, reorder_out_top, reorder_out_bottom;
     wire [11:0] reorder_out_tile;
-    wire tile_cache_in_ready;
-    wire tile_cache_out_valid;
-    wire tile_cache_out_end;
-    wire [23:0] tile_cache_out_center_x;
-    wire [23:0] tile_cache_out_center_y;
-    wire [23:0] tile_cache_out_ax;
-    wire [23:0] tile_cache_out_bx;
-    wire [23:0] tile_cache_out_ay;
-    wire [23:0] tile_cache_out_by;
-    wire [23:0] tile_cache_out_delta;
-    wire [23:0] tile_cache_out_mx;
-    wire [23:0] tile_cache_out_my;
-    wire [23:0] tile_cache_out_depth;
-    wire [23:0] tile_cache_out_depth_low;
-    wire [23:0] tile_cache_out_depth_high;
-    wire [15:0] tile_cache_out_attribute_0;
-    wire [15:0] tile_cache_out_attribute_1;
-    wire [15:0] tile_cache_out_attribute_2;
-    wire [15:0] tile_cache_out_attribute_3;
-    wire [15:0] tile_cache_out_attribute_4;
-    wire [15:0] tile_cache_out_attribute_5;
-    wire [15:0] tile_cache_out_attribute_6;
-    wire [15:0] tile_cache_out_attribute_7;
-    wire [15:0] tile_cache_out_attribute_8;
-    wire [15:0] tile_cache_out_attribute_9;
-    wire [15:0] tile_cache_out_attribute_10;
-    wire [15:0] tile_cache_out_attribute_11;
-    wire [15:0] tile_cache_out_attribute_12;
-    wire [15:0] tile_cache_out_cardinal_0;
-    wire [2:0] tile_cache_out_left;
-    wire [2:0] tile_cache_out_right;
-    wire [2:0] tile_cache_out_top;
-    wire [2:0] tile_cache_out_bottom;
+    wire tile_cache_in_ready, tile_cache_out_valid, tile_cache_out_end;
+    wire [23:0] tile_cache_out_center_x, tile_cache_out_center_y, tile_cache_out_ax, tile_cache_out_bx;
+    wire [23:0] tile_cache_out_ay, tile_cache_out_by, tile_cache_out_delta, tile_cache_out_mx, tile_cache_out_my;
+    wire [23:0] tile_cache_out_depth, tile_cache_out_depth_low, tile_cache_out_depth_high;
+    wire [15:0] tile_cache_out_attribute_0, tile_cache_out_attribute_1, tile_cache_out_attribute_2;
+    wire [15:0] tile_cache_out_attribute_3, tile_cache_out_attribute_4, tile_cache_out_attribute_5;
+    wire [15:0] tile_cache_out_attribute_6, tile_cache_out_attribute_7, tile_cache_out_attribute_8;
+    wire [15:0] tile_cache_out_attribute_9, tile_cache_out_attribute_10, tile_cache_out_attribute_11;
+    wire [15:0] tile_cache_out_attribute_12, tile_cache_out_cardinal_0;
+    wire [2:0] tile_cache_out_left, tile_cache_out_right, tile_cache_out_top, tile_cache_out_bottom;
     wire [11:0] tile_cache_out_tile;
-    wire tile_cache_out_slot;
-    wire tile_cache_read_valid;
+    wire tile_cache_out_slot, tile_cache_read_valid;
     wire [11:0] tile_cache_read_tile;
-    wire tile_cache_data_ready;
-    wire tile_cache_write_valid;
+    wire tile_cache_data_ready, tile_cache_write_valid;
     wire [11:0] tile_cache_write_tile;
     wire [5:0] tile_cache_write_pixel;
     wire [27:0] tile_cache_write_weight;
     wire [51:0] tile_cache_write_depth;
-    wire [15:0] tile_cache_write_peak;
-    wire [15:0] tile_cache_write_attribute_0;
-    wire [15:0] tile_cache_write_attribute_1;
-    wire [15:0] tile_cache_write_attribute_2;
-    wire [15:0] tile_cache_write_attribute_3;
-    wire [15:0] tile_cache_write_attribute_4;
-    wire [15:0] tile_cache_write_attribute_5;
-    wire [15:0] tile_cache_write_attribute_6;
-    wire [15:0] tile_cache_write_attribute_7;
-    wire [15:0] tile_cache_write_attribute_8;
-    wire [15:0] tile_cache_write_attribute_9;
-    wire [15:0] tile_cache_write_attribute_10;
-    wire [15:0] tile_cache_write_attribute_11;
-    wire [15:0] tile_cache_write_attribute_12;
-    wire [15:0] tile_cache_write_cardinal_0;
-    wire tile_cache_pixel_valid;
-    wire tile_cache_pixel_end;
+    wire [15:0] tile_cache_write_peak, tile_cache_write_attribute_0, tile_cache_write_attribute_1;
+    wire [15:0] tile_cache_write_attribute_2, tile_cache_write_attribute_3, tile_cache_write_attribute_4;
+    wire [15:0] tile_cache_write_attribute_5, tile_cache_write_attribute_6, tile_cache_write_attribute_7;
+    wire [15:0] tile_cache_write_attribute_8, tile_cache_write_attribute_9, tile_cache_write_attribute_10;
+    wire [15:0] tile_cache_write_attribute_11, tile_cache_write_attribute_12, tile_cache_write_cardinal_0;
+    wire tile_cache_pixel_valid, tile_cache_pixel_end;
     wire [11:0] tile_cache_pixel_tile;
     wire [5:0] tile_cache_pixel_pixel;
     wire [27:0] tile_cache_pixel_weight;
     wire [51:0] tile_cache_pixel_depth;
-    wire [15:0] tile_cache_pixel_peak;
-    wire [15:0] tile_cache_pixel_attribute_0;
-    wire [15:0] tile_cache_pixel_attribute_1;
-    wire [15:0] tile_cache_pixel_attribute_2;
-    wire [15:0] tile_cache_pixel_attribute_3;
-    wire [15:0] tile_cache_pixel_attribute_4;
-    wire [15:0] tile_cache_pixel_attribute_5;
-    wire [15:0] tile_cache_pixel_attribute_6;
-    wire [15:0] tile_cache_pixel_attribute_7;
-    wire [15:0] tile_cache_pixel_attribute_8;
-    wire [15:0] tile_cache_pixel_attribute_9;
-    wire [15:0] tile_cache_pixel_attribute_10;
-    wire [15:0] tile_cache_pixel_attribute_11;
-    wire [15:0] tile_cache_pixel_attribute_12;
-    wire [15:0] tile_cache_pixel_cardinal_0;
+    wire [15:0] tile_cache_pixel_peak, tile_cache_pixel_attribute_0, tile_cache_pixel_attribute_1;
+    wire [15:0] tile_cache_pixel_attribute_2, tile_cache_pixel_attribute_3, tile_cache_pixel_attribute_4;
+    wire [15:0] tile_cache_pixel_attribute_5, tile_cache_pixel_attribute_6, tile_cache_pixel_attribute_7;
+    wire [15:0] tile_cache_pixel_attribute_8, tile_cache_pixel_attribute_9, tile_cache_pixel_attribute_10;
+    wire [15:0] tile_cache_pixel_attribute_11, tile_cache_pixel_attribute_12, tile_cache_pixel_cardinal_0;
     wire [1:0] tile_cache_slot_ready;
-    wire tile_cache_fill_valid;
-    wire tile_cache_fill_slot;
+    wire tile_cache_fill_valid, tile_cache_fill_slot;
     wire [5:0] tile_cache_fill_pixel;
     wire [27:0] tile_cache_fill_weight;
     wire [51:0] tile_cache_fill_depth;
-    wire [15:0] tile_cache_fill_peak;
-    wire [15:0] tile_cache_fill_attribute_0;
-    wire [15:0] tile_cache_fill_attribute_1;
-    wire [15:0] tile_cache_fill_attribute_2;
-    wire [15:0] tile_cache_fill_attribute_3;
-    wire [15:0] tile_cache_fill_attribute_4;
-    wire [15:0] tile_cache_fill_attribute_5;
-    wire [15:0] tile_cache_fill_attribute_6;
-    wire [15:0] tile_cache_fill_attribute_7;
-    wire [15:0] tile_cache_fill_attribute_8;
-    wire [15:0] tile_cache_fill_attribute_9;
-    wire [15:0] tile_cache_fill_attribute_10;
-    wire [15:0] tile_cache_fill_attribute_11;
-    wire [15:0] tile_cache_fill_attribute_12;
-    wire [15:0] tile_cache_fill_cardinal_0;
-    wire tile_cache_drain_enable;
-    wire tile_cache_drain_slot;
+    wire [15:0] tile_cache_fill_peak, tile_cache_fill_attribute_0, tile_cache_fill_attribute_1;
+    wire [15:0] tile_cache_fill_attribute_2, tile_cache_fill_attribute_3, tile_cache_fill_attribute_4;
+    wire [15:0] tile_cache_fill_attribute_5, tile_cache_fill_attribute_6, tile_cache_fill_attribute_7;
+    wire [15:0] tile_cache_fill_attribute_8, tile_cache_fill_attribute_9, tile_cache_fill_attribute_10;
+    wire [15:0] tile_cache_fill_attribute_11, tile_cache_fill_attribute_12, tile_cache_fill_cardinal_0;
+    wire tile_cache_drain_enable, tile_cache_drain_slot;
     wire [5:0] tile_cache_drain_pixel;
-    wire rasterizer_in_ready;
-    wire rasterizer_out_valid;
-    wire rasterizer_out_end;
-    wire rasterizer_out_last;
-    wire rasterizer_out_inside;
-    wire rasterizer_out_slot;
+    wire rasterizer_in_ready, rasterizer_out_valid, rasterizer_out_end, rasterizer_out_last;
+    wire rasterizer_out_inside, rasterizer_out_slot;
     wire [5:0] rasterizer_out_pixel;
     wire [15:0] rasterizer_out_weight;
-    wire [23:0] rasterizer_out_depth;
-    wire [23:0] rasterizer_out_depth_low;
-    wire [23:0] rasterizer_out_depth_high;
-    wire [15:0] rasterizer_out_attribute_0;
-    wire [15:0] rasterizer_out_attribute_1;
-    wire [15:0] rasterizer_out_attribute_2;
-    wire [15:0] rasterizer_out_attribute_3;
-    wire [15:0] rasterizer_out_attribute_4;
-    wire [15:0] rasterizer_out_attribute_5;
-    wire [15:0] rasterizer_out_attribute_6;
-    wire [15:0] rasterizer_out_attribute_7;
-    wire [15:0] rasterizer_out_attribute_8;
-    wire [15:0] rasterizer_out_attribute_9;
-    wire [15:0] rasterizer_out_attribute_10;
-    wire [15:0] rasterizer_out_attribute_11;
-    wire [15:0] rasterizer_out_attribute_12;
-    wire [15:0] rasterizer_out_cardinal_0;
-    wire rasterizer_event_sample;
-    wire rasterizer_event_starved;
-    wire rasterizer_event_blocked;
-    wire weighting_in_ready;
-    wire weighting_out_valid;
-    wire weighting_out_end;
-    wire weighting_out_last;
-    wire weighting_out_inside;
-    wire weighting_out_slot;
+    wire [23:0] rasterizer_out_depth, rasterizer_out_depth_low, rasterizer_out_depth_high;
+    wire [15:0] rasterizer_out_attribute_0, rasterizer_out_attribute_1, rasterizer_out_attribute_2;
+    wire [15:0] rasterizer_out_attribute_3, rasterizer_out_attribute_4, rasterizer_out_attribute_5;
+    wire [15:0] rasterizer_out_attribute_6, rasterizer_out_attribute_7, rasterizer_out_attribute_8;
+    wire [15:0] rasterizer_out_attribute_9, rasterizer_out_attribute_10, rasterizer_out_attribute_11;
+    wire [15:0] rasterizer_out_attribute_12, rasterizer_out_cardinal_0;
+    wire rasterizer_event_sample, rasterizer_event_starved, rasterizer_event_blocked, weighting_in_ready;
+    wire weighting_out_valid, weighting_out_end, weighting_out_last, weighting_out_inside, weighting_out_slot;
     wire [5:0] weighting_out_pixel;
     wire [15:0] weighting_out_weight;
     wire [39:0] weighting_out_weighted_depth;
-    wire [23:0] weighting_out_depth_low;
-    wire [23:0] weighting_out_depth_high;
-    wire [15:0] weighting_out_attribute_0;
-    wire [15:0] weighting_out_attribute_1;
-    wire [15:0] weighting_out_attribute_2;
-    wire [15:0] weighting_out_attribute_3;
-    wire [15:0] weighting_out_attribute_4;
-    wire [15:0] weighting_out_attribute_5;
-    wire [15:0] weighting_out_attribute_6;
-    wire [15:0] weighting_out_attribute_7;
-    wire [15:0] weighting_out_attribute_8;
-    wire [15:0] weighting_out_attribute_9;
-    wire [15:0] weighting_out_attribute_10;
-    wire [15:0] weighting_out_attribute_11;
-    wire [15:0] weighting_out_attribute_12;
-    wire [15:0] weighting_out_cardinal_0;
-    wire accumulator_in_ready;
-    wire accumulator_retire_valid;
-    wire accumulator_retire_slot;
-    wire accumulator_frame_end;
+    wire [23:0] weighting_out_depth_low, weighting_out_depth_high;
+    wire [15:0] weighting_out_attribute_0, weighting_out_attribute_1, weighting_out_attribute_2;
+    wire [15:0] weighting_out_attribute_3, weighting_out_attribute_4, weighting_out_attribute_5;
+    wire [15:0] weighting_out_attribute_6, weighting_out_attribute_7, weighting_out_attribute_8;
+    wire [15:0] weighting_out_attribute_9, weighting_out_attribute_10, weighting_out_attribute_11;
+    wire [15:0] weighting_out_attribute_12, weighting_out_cardinal_0;
+    wire accumulator_in_ready, accumulator_retire_valid, accumulator_retire_slot, accumulator_frame_end;
     wire [27:0] accumulator_drain_weight;
     wire [51:0] accumulator_drain_depth;
-    wire [15:0] accumulator_drain_peak;
-    wire [15:0] accumulator_drain_attribute_0;
-    wire [15:0] accumulator_drain_attribute_1;
-    wire [15:0] accumulator_drain_attribute_2;
-    wire [15:0] accumulator_drain_attribute_3;
-    wire [15:0] accumulator_drain_attribute_4;
-    wire [15:0] accumulator_drain_attribute_5;
-    wire [15:0] accumulator_drain_attribute_6;
-    wire [15:0] accumulator_drain_attribute_7;
-    wire [15:0] accumulator_drain_attribute_8;
-    wire [15:0] accumulator_drain_attribute_9;
-    wire [15:0] accumulator_drain_attribute_10;
-    wire [15:0] accumulator_drain_attribute_11;
-    wire [15:0] accumulator_drain_attribute_12;
-    wire [15:0] accumulator_drain_cardinal_0;
-    wire accumulator_event_accumulate;
-    wire accumulator_event_hazard;
-    wire accumulator_event_slot_wait;
-    wire normalizer_in_ready;
-    wire normalizer_out_valid;
-    wire normalizer_out_end;
-    wire [8:0] normalizer_out_column;
-    wire [8:0] normalizer_out_row;
+    wire [15:0] accumulator_drain_peak, accumulator_drain_attribute_0, accumulator_drain_attribute_1;
+    wire [15:0] accumulator_drain_attribute_2, accumulator_drain_attribute_3, accumulator_drain_attribute_4;
+    wire [15:0] accumulator_drain_attribute_5, accumulator_drain_attribute_6, accumulator_drain_attribute_7;
+    wire [15:0] accumulator_drain_attribute_8, accumulator_drain_attribute_9, accumulator_drain_attribute_10;
+    wire [15:0] accumulator_drain_attribute_11, accumulator_drain_attribute_12, accumulator_drain_cardinal_0;
+    wire accumulator_event_accumulate, accumulator_event_hazard, accumulator_event_slot_wait;
+    wire normalizer_in_ready, normalizer_out_valid, normalizer_out_end;
+    wire [8:0] normalizer_out_column, normalizer_out_row;
     wire [23:0] normalizer_out_depth;
-    wire [15:0] normalizer_out_attribute_0;
-    wire [15:0] normalizer_out_attribute_1;
-    wire [15:0] normalizer_out_attribute_2;
-    wire [15:0] normalizer_out_attribute_3;
-    wire [15:0] normalizer_out_attribute_4;
-    wire [15:0] normalizer_out_attribute_5;
-    wire [15:0] normalizer_out_attribute_6;
-    wire [15:0] normalizer_out_attribute_7;
-    wire [15:0] normalizer_out_attribute_8;
-    wire [15:0] normalizer_out_attribute_9;
-    wire [15:0] normalizer_out_attribute_10;
-    wire [15:0] normalizer_out_attribute_11;
-    wire [15:0] normalizer_out_attribute_12;
-    wire [15:0] normalizer_out_cardinal_0;
+    wire [15:0] normalizer_out_attribute_0, normalizer_out_attribute_1, normalizer_out_attribute_2;
+    wire [15:0] normalizer_out_attribute_3, normalizer_out_attribute_4, normalizer_out_attribute_5;
+    wire [15:0] normalizer_out_attribute_6, normalizer_out_attribute_7, normalizer_out_attribute_8;
+    wire [15:0] normalizer_out_attribute_9, normalizer_out_attribute_10, normalizer_out_attribute_11;
+    wire [15:0] normalizer_out_attribute_12, normalizer_out_cardinal_0;
 
     assign splat_ready = transform_in_ready;
-    assign data_ready = tile_cache_data_ready;
-    wire transform_out_ready = setup_in_ready;
-    wire setup_out_ready = splitter_in_ready;
-    wire splitter_out_ready = reorder_in_ready;
-    wire reorder_out_ready = tile_cache_in_ready;
-    wire tile_cache_out_ready = rasterizer_in_ready;
-    wire tile_cache_read_ready = read_ready;
-    wire tile_cache_write_ready = write_ready;
-    wire tile_cache_pixel_ready = normalizer_in_ready;
-    wire rasterizer_out_ready = weighting_in_ready;
-    wire weighting_out_ready = accumulator_in_ready;
-    wire normalizer_out_ready = fragment_ready;
-
     assign read_valid = tile_cache_read_valid;
     assign read_tile = tile_cache_read_tile;
+    assign data_ready = tile_cache_data_ready;
     assign write_valid = tile_cache_write_valid;
     assign write_tile = tile_cache_write_tile;
     assign write_pixel = tile_cache_write_pixel;
@@ -519,794 +283,381 @@ module splat_top (
     assign event_slot_wait = accumulator_event_slot_wait;
 
     splat_transform transform (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(splat_valid),
-        .in_ready(transform_in_ready),
-        .in_end(splat_end),
-        .in_center_x(splat_center_x),
-        .in_center_y(splat_center_y),
-        .in_center_z(splat_center_z),
-        .in_tangent1_x(splat_tangent1_x),
-        .in_tangent1_y(splat_tangent1_y),
-        .in_tangent1_z(splat_tangent1_z),
-        .in_tangent2_x(splat_tangent2_x),
-        .in_tangent2_y(splat_tangent2_y),
-        .in_tangent2_z(splat_tangent2_z),
-        .in_attribute_0(splat_attribute_0),
-        .in_attribute_1(splat_attribute_1),
-        .in_attribute_2(splat_attribute_2),
-        .in_attribute_3(splat_attribute_3),
-        .in_attribute_4(splat_attribute_4),
-        .in_attribute_5(splat_attribute_5),
-        .in_attribute_6(splat_attribute_6),
-        .in_attribute_7(splat_attribute_7),
-        .in_attribute_8(splat_attribute_8),
-        .in_attribute_9(splat_attribute_9),
-        .in_attribute_10(splat_attribute_10),
-        .in_attribute_11(splat_attribute_11),
-        .in_attribute_12(splat_attribute_12),
-        .in_cardinal_0(splat_cardinal_0),
-        .m00(uniform_m00),
-        .m01(uniform_m01),
-        .m02(uniform_m02),
-        .m03(uniform_m03),
-        .m10(uniform_m10),
-        .m11(uniform_m11),
-        .m12(uniform_m12),
-        .m13(uniform_m13),
-        .m20(uniform_m20),
-        .m21(uniform_m21),
-        .m22(uniform_m22),
-        .m23(uniform_m23),
+        .clk(clk), .rst(rst),
+        .in_valid(splat_valid), .in_ready(transform_in_ready), .in_end(splat_end),
+        .in_center_x(splat_center_x), .in_center_y(splat_center_y), .in_center_z(splat_center_z),
+        .in_tangent1_x(splat_tangent1_x), .in_tangent1_y(splat_tangent1_y), .in_tangent1_z(splat_tangent1_z),
+        .in_tangent2_x(splat_tangent2_x), .in_tangent2_y(splat_tangent2_y), .in_tangent2_z(splat_tangent2_z),
+        .in_attribute_0(splat_attribute_0), .in_attribute_1(splat_attribute_1),
+        .in_attribute_2(splat_attribute_2), .in_attribute_3(splat_attribute_3),
+        .in_attribute_4(splat_attribute_4), .in_attribute_5(splat_attribute_5),
+        .in_attribute_6(splat_attribute_6), .in_attribute_7(splat_attribute_7),
+        .in_attribute_8(splat_attribute_8), .in_attribute_9(splat_attribute_9),
+        .in_attribute_10(splat_attribute_10), .in_attribute_11(splat_attribute_11),
+        .in_attribute_12(splat_attribute_12), .in_cardinal_0(splat_cardinal_0),
+        .m00(uniform_m00), .m01(uniform_m01), .m02(uniform_m02), .m03(uniform_m03), .m10(uniform_m10),
+        .m11(uniform_m11), .m12(uniform_m12), .m13(uniform_m13), .m20(uniform_m20), .m21(uniform_m21),
+        .m22(uniform_m22), .m23(uniform_m23),
         .near_plane(uniform_near_plane),
-        .out_valid(transform_out_valid),
-        .out_ready(transform_out_ready),
-        .out_end(transform_out_end),
-        .out_center_x(transform_out_center_x),
-        .out_center_y(transform_out_center_y),
-        .out_center_z(transform_out_center_z),
-        .out_tangent1_x(transform_out_tangent1_x),
-        .out_tangent1_y(transform_out_tangent1_y),
-        .out_tangent1_z(transform_out_tangent1_z),
-        .out_tangent2_x(transform_out_tangent2_x),
-        .out_tangent2_y(transform_out_tangent2_y),
-        .out_tangent2_z(transform_out_tangent2_z),
-        .out_attribute_0(transform_out_attribute_0),
-        .out_attribute_1(transform_out_attribute_1),
-        .out_attribute_2(transform_out_attribute_2),
-        .out_attribute_3(transform_out_attribute_3),
-        .out_attribute_4(transform_out_attribute_4),
-        .out_attribute_5(transform_out_attribute_5),
-        .out_attribute_6(transform_out_attribute_6),
-        .out_attribute_7(transform_out_attribute_7),
-        .out_attribute_8(transform_out_attribute_8),
-        .out_attribute_9(transform_out_attribute_9),
-        .out_attribute_10(transform_out_attribute_10),
-        .out_attribute_11(transform_out_attribute_11),
-        .out_attribute_12(transform_out_attribute_12),
+        .out_valid(transform_out_valid), .out_ready(setup_in_ready), .out_end(transform_out_end),
+        .out_center_x(transform_out_center_x), .out_center_y(transform_out_center_y),
+        .out_center_z(transform_out_center_z), .out_tangent1_x(transform_out_tangent1_x),
+        .out_tangent1_y(transform_out_tangent1_y), .out_tangent1_z(transform_out_tangent1_z),
+        .out_tangent2_x(transform_out_tangent2_x), .out_tangent2_y(transform_out_tangent2_y),
+        .out_tangent2_z(transform_out_tangent2_z), .out_attribute_0(transform_out_attribute_0),
+        .out_attribute_1(transform_out_attribute_1), .out_attribute_2(transform_out_attribute_2),
+        .out_attribute_3(transform_out_attribute_3), .out_attribute_4(transform_out_attribute_4),
+        .out_attribute_5(transform_out_attribute_5), .out_attribute_6(transform_out_attribute_6),
+        .out_attribute_7(transform_out_attribute_7), .out_attribute_8(transform_out_attribute_8),
+        .out_attribute_9(transform_out_attribute_9), .out_attribute_10(transform_out_attribute_10),
+        .out_attribute_11(transform_out_attribute_11), .out_attribute_12(transform_out_attribute_12),
         .out_cardinal_0(transform_out_cardinal_0)
     );
 
     splat_setup setup (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(transform_out_valid),
-        .in_ready(setup_in_ready),
-        .in_end(transform_out_end),
-        .in_center_x(transform_out_center_x),
-        .in_center_y(transform_out_center_y),
-        .in_center_z(transform_out_center_z),
-        .in_tangent1_x(transform_out_tangent1_x),
-        .in_tangent1_y(transform_out_tangent1_y),
-        .in_tangent1_z(transform_out_tangent1_z),
-        .in_tangent2_x(transform_out_tangent2_x),
-        .in_tangent2_y(transform_out_tangent2_y),
-        .in_tangent2_z(transform_out_tangent2_z),
-        .in_attribute_0(transform_out_attribute_0),
-        .in_attribute_1(transform_out_attribute_1),
-        .in_attribute_2(transform_out_attribute_2),
-        .in_attribute_3(transform_out_attribute_3),
-        .in_attribute_4(transform_out_attribute_4),
-        .in_attribute_5(transform_out_attribute_5),
-        .in_attribute_6(transform_out_attribute_6),
-        .in_attribute_7(transform_out_attribute_7),
-        .in_attribute_8(transform_out_attribute_8),
-        .in_attribute_9(transform_out_attribute_9),
-        .in_attribute_10(transform_out_attribute_10),
-        .in_attribute_11(transform_out_attribute_11),
-        .in_attribute_12(transform_out_attribute_12),
+        .clk(clk), .rst(rst),
+        .in_valid(transform_out_valid), .in_ready(setup_in_ready), .in_end(transform_out_end),
+        .in_center_x(transform_out_center_x), .in_center_y(transform_out_center_y),
+        .in_center_z(transform_out_center_z), .in_tangent1_x(transform_out_tangent1_x),
+        .in_tangent1_y(transform_out_tangent1_y), .in_tangent1_z(transform_out_tangent1_z),
+        .in_tangent2_x(transform_out_tangent2_x), .in_tangent2_y(transform_out_tangent2_y),
+        .in_tangent2_z(transform_out_tangent2_z), .in_attribute_0(transform_out_attribute_0),
+        .in_attribute_1(transform_out_attribute_1), .in_attribute_2(transform_out_attribute_2),
+        .in_attribute_3(transform_out_attribute_3), .in_attribute_4(transform_out_attribute_4),
+        .in_attribute_5(transform_out_attribute_5), .in_attribute_6(transform_out_attribute_6),
+        .in_attribute_7(transform_out_attribute_7), .in_attribute_8(transform_out_attribute_8),
+        .in_attribute_9(transform_out_attribute_9), .in_attribute_10(transform_out_attribute_10),
+        .in_attribute_11(transform_out_attribute_11), .in_attribute_12(transform_out_attribute_12),
         .in_cardinal_0(transform_out_cardinal_0),
         .filter_radius(uniform_filter_radius),
         .scale_x(uniform_scale_x),
         .origin_x(uniform_origin_x),
         .scale_y(uniform_scale_y),
         .origin_y(uniform_origin_y),
-        .depth_b(uniform_depth_b),
-        .depth_a(uniform_depth_a),
-        .epsilon_scale(uniform_epsilon_scale),
-        .epsilon_bias(uniform_epsilon_bias),
-        .out_valid(setup_out_valid),
-        .out_ready(setup_out_ready),
-        .out_end(setup_out_end),
-        .out_center_x(setup_out_center_x),
-        .out_center_y(setup_out_center_y),
-        .out_ax(setup_out_ax),
-        .out_bx(setup_out_bx),
-        .out_ay(setup_out_ay),
-        .out_by(setup_out_by),
-        .out_delta(setup_out_delta),
-        .out_mx(setup_out_mx),
-        .out_my(setup_out_my),
-        .out_depth(setup_out_depth),
-        .out_depth_low(setup_out_depth_low),
-        .out_depth_high(setup_out_depth_high),
-        .out_attribute_0(setup_out_attribute_0),
-        .out_attribute_1(setup_out_attribute_1),
-        .out_attribute_2(setup_out_attribute_2),
-        .out_attribute_3(setup_out_attribute_3),
-        .out_attribute_4(setup_out_attribute_4),
-        .out_attribute_5(setup_out_attribute_5),
-        .out_attribute_6(setup_out_attribute_6),
-        .out_attribute_7(setup_out_attribute_7),
-        .out_attribute_8(setup_out_attribute_8),
-        .out_attribute_9(setup_out_attribute_9),
-        .out_attribute_10(setup_out_attribute_10),
-        .out_attribute_11(setup_out_attribute_11),
-        .out_attribute_12(setup_out_attribute_12),
-        .out_cardinal_0(setup_out_cardinal_0),
-        .out_left(setup_out_left),
-        .out_right(setup_out_right),
-        .out_top(setup_out_top),
+        .depth_b(uniform_depth_b), .depth_a(uniform_depth_a),
+        .epsilon_scale(uniform_epsilon_scale), .epsilon_bias(uniform_epsilon_bias),
+        .out_valid(setup_out_valid), .out_ready(splitter_in_ready), .out_end(setup_out_end),
+        .out_center_x(setup_out_center_x), .out_center_y(setup_out_center_y), .out_ax(setup_out_ax),
+        .out_bx(setup_out_bx), .out_ay(setup_out_ay), .out_by(setup_out_by), .out_delta(setup_out_delta),
+        .out_mx(setup_out_mx), .out_my(setup_out_my), .out_depth(setup_out_depth),
+        .out_depth_low(setup_out_depth_low), .out_depth_high(setup_out_depth_high),
+        .out_attribute_0(setup_out_attribute_0), .out_attribute_1(setup_out_attribute_1),
+        .out_attribute_2(setup_out_attribute_2), .out_attribute_3(setup_out_attribute_3),
+        .out_attribute_4(setup_out_attribute_4), .out_attribute_5(setup_out_attribute_5),
+        .out_attribute_6(setup_out_attribute_6), .out_attribute_7(setup_out_attribute_7),
+        .out_attribute_8(setup_out_attribute_8), .out_attribute_9(setup_out_attribute_9),
+        .out_attribute_10(setup_out_attribute_10), .out_attribute_11(setup_out_attribute_11),
+        .out_attribute_12(setup_out_attribute_12), .out_cardinal_0(setup_out_cardinal_0),
+        .out_left(setup_out_left), .out_right(setup_out_right), .out_top(setup_out_top),
         .out_bottom(setup_out_bottom)
     );
 
     splat_splitter splitter (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(setup_out_valid),
-        .in_ready(splitter_in_ready),
-        .in_end(setup_out_end),
-        .in_center_x(setup_out_center_x),
-        .in_center_y(setup_out_center_y),
-        .in_ax(setup_out_ax),
-        .in_bx(setup_out_bx),
-        .in_ay(setup_out_ay),
-        .in_by(setup_out_by),
-        .in_delta(setup_out_delta),
-        .in_mx(setup_out_mx),
-        .in_my(setup_out_my),
-        .in_depth(setup_out_depth),
-        .in_depth_low(setup_out_depth_low),
-        .in_depth_high(setup_out_depth_high),
-        .in_attribute_0(setup_out_attribute_0),
-        .in_attribute_1(setup_out_attribute_1),
-        .in_attribute_2(setup_out_attribute_2),
-        .in_attribute_3(setup_out_attribute_3),
-        .in_attribute_4(setup_out_attribute_4),
-        .in_attribute_5(setup_out_attribute_5),
-        .in_attribute_6(setup_out_attribute_6),
-        .in_attribute_7(setup_out_attribute_7),
-        .in_attribute_8(setup_out_attribute_8),
-        .in_attribute_9(setup_out_attribute_9),
-        .in_attribute_10(setup_out_attribute_10),
-        .in_attribute_11(setup_out_attribute_11),
-        .in_attribute_12(setup_out_attribute_12),
-        .in_cardinal_0(setup_out_cardinal_0),
-        .in_left(setup_out_left),
-        .in_right(setup_out_right),
-        .in_top(setup_out_top),
+        .clk(clk), .rst(rst),
+        .in_valid(setup_out_valid), .in_ready(splitter_in_ready), .in_end(setup_out_end),
+        .in_center_x(setup_out_center_x), .in_center_y(setup_out_center_y), .in_ax(setup_out_ax),
+        .in_bx(setup_out_bx), .in_ay(setup_out_ay), .in_by(setup_out_by), .in_delta(setup_out_delta),
+        .in_mx(setup_out_mx), .in_my(setup_out_my), .in_depth(setup_out_depth),
+        .in_depth_low(setup_out_depth_low), .in_depth_high(setup_out_depth_high),
+        .in_attribute_0(setup_out_attribute_0), .in_attribute_1(setup_out_attribute_1),
+        .in_attribute_2(setup_out_attribute_2), .in_attribute_3(setup_out_attribute_3),
+        .in_attribute_4(setup_out_attribute_4), .in_attribute_5(setup_out_attribute_5),
+        .in_attribute_6(setup_out_attribute_6), .in_attribute_7(setup_out_attribute_7),
+        .in_attribute_8(setup_out_attribute_8), .in_attribute_9(setup_out_attribute_9),
+        .in_attribute_10(setup_out_attribute_10), .in_attribute_11(setup_out_attribute_11),
+        .in_attribute_12(setup_out_attribute_12), .in_cardinal_0(setup_out_cardinal_0),
+        .in_left(setup_out_left), .in_right(setup_out_right), .in_top(setup_out_top),
         .in_bottom(setup_out_bottom),
-        .out_valid(splitter_out_valid),
-        .out_ready(splitter_out_ready),
-        .out_end(splitter_out_end),
-        .out_center_x(splitter_out_center_x),
-        .out_center_y(splitter_out_center_y),
-        .out_ax(splitter_out_ax),
-        .out_bx(splitter_out_bx),
-        .out_ay(splitter_out_ay),
-        .out_by(splitter_out_by),
-        .out_delta(splitter_out_delta),
-        .out_mx(splitter_out_mx),
-        .out_my(splitter_out_my),
-        .out_depth(splitter_out_depth),
-        .out_depth_low(splitter_out_depth_low),
-        .out_depth_high(splitter_out_depth_high),
-        .out_attribute_0(splitter_out_attribute_0),
-        .out_attribute_1(splitter_out_attribute_1),
-        .out_attribute_2(splitter_out_attribute_2),
-        .out_attribute_3(splitter_out_attribute_3),
-        .out_attribute_4(splitter_out_attribute_4),
-        .out_attribute_5(splitter_out_attribute_5),
-        .out_attribute_6(splitter_out_attribute_6),
-        .out_attribute_7(splitter_out_attribute_7),
-        .out_attribute_8(splitter_out_attribute_8),
-        .out_attribute_9(splitter_out_attribute_9),
-        .out_attribute_10(splitter_out_attribute_10),
-        .out_attribute_11(splitter_out_attribute_11),
-        .out_attribute_12(splitter_out_attribute_12),
-        .out_cardinal_0(splitter_out_cardinal_0),
-        .out_left(splitter_out_left),
-        .out_right(splitter_out_right),
-        .out_top(splitter_out_top),
-        .out_bottom(splitter_out_bottom),
+        .out_valid(splitter_out_valid), .out_ready(reorder_in_ready), .out_end(splitter_out_end),
+        .out_center_x(splitter_out_center_x), .out_center_y(splitter_out_center_y), .out_ax(splitter_out_ax),
+        .out_bx(splitter_out_bx), .out_ay(splitter_out_ay), .out_by(splitter_out_by),
+        .out_delta(splitter_out_delta), .out_mx(splitter_out_mx), .out_my(splitter_out_my),
+        .out_depth(splitter_out_depth), .out_depth_low(splitter_out_depth_low),
+        .out_depth_high(splitter_out_depth_high), .out_attribute_0(splitter_out_attribute_0),
+        .out_attribute_1(splitter_out_attribute_1), .out_attribute_2(splitter_out_attribute_2),
+        .out_attribute_3(splitter_out_attribute_3), .out_attribute_4(splitter_out_attribute_4),
+        .out_attribute_5(splitter_out_attribute_5), .out_attribute_6(splitter_out_attribute_6),
+        .out_attribute_7(splitter_out_attribute_7), .out_attribute_8(splitter_out_attribute_8),
+        .out_attribute_9(splitter_out_attribute_9), .out_attribute_10(splitter_out_attribute_10),
+        .out_attribute_11(splitter_out_attribute_11), .out_attribute_12(splitter_out_attribute_12),
+        .out_cardinal_0(splitter_out_cardinal_0), .out_left(splitter_out_left),
+        .out_right(splitter_out_right), .out_top(splitter_out_top), .out_bottom(splitter_out_bottom),
         .out_tile(splitter_out_tile)
     );
 
     splat_reorder reorder (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(splitter_out_valid),
-        .in_ready(reorder_in_ready),
-        .in_end(splitter_out_end),
-        .in_center_x(splitter_out_center_x),
-        .in_center_y(splitter_out_center_y),
-        .in_ax(splitter_out_ax),
-        .in_bx(splitter_out_bx),
-        .in_ay(splitter_out_ay),
-        .in_by(splitter_out_by),
-        .in_delta(splitter_out_delta),
-        .in_mx(splitter_out_mx),
-        .in_my(splitter_out_my),
-        .in_depth(splitter_out_depth),
-        .in_depth_low(splitter_out_depth_low),
-        .in_depth_high(splitter_out_depth_high),
-        .in_attribute_0(splitter_out_attribute_0),
-        .in_attribute_1(splitter_out_attribute_1),
-        .in_attribute_2(splitter_out_attribute_2),
-        .in_attribute_3(splitter_out_attribute_3),
-        .in_attribute_4(splitter_out_attribute_4),
-        .in_attribute_5(splitter_out_attribute_5),
-        .in_attribute_6(splitter_out_attribute_6),
-        .in_attribute_7(splitter_out_attribute_7),
-        .in_attribute_8(splitter_out_attribute_8),
-        .in_attribute_9(splitter_out_attribute_9),
-        .in_attribute_10(splitter_out_attribute_10),
-        .in_attribute_11(splitter_out_attribute_11),
-        .in_attribute_12(splitter_out_attribute_12),
-        .in_cardinal_0(splitter_out_cardinal_0),
-        .in_left(splitter_out_left),
-        .in_right(splitter_out_right),
-        .in_top(splitter_out_top),
-        .in_bottom(splitter_out_bottom),
-        .in_tile(splitter_out_tile),
-        .out_valid(reorder_out_valid),
-        .out_ready(reorder_out_ready),
-        .out_end(reorder_out_end),
-        .out_center_x(reorder_out_center_x),
-        .out_center_y(reorder_out_center_y),
-        .out_ax(reorder_out_ax),
-        .out_bx(reorder_out_bx),
-        .out_ay(reorder_out_ay),
-        .out_by(reorder_out_by),
-        .out_delta(reorder_out_delta),
-        .out_mx(reorder_out_mx),
-        .out_my(reorder_out_my),
-        .out_depth(reorder_out_depth),
-        .out_depth_low(reorder_out_depth_low),
-        .out_depth_high(reorder_out_depth_high),
-        .out_attribute_0(reorder_out_attribute_0),
-        .out_attribute_1(reorder_out_attribute_1),
-        .out_attribute_2(reorder_out_attribute_2),
-        .out_attribute_3(reorder_out_attribute_3),
-        .out_attribute_4(reorder_out_attribute_4),
-        .out_attribute_5(reorder_out_attribute_5),
-        .out_attribute_6(reorder_out_attribute_6),
-        .out_attribute_7(reorder_out_attribute_7),
-        .out_attribute_8(reorder_out_attribute_8),
-        .out_attribute_9(reorder_out_attribute_9),
-        .out_attribute_10(reorder_out_attribute_10),
-        .out_attribute_11(reorder_out_attribute_11),
-        .out_attribute_12(reorder_out_attribute_12),
-        .out_cardinal_0(reorder_out_cardinal_0),
-        .out_left(reorder_out_left),
-        .out_right(reorder_out_right),
-        .out_top(reorder_out_top),
-        .out_bottom(reorder_out_bottom),
-        .out_tile(reorder_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(splitter_out_valid), .in_ready(reorder_in_ready), .in_end(splitter_out_end),
+        .in_center_x(splitter_out_center_x), .in_center_y(splitter_out_center_y), .in_ax(splitter_out_ax),
+        .in_bx(splitter_out_bx), .in_ay(splitter_out_ay), .in_by(splitter_out_by),
+        .in_delta(splitter_out_delta), .in_mx(splitter_out_mx), .in_my(splitter_out_my),
+        .in_depth(splitter_out_depth), .in_depth_low(splitter_out_depth_low),
+        .in_depth_high(splitter_out_depth_high), .in_attribute_0(splitter_out_attribute_0),
+        .in_attribute_1(splitter_out_attribute_1), .in_attribute_2(splitter_out_attribute_2),
+        .in_attribute_3(splitter_out_attribute_3), .in_attribute_4(splitter_out_attribute_4),
+        .in_attribute_5(splitter_out_attribute_5), .in_attribute_6(splitter_out_attribute_6),
+        .in_attribute_7(splitter_out_attribute_7), .in_attribute_8(splitter_out_attribute_8),
+        .in_attribute_9(splitter_out_attribute_9), .in_attribute_10(splitter_out_attribute_10),
+        .in_attribute_11(splitter_out_attribute_11), .in_attribute_12(splitter_out_attribute_12),
+        .in_cardinal_0(splitter_out_cardinal_0), .in_left(splitter_out_left), .in_right(splitter_out_right),
+        .in_top(splitter_out_top), .in_bottom(splitter_out_bottom), .in_tile(splitter_out_tile),
+        .out_valid(reorder_out_valid), .out_ready(tile_cache_in_ready), .out_end(reorder_out_end),
+        .out_center_x(reorder_out_center_x), .out_center_y(reorder_out_center_y), .out_ax(reorder_out_ax),
+        .out_bx(reorder_out_bx), .out_ay(reorder_out_ay), .out_by(reorder_out_by),
+        .out_delta(reorder_out_delta), .out_mx(reorder_out_mx), .out_my(reorder_out_my),
+        .out_depth(reorder_out_depth), .out_depth_low(reorder_out_depth_low),
+        .out_depth_high(reorder_out_depth_high), .out_attribute_0(reorder_out_attribute_0),
+        .out_attribute_1(reorder_out_attribute_1), .out_attribute_2(reorder_out_attribute_2),
+        .out_attribute_3(reorder_out_attribute_3), .out_attribute_4(reorder_out_attribute_4),
+        .out_attribute_5(reorder_out_attribute_5), .out_attribute_6(reorder_out_attribute_6),
+        .out_attribute_7(reorder_out_attribute_7), .out_attribute_8(reorder_out_attribute_8),
+        .out_attribute_9(reorder_out_attribute_9), .out_attribute_10(reorder_out_attribute_10),
+        .out_attribute_11(reorder_out_attribute_11), .out_attribute_12(reorder_out_attribute_12),
+        .out_cardinal_0(reorder_out_cardinal_0), .out_left(reorder_out_left), .out_right(reorder_out_right),
+        .out_top(reorder_out_top), .out_bottom(reorder_out_bottom), .out_tile(reorder_out_tile)
     );
 
     splat_tile_cache tile_cache (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(reorder_out_valid),
-        .in_ready(tile_cache_in_ready),
-        .in_end(reorder_out_end),
-        .in_center_x(reorder_out_center_x),
-        .in_center_y(reorder_out_center_y),
-        .in_ax(reorder_out_ax),
-        .in_bx(reorder_out_bx),
-        .in_ay(reorder_out_ay),
-        .in_by(reorder_out_by),
-        .in_delta(reorder_out_delta),
-        .in_mx(reorder_out_mx),
-        .in_my(reorder_out_my),
-        .in_depth(reorder_out_depth),
-        .in_depth_low(reorder_out_depth_low),
-        .in_depth_high(reorder_out_depth_high),
-        .in_attribute_0(reorder_out_attribute_0),
-        .in_attribute_1(reorder_out_attribute_1),
-        .in_attribute_2(reorder_out_attribute_2),
-        .in_attribute_3(reorder_out_attribute_3),
-        .in_attribute_4(reorder_out_attribute_4),
-        .in_attribute_5(reorder_out_attribute_5),
-        .in_attribute_6(reorder_out_attribute_6),
-        .in_attribute_7(reorder_out_attribute_7),
-        .in_attribute_8(reorder_out_attribute_8),
-        .in_attribute_9(reorder_out_attribute_9),
-        .in_attribute_10(reorder_out_attribute_10),
-        .in_attribute_11(reorder_out_attribute_11),
-        .in_attribute_12(reorder_out_attribute_12),
-        .in_cardinal_0(reorder_out_cardinal_0),
-        .in_left(reorder_out_left),
-        .in_right(reorder_out_right),
-        .in_top(reorder_out_top),
-        .in_bottom(reorder_out_bottom),
-        .in_tile(reorder_out_tile),
-        .out_valid(tile_cache_out_valid),
-        .out_ready(tile_cache_out_ready),
-        .out_end(tile_cache_out_end),
-        .out_center_x(tile_cache_out_center_x),
-        .out_center_y(tile_cache_out_center_y),
-        .out_ax(tile_cache_out_ax),
-        .out_bx(tile_cache_out_bx),
-        .out_ay(tile_cache_out_ay),
-        .out_by(tile_cache_out_by),
-        .out_delta(tile_cache_out_delta),
-        .out_mx(tile_cache_out_mx),
-        .out_my(tile_cache_out_my),
-        .out_depth(tile_cache_out_depth),
-        .out_depth_low(tile_cache_out_depth_low),
-        .out_depth_high(tile_cache_out_depth_high),
-        .out_attribute_0(tile_cache_out_attribute_0),
-        .out_attribute_1(tile_cache_out_attribute_1),
-        .out_attribute_2(tile_cache_out_attribute_2),
-        .out_attribute_3(tile_cache_out_attribute_3),
-        .out_attribute_4(tile_cache_out_attribute_4),
-        .out_attribute_5(tile_cache_out_attribute_5),
-        .out_attribute_6(tile_cache_out_attribute_6),
-        .out_attribute_7(tile_cache_out_attribute_7),
-        .out_attribute_8(tile_cache_out_attribute_8),
-        .out_attribute_9(tile_cache_out_attribute_9),
-        .out_attribute_10(tile_cache_out_attribute_10),
-        .out_attribute_11(tile_cache_out_attribute_11),
-        .out_attribute_12(tile_cache_out_attribute_12),
-        .out_cardinal_0(tile_cache_out_cardinal_0),
-        .out_left(tile_cache_out_left),
-        .out_right(tile_cache_out_right),
-        .out_top(tile_cache_out_top),
-        .out_bottom(tile_cache_out_bottom),
-        .out_tile(tile_cache_out_tile),
-        .out_slot(tile_cache_out_slot),
-        .read_valid(tile_cache_read_valid),
-        .read_ready(tile_cache_read_ready),
-        .read_tile(tile_cache_read_tile),
-        .data_valid(data_valid),
-        .data_ready(tile_cache_data_ready),
-        .data_weight(data_weight),
-        .data_depth(data_depth),
-        .data_peak(data_peak),
-        .data_attribute_0(data_attribute_0),
-        .data_attribute_1(data_attribute_1),
-        .data_attribute_2(data_attribute_2),
-        .data_attribute_3(data_attribute_3),
-        .data_attribute_4(data_attribute_4),
-        .data_attribute_5(data_attribute_5),
-        .data_attribute_6(data_attribute_6),
-        .data_attribute_7(data_attribute_7),
-        .data_attribute_8(data_attribute_8),
-        .data_attribute_9(data_attribute_9),
-        .data_attribute_10(data_attribute_10),
-        .data_attribute_11(data_attribute_11),
-        .data_attribute_12(data_attribute_12),
+        .clk(clk), .rst(rst),
+        .in_valid(reorder_out_valid), .in_ready(tile_cache_in_ready), .in_end(reorder_out_end),
+        .in_center_x(reorder_out_center_x), .in_center_y(reorder_out_center_y), .in_ax(reorder_out_ax),
+        .in_bx(reorder_out_bx), .in_ay(reorder_out_ay), .in_by(reorder_out_by), .in_delta(reorder_out_delta),
+        .in_mx(reorder_out_mx), .in_my(reorder_out_my), .in_depth(reorder_out_depth),
+        .in_depth_low(reorder_out_depth_low), .in_depth_high(reorder_out_depth_high),
+        .in_attribute_0(reorder_out_attribute_0), .in_attribute_1(reorder_out_attribute_1),
+        .in_attribute_2(reorder_out_attribute_2), .in_attribute_3(reorder_out_attribute_3),
+        .in_attribute_4(reorder_out_attribute_4), .in_attribute_5(reorder_out_attribute_5),
+        .in_attribute_6(reorder_out_attribute_6), .in_attribute_7(reorder_out_attribute_7),
+        .in_attribute_8(reorder_out_attribute_8), .in_attribute_9(reorder_out_attribute_9),
+        .in_attribute_10(reorder_out_attribute_10), .in_attribute_11(reorder_out_attribute_11),
+        .in_attribute_12(reorder_out_attribute_12), .in_cardinal_0(reorder_out_cardinal_0),
+        .in_left(reorder_out_left), .in_right(reorder_out_right), .in_top(reorder_out_top),
+        .in_bottom(reorder_out_bottom), .in_tile(reorder_out_tile),
+        .out_valid(tile_cache_out_valid), .out_ready(rasterizer_in_ready), .out_end(tile_cache_out_end),
+        .out_center_x(tile_cache_out_center_x), .out_center_y(tile_cache_out_center_y),
+        .out_ax(tile_cache_out_ax), .out_bx(tile_cache_out_bx), .out_ay(tile_cache_out_ay),
+        .out_by(tile_cache_out_by), .out_delta(tile_cache_out_delta), .out_mx(tile_cache_out_mx),
+        .out_my(tile_cache_out_my), .out_depth(tile_cache_out_depth),
+        .out_depth_low(tile_cache_out_depth_low), .out_depth_high(tile_cache_out_depth_high),
+        .out_attribute_0(tile_cache_out_attribute_0), .out_attribute_1(tile_cache_out_attribute_1),
+        .out_attribute_2(tile_cache_out_attribute_2), .out_attribute_3(tile_cache_out_attribute_3),
+        .out_attribute_4(tile_cache_out_attribute_4), .out_attribute_5(tile_cache_out_attribute_5),
+        .out_attribute_6(tile_cache_out_attribute_6), .out_attribute_7(tile_cache_out_attribute_7),
+        .out_attribute_8(tile_cache_out_attribute_8), .out_attribute_9(tile_cache_out_attribute_9),
+        .out_attribute_10(tile_cache_out_attribute_10), .out_attribute_11(tile_cache_out_attribute_11),
+        .out_attribute_12(tile_cache_out_attribute_12), .out_cardinal_0(tile_cache_out_cardinal_0),
+        .out_left(tile_cache_out_left), .out_right(tile_cache_out_right), .out_top(tile_cache_out_top),
+        .out_bottom(tile_cache_out_bottom), .out_tile(tile_cache_out_tile), .out_slot(tile_cache_out_slot),
+        .read_valid(tile_cache_read_valid), .read_ready(read_ready), .read_tile(tile_cache_read_tile),
+        .data_valid(data_valid), .data_ready(tile_cache_data_ready), .data_weight(data_weight),
+        .data_depth(data_depth), .data_peak(data_peak), .data_attribute_0(data_attribute_0),
+        .data_attribute_1(data_attribute_1), .data_attribute_2(data_attribute_2),
+        .data_attribute_3(data_attribute_3), .data_attribute_4(data_attribute_4),
+        .data_attribute_5(data_attribute_5), .data_attribute_6(data_attribute_6),
+        .data_attribute_7(data_attribute_7), .data_attribute_8(data_attribute_8),
+        .data_attribute_9(data_attribute_9), .data_attribute_10(data_attribute_10),
+        .data_attribute_11(data_attribute_11), .data_attribute_12(data_attribute_12),
         .data_cardinal_0(data_cardinal_0),
-        .write_valid(tile_cache_write_valid),
-        .write_ready(tile_cache_write_ready),
-        .write_tile(tile_cache_write_tile),
-        .write_pixel(tile_cache_write_pixel),
-        .write_weight(tile_cache_write_weight),
-        .write_depth(tile_cache_write_depth),
-        .write_peak(tile_cache_write_peak),
-        .write_attribute_0(tile_cache_write_attribute_0),
-        .write_attribute_1(tile_cache_write_attribute_1),
-        .write_attribute_2(tile_cache_write_attribute_2),
-        .write_attribute_3(tile_cache_write_attribute_3),
-        .write_attribute_4(tile_cache_write_attribute_4),
-        .write_attribute_5(tile_cache_write_attribute_5),
-        .write_attribute_6(tile_cache_write_attribute_6),
-        .write_attribute_7(tile_cache_write_attribute_7),
-        .write_attribute_8(tile_cache_write_attribute_8),
-        .write_attribute_9(tile_cache_write_attribute_9),
+        .write_valid(tile_cache_write_valid), .write_ready(write_ready), .write_tile(tile_cache_write_tile),
+        .write_pixel(tile_cache_write_pixel), .write_weight(tile_cache_write_weight),
+        .write_depth(tile_cache_write_depth), .write_peak(tile_cache_write_peak),
+        .write_attribute_0(tile_cache_write_attribute_0), .write_attribute_1(tile_cache_write_attribute_1),
+        .write_attribute_2(tile_cache_write_attribute_2), .write_attribute_3(tile_cache_write_attribute_3),
+        .write_attribute_4(tile_cache_write_attribute_4), .write_attribute_5(tile_cache_write_attribute_5),
+        .write_attribute_6(tile_cache_write_attribute_6), .write_attribute_7(tile_cache_write_attribute_7),
+        .write_attribute_8(tile_cache_write_attribute_8), .write_attribute_9(tile_cache_write_attribute_9),
         .write_attribute_10(tile_cache_write_attribute_10),
         .write_attribute_11(tile_cache_write_attribute_11),
-        .write_attribute_12(tile_cache_write_attribute_12),
-        .write_cardinal_0(tile_cache_write_cardinal_0),
-        .pixel_valid(tile_cache_pixel_valid),
-        .pixel_ready(tile_cache_pixel_ready),
-        .pixel_end(tile_cache_pixel_end),
-        .pixel_tile(tile_cache_pixel_tile),
-        .pixel_pixel(tile_cache_pixel_pixel),
-        .pixel_weight(tile_cache_pixel_weight),
-        .pixel_depth(tile_cache_pixel_depth),
-        .pixel_peak(tile_cache_pixel_peak),
-        .pixel_attribute_0(tile_cache_pixel_attribute_0),
-        .pixel_attribute_1(tile_cache_pixel_attribute_1),
-        .pixel_attribute_2(tile_cache_pixel_attribute_2),
-        .pixel_attribute_3(tile_cache_pixel_attribute_3),
-        .pixel_attribute_4(tile_cache_pixel_attribute_4),
-        .pixel_attribute_5(tile_cache_pixel_attribute_5),
-        .pixel_attribute_6(tile_cache_pixel_attribute_6),
-        .pixel_attribute_7(tile_cache_pixel_attribute_7),
-        .pixel_attribute_8(tile_cache_pixel_attribute_8),
-        .pixel_attribute_9(tile_cache_pixel_attribute_9),
+        .write_attribute_12(tile_cache_write_attribute_12), .write_cardinal_0(tile_cache_write_cardinal_0),
+        .pixel_valid(tile_cache_pixel_valid), .pixel_ready(normalizer_in_ready),
+        .pixel_end(tile_cache_pixel_end), .pixel_tile(tile_cache_pixel_tile),
+        .pixel_pixel(tile_cache_pixel_pixel), .pixel_weight(tile_cache_pixel_weight),
+        .pixel_depth(tile_cache_pixel_depth), .pixel_peak(tile_cache_pixel_peak),
+        .pixel_attribute_0(tile_cache_pixel_attribute_0), .pixel_attribute_1(tile_cache_pixel_attribute_1),
+        .pixel_attribute_2(tile_cache_pixel_attribute_2), .pixel_attribute_3(tile_cache_pixel_attribute_3),
+        .pixel_attribute_4(tile_cache_pixel_attribute_4), .pixel_attribute_5(tile_cache_pixel_attribute_5),
+        .pixel_attribute_6(tile_cache_pixel_attribute_6), .pixel_attribute_7(tile_cache_pixel_attribute_7),
+        .pixel_attribute_8(tile_cache_pixel_attribute_8), .pixel_attribute_9(tile_cache_pixel_attribute_9),
         .pixel_attribute_10(tile_cache_pixel_attribute_10),
         .pixel_attribute_11(tile_cache_pixel_attribute_11),
-        .pixel_attribute_12(tile_cache_pixel_attribute_12),
-        .pixel_cardinal_0(tile_cache_pixel_cardinal_0),
+        .pixel_attribute_12(tile_cache_pixel_attribute_12), .pixel_cardinal_0(tile_cache_pixel_cardinal_0),
         .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid),
-        .retire_slot(accumulator_retire_slot),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
         .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid),
-        .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel),
-        .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth),
-        .fill_peak(tile_cache_fill_peak),
-        .fill_attribute_0(tile_cache_fill_attribute_0),
-        .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2),
-        .fill_attribute_3(tile_cache_fill_attribute_3),
-        .fill_attribute_4(tile_cache_fill_attribute_4),
-        .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6),
-        .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8),
-        .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10),
-        .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12),
-        .fill_cardinal_0(tile_cache_fill_cardinal_0),
-        .drain_enable(tile_cache_drain_enable),
-        .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel),
-        .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth),
-        .drain_peak(accumulator_drain_peak),
-        .drain_attribute_0(accumulator_drain_attribute_0),
-        .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2),
-        .drain_attribute_3(accumulator_drain_attribute_3),
-        .drain_attribute_4(accumulator_drain_attribute_4),
-        .drain_attribute_5(accumulator_drain_attribute_5),
-        .drain_attribute_6(accumulator_drain_attribute_6),
-        .drain_attribute_7(accumulator_drain_attribute_7),
-        .drain_attribute_8(accumulator_drain_attribute_8),
-        .drain_attribute_9(accumulator_drain_attribute_9),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth), .drain_peak(accumulator_drain_peak),
+        .drain_attribute_0(accumulator_drain_attribute_0), .drain_attribute_1(accumulator_drain_attribute_1),
+        .drain_attribute_2(accumulator_drain_attribute_2), .drain_attribute_3(accumulator_drain_attribute_3),
+        .drain_attribute_4(accumulator_drain_attribute_4), .drain_attribute_5(accumulator_drain_attribute_5),
+        .drain_attribute_6(accumulator_drain_attribute_6), .drain_attribute_7(accumulator_drain_attribute_7),
+        .drain_attribute_8(accumulator_drain_attribute_8), .drain_attribute_9(accumulator_drain_attribute_9),
         .drain_attribute_10(accumulator_drain_attribute_10),
         .drain_attribute_11(accumulator_drain_attribute_11),
-        .drain_attribute_12(accumulator_drain_attribute_12),
-        .drain_cardinal_0(accumulator_drain_cardinal_0)
+        .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0)
     );
 
     splat_rasterizer rasterizer (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(tile_cache_out_valid),
-        .in_ready(rasterizer_in_ready),
-        .in_end(tile_cache_out_end),
-        .in_center_x(tile_cache_out_center_x),
-        .in_center_y(tile_cache_out_center_y),
-        .in_ax(tile_cache_out_ax),
-        .in_bx(tile_cache_out_bx),
-        .in_ay(tile_cache_out_ay),
-        .in_by(tile_cache_out_by),
-        .in_delta(tile_cache_out_delta),
-        .in_mx(tile_cache_out_mx),
-        .in_my(tile_cache_out_my),
-        .in_depth(tile_cache_out_depth),
-        .in_depth_low(tile_cache_out_depth_low),
-        .in_depth_high(tile_cache_out_depth_high),
-        .in_attribute_0(tile_cache_out_attribute_0),
-        .in_attribute_1(tile_cache_out_attribute_1),
-        .in_attribute_2(tile_cache_out_attribute_2),
-        .in_attribute_3(tile_cache_out_attribute_3),
-        .in_attribute_4(tile_cache_out_attribute_4),
-        .in_attribute_5(tile_cache_out_attribute_5),
-        .in_attribute_6(tile_cache_out_attribute_6),
-        .in_attribute_7(tile_cache_out_attribute_7),
-        .in_attribute_8(tile_cache_out_attribute_8),
-        .in_attribute_9(tile_cache_out_attribute_9),
-        .in_attribute_10(tile_cache_out_attribute_10),
-        .in_attribute_11(tile_cache_out_attribute_11),
-        .in_attribute_12(tile_cache_out_attribute_12),
-        .in_cardinal_0(tile_cache_out_cardinal_0),
-        .in_left(tile_cache_out_left),
-        .in_right(tile_cache_out_right),
-        .in_top(tile_cache_out_top),
-        .in_bottom(tile_cache_out_bottom),
-        .in_tile(tile_cache_out_tile),
-        .in_slot(tile_cache_out_slot),
-        .out_valid(rasterizer_out_valid),
-        .out_ready(rasterizer_out_ready),
-        .out_end(rasterizer_out_end),
-        .out_last(rasterizer_out_last),
-        .out_inside(rasterizer_out_inside),
-        .out_slot(rasterizer_out_slot),
-        .out_pixel(rasterizer_out_pixel),
-        .out_weight(rasterizer_out_weight),
-        .out_depth(rasterizer_out_depth),
-        .out_depth_low(rasterizer_out_depth_low),
-        .out_depth_high(rasterizer_out_depth_high),
-        .out_attribute_0(rasterizer_out_attribute_0),
-        .out_attribute_1(rasterizer_out_attribute_1),
-        .out_attribute_2(rasterizer_out_attribute_2),
-        .out_attribute_3(rasterizer_out_attribute_3),
-        .out_attribute_4(rasterizer_out_attribute_4),
-        .out_attribute_5(rasterizer_out_attribute_5),
-        .out_attribute_6(rasterizer_out_attribute_6),
-        .out_attribute_7(rasterizer_out_attribute_7),
-        .out_attribute_8(rasterizer_out_attribute_8),
-        .out_attribute_9(rasterizer_out_attribute_9),
-        .out_attribute_10(rasterizer_out_attribute_10),
-        .out_attribute_11(rasterizer_out_attribute_11),
-        .out_attribute_12(rasterizer_out_attribute_12),
+        .clk(clk), .rst(rst),
+        .in_valid(tile_cache_out_valid), .in_ready(rasterizer_in_ready), .in_end(tile_cache_out_end),
+        .in_center_x(tile_cache_out_center_x), .in_center_y(tile_cache_out_center_y),
+        .in_ax(tile_cache_out_ax), .in_bx(tile_cache_out_bx), .in_ay(tile_cache_out_ay),
+        .in_by(tile_cache_out_by), .in_delta(tile_cache_out_delta), .in_mx(tile_cache_out_mx),
+        .in_my(tile_cache_out_my), .in_depth(tile_cache_out_depth), .in_depth_low(tile_cache_out_depth_low),
+        .in_depth_high(tile_cache_out_depth_high), .in_attribute_0(tile_cache_out_attribute_0),
+        .in_attribute_1(tile_cache_out_attribute_1), .in_attribute_2(tile_cache_out_attribute_2),
+        .in_attribute_3(tile_cache_out_attribute_3), .in_attribute_4(tile_cache_out_attribute_4),
+        .in_attribute_5(tile_cache_out_attribute_5), .in_attribute_6(tile_cache_out_attribute_6),
+        .in_attribute_7(tile_cache_out_attribute_7), .in_attribute_8(tile_cache_out_attribute_8),
+        .in_attribute_9(tile_cache_out_attribute_9), .in_attribute_10(tile_cache_out_attribute_10),
+        .in_attribute_11(tile_cache_out_attribute_11), .in_attribute_12(tile_cache_out_attribute_12),
+        .in_cardinal_0(tile_cache_out_cardinal_0), .in_left(tile_cache_out_left),
+        .in_right(tile_cache_out_right), .in_top(tile_cache_out_top), .in_bottom(tile_cache_out_bottom),
+        .in_tile(tile_cache_out_tile), .in_slot(tile_cache_out_slot),
+        .out_valid(rasterizer_out_valid), .out_ready(weighting_in_ready), .out_end(rasterizer_out_end),
+        .out_last(rasterizer_out_last), .out_inside(rasterizer_out_inside), .out_slot(rasterizer_out_slot),
+        .out_pixel(rasterizer_out_pixel), .out_weight(rasterizer_out_weight),
+        .out_depth(rasterizer_out_depth), .out_depth_low(rasterizer_out_depth_low),
+        .out_depth_high(rasterizer_out_depth_high), .out_attribute_0(rasterizer_out_attribute_0),
+        .out_attribute_1(rasterizer_out_attribute_1), .out_attribute_2(rasterizer_out_attribute_2),
+        .out_attribute_3(rasterizer_out_attribute_3), .out_attribute_4(rasterizer_out_attribute_4),
+        .out_attribute_5(rasterizer_out_attribute_5), .out_attribute_6(rasterizer_out_attribute_6),
+        .out_attribute_7(rasterizer_out_attribute_7), .out_attribute_8(rasterizer_out_attribute_8),
+        .out_attribute_9(rasterizer_out_attribute_9), .out_attribute_10(rasterizer_out_attribute_10),
+        .out_attribute_11(rasterizer_out_attribute_11), .out_attribute_12(rasterizer_out_attribute_12),
         .out_cardinal_0(rasterizer_out_cardinal_0),
         .filter_scale(uniform_filter_scale),
-        .event_sample(rasterizer_event_sample),
-        .event_starved(rasterizer_event_starved),
+        .event_sample(rasterizer_event_sample), .event_starved(rasterizer_event_starved),
         .event_blocked(rasterizer_event_blocked)
     );
 
     splat_weighting weighting (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(rasterizer_out_valid),
-        .in_ready(weighting_in_ready),
-        .in_end(rasterizer_out_end),
-        .in_last(rasterizer_out_last),
-        .in_inside(rasterizer_out_inside),
-        .in_slot(rasterizer_out_slot),
-        .in_pixel(rasterizer_out_pixel),
-        .in_weight(rasterizer_out_weight),
-        .in_depth(rasterizer_out_depth),
-        .in_depth_low(rasterizer_out_depth_low),
-        .in_depth_high(rasterizer_out_depth_high),
-        .in_attribute_0(rasterizer_out_attribute_0),
-        .in_attribute_1(rasterizer_out_attribute_1),
-        .in_attribute_2(rasterizer_out_attribute_2),
-        .in_attribute_3(rasterizer_out_attribute_3),
-        .in_attribute_4(rasterizer_out_attribute_4),
-        .in_attribute_5(rasterizer_out_attribute_5),
-        .in_attribute_6(rasterizer_out_attribute_6),
-        .in_attribute_7(rasterizer_out_attribute_7),
-        .in_attribute_8(rasterizer_out_attribute_8),
-        .in_attribute_9(rasterizer_out_attribute_9),
-        .in_attribute_10(rasterizer_out_attribute_10),
-        .in_attribute_11(rasterizer_out_attribute_11),
-        .in_attribute_12(rasterizer_out_attribute_12),
-        .in_cardinal_0(rasterizer_out_cardinal_0),
-        .out_valid(weighting_out_valid),
-        .out_ready(weighting_out_ready),
-        .out_end(weighting_out_end),
-        .out_last(weighting_out_last),
-        .out_inside(weighting_out_inside),
-        .out_slot(weighting_out_slot),
-        .out_pixel(weighting_out_pixel),
-        .out_weight(weighting_out_weight),
-        .out_weighted_depth(weighting_out_weighted_depth),
-        .out_depth_low(weighting_out_depth_low),
-        .out_depth_high(weighting_out_depth_high),
-        .out_attribute_0(weighting_out_attribute_0),
-        .out_attribute_1(weighting_out_attribute_1),
-        .out_attribute_2(weighting_out_attribute_2),
-        .out_attribute_3(weighting_out_attribute_3),
-        .out_attribute_4(weighting_out_attribute_4),
-        .out_attribute_5(weighting_out_attribute_5),
-        .out_attribute_6(weighting_out_attribute_6),
-        .out_attribute_7(weighting_out_attribute_7),
-        .out_attribute_8(weighting_out_attribute_8),
-        .out_attribute_9(weighting_out_attribute_9),
-        .out_attribute_10(weighting_out_attribute_10),
-        .out_attribute_11(weighting_out_attribute_11),
-        .out_attribute_12(weighting_out_attribute_12),
+        .clk(clk), .rst(rst),
+        .in_valid(rasterizer_out_valid), .in_ready(weighting_in_ready), .in_end(rasterizer_out_end),
+        .in_last(rasterizer_out_last), .in_inside(rasterizer_out_inside), .in_slot(rasterizer_out_slot),
+        .in_pixel(rasterizer_out_pixel), .in_weight(rasterizer_out_weight), .in_depth(rasterizer_out_depth),
+        .in_depth_low(rasterizer_out_depth_low), .in_depth_high(rasterizer_out_depth_high),
+        .in_attribute_0(rasterizer_out_attribute_0), .in_attribute_1(rasterizer_out_attribute_1),
+        .in_attribute_2(rasterizer_out_attribute_2), .in_attribute_3(rasterizer_out_attribute_3),
+        .in_attribute_4(rasterizer_out_attribute_4), .in_attribute_5(rasterizer_out_attribute_5),
+        .in_attribute_6(rasterizer_out_attribute_6), .in_attribute_7(rasterizer_out_attribute_7),
+        .in_attribute_8(rasterizer_out_attribute_8), .in_attribute_9(rasterizer_out_attribute_9),
+        .in_attribute_10(rasterizer_out_attribute_10), .in_attribute_11(rasterizer_out_attribute_11),
+        .in_attribute_12(rasterizer_out_attribute_12), .in_cardinal_0(rasterizer_out_cardinal_0),
+        .out_valid(weighting_out_valid), .out_ready(accumulator_in_ready), .out_end(weighting_out_end),
+        .out_last(weighting_out_last), .out_inside(weighting_out_inside), .out_slot(weighting_out_slot),
+        .out_pixel(weighting_out_pixel), .out_weight(weighting_out_weight),
+        .out_weighted_depth(weighting_out_weighted_depth), .out_depth_low(weighting_out_depth_low),
+        .out_depth_high(weighting_out_depth_high), .out_attribute_0(weighting_out_attribute_0),
+        .out_attribute_1(weighting_out_attribute_1), .out_attribute_2(weighting_out_attribute_2),
+        .out_attribute_3(weighting_out_attribute_3), .out_attribute_4(weighting_out_attribute_4),
+        .out_attribute_5(weighting_out_attribute_5), .out_attribute_6(weighting_out_attribute_6),
+        .out_attribute_7(weighting_out_attribute_7), .out_attribute_8(weighting_out_attribute_8),
+        .out_attribute_9(weighting_out_attribute_9), .out_attribute_10(weighting_out_attribute_10),
+        .out_attribute_11(weighting_out_attribute_11), .out_attribute_12(weighting_out_attribute_12),
         .out_cardinal_0(weighting_out_cardinal_0)
     );
 
     splat_accumulator accumulator (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(weighting_out_valid),
-        .in_ready(accumulator_in_ready),
-        .in_end(weighting_out_end),
-        .in_last(weighting_out_last),
-        .in_inside(weighting_out_inside),
-        .in_slot(weighting_out_slot),
-        .in_pixel(weighting_out_pixel),
-        .in_weight(weighting_out_weight),
-        .in_weighted_depth(weighting_out_weighted_depth),
-        .in_depth_low(weighting_out_depth_low),
-        .in_depth_high(weighting_out_depth_high),
-        .in_attribute_0(weighting_out_attribute_0),
-        .in_attribute_1(weighting_out_attribute_1),
-        .in_attribute_2(weighting_out_attribute_2),
-        .in_attribute_3(weighting_out_attribute_3),
-        .in_attribute_4(weighting_out_attribute_4),
-        .in_attribute_5(weighting_out_attribute_5),
-        .in_attribute_6(weighting_out_attribute_6),
-        .in_attribute_7(weighting_out_attribute_7),
-        .in_attribute_8(weighting_out_attribute_8),
-        .in_attribute_9(weighting_out_attribute_9),
-        .in_attribute_10(weighting_out_attribute_10),
-        .in_attribute_11(weighting_out_attribute_11),
-        .in_attribute_12(weighting_out_attribute_12),
+        .clk(clk), .rst(rst),
+        .in_valid(weighting_out_valid), .in_ready(accumulator_in_ready), .in_end(weighting_out_end),
+        .in_last(weighting_out_last), .in_inside(weighting_out_inside), .in_slot(weighting_out_slot),
+        .in_pixel(weighting_out_pixel), .in_weight(weighting_out_weight),
+        .in_weighted_depth(weighting_out_weighted_depth), .in_depth_low(weighting_out_depth_low),
+        .in_depth_high(weighting_out_depth_high), .in_attribute_0(weighting_out_attribute_0),
+        .in_attribute_1(weighting_out_attribute_1), .in_attribute_2(weighting_out_attribute_2),
+        .in_attribute_3(weighting_out_attribute_3), .in_attribute_4(weighting_out_attribute_4),
+        .in_attribute_5(weighting_out_attribute_5), .in_attribute_6(weighting_out_attribute_6),
+        .in_attribute_7(weighting_out_attribute_7), .in_attribute_8(weighting_out_attribute_8),
+        .in_attribute_9(weighting_out_attribute_9), .in_attribute_10(weighting_out_attribute_10),
+        .in_attribute_11(weighting_out_attribute_11), .in_attribute_12(weighting_out_attribute_12),
         .in_cardinal_0(weighting_out_cardinal_0),
         .slot_ready(tile_cache_slot_ready),
-        .retire_valid(accumulator_retire_valid),
-        .retire_slot(accumulator_retire_slot),
+        .retire_valid(accumulator_retire_valid), .retire_slot(accumulator_retire_slot),
         .frame_end(accumulator_frame_end),
-        .fill_valid(tile_cache_fill_valid),
-        .fill_slot(tile_cache_fill_slot),
-        .fill_pixel(tile_cache_fill_pixel),
-        .fill_weight(tile_cache_fill_weight),
-        .fill_depth(tile_cache_fill_depth),
-        .fill_peak(tile_cache_fill_peak),
-        .fill_attribute_0(tile_cache_fill_attribute_0),
-        .fill_attribute_1(tile_cache_fill_attribute_1),
-        .fill_attribute_2(tile_cache_fill_attribute_2),
-        .fill_attribute_3(tile_cache_fill_attribute_3),
-        .fill_attribute_4(tile_cache_fill_attribute_4),
-        .fill_attribute_5(tile_cache_fill_attribute_5),
-        .fill_attribute_6(tile_cache_fill_attribute_6),
-        .fill_attribute_7(tile_cache_fill_attribute_7),
-        .fill_attribute_8(tile_cache_fill_attribute_8),
-        .fill_attribute_9(tile_cache_fill_attribute_9),
-        .fill_attribute_10(tile_cache_fill_attribute_10),
-        .fill_attribute_11(tile_cache_fill_attribute_11),
-        .fill_attribute_12(tile_cache_fill_attribute_12),
-        .fill_cardinal_0(tile_cache_fill_cardinal_0),
-        .drain_enable(tile_cache_drain_enable),
-        .drain_slot(tile_cache_drain_slot),
-        .drain_pixel(tile_cache_drain_pixel),
-        .drain_weight(accumulator_drain_weight),
-        .drain_depth(accumulator_drain_depth),
-        .drain_peak(accumulator_drain_peak),
-        .drain_attribute_0(accumulator_drain_attribute_0),
-        .drain_attribute_1(accumulator_drain_attribute_1),
-        .drain_attribute_2(accumulator_drain_attribute_2),
-        .drain_attribute_3(accumulator_drain_attribute_3),
-        .drain_attribute_4(accumulator_drain_attribute_4),
-        .drain_attribute_5(accumulator_drain_attribute_5),
-        .drain_attribute_6(accumulator_drain_attribute_6),
-        .drain_attribute_7(accumulator_drain_attribute_7),
-        .drain_attribute_8(accumulator_drain_attribute_8),
-        .drain_attribute_9(accumulator_drain_attribute_9),
+        .fill_valid(tile_cache_fill_valid), .fill_slot(tile_cache_fill_slot),
+        .fill_pixel(tile_cache_fill_pixel), .fill_weight(tile_cache_fill_weight),
+        .fill_depth(tile_cache_fill_depth), .fill_peak(tile_cache_fill_peak),
+        .fill_attribute_0(tile_cache_fill_attribute_0), .fill_attribute_1(tile_cache_fill_attribute_1),
+        .fill_attribute_2(tile_cache_fill_attribute_2), .fill_attribute_3(tile_cache_fill_attribute_3),
+        .fill_attribute_4(tile_cache_fill_attribute_4), .fill_attribute_5(tile_cache_fill_attribute_5),
+        .fill_attribute_6(tile_cache_fill_attribute_6), .fill_attribute_7(tile_cache_fill_attribute_7),
+        .fill_attribute_8(tile_cache_fill_attribute_8), .fill_attribute_9(tile_cache_fill_attribute_9),
+        .fill_attribute_10(tile_cache_fill_attribute_10), .fill_attribute_11(tile_cache_fill_attribute_11),
+        .fill_attribute_12(tile_cache_fill_attribute_12), .fill_cardinal_0(tile_cache_fill_cardinal_0),
+        .drain_enable(tile_cache_drain_enable), .drain_slot(tile_cache_drain_slot),
+        .drain_pixel(tile_cache_drain_pixel), .drain_weight(accumulator_drain_weight),
+        .drain_depth(accumulator_drain_depth), .drain_peak(accumulator_drain_peak),
+        .drain_attribute_0(accumulator_drain_attribute_0), .drain_attribute_1(accumulator_drain_attribute_1),
+        .drain_attribute_2(accumulator_drain_attribute_2), .drain_attribute_3(accumulator_drain_attribute_3),
+        .drain_attribute_4(accumulator_drain_attribute_4), .drain_attribute_5(accumulator_drain_attribute_5),
+        .drain_attribute_6(accumulator_drain_attribute_6), .drain_attribute_7(accumulator_drain_attribute_7),
+        .drain_attribute_8(accumulator_drain_attribute_8), .drain_attribute_9(accumulator_drain_attribute_9),
         .drain_attribute_10(accumulator_drain_attribute_10),
         .drain_attribute_11(accumulator_drain_attribute_11),
-        .drain_attribute_12(accumulator_drain_attribute_12),
-        .drain_cardinal_0(accumulator_drain_cardinal_0),
-        .event_accumulate(accumulator_event_accumulate),
-        .event_hazard(accumulator_event_hazard),
+        .drain_attribute_12(accumulator_drain_attribute_12), .drain_cardinal_0(accumulator_drain_cardinal_0),
+        .event_accumulate(accumulator_event_accumulate), .event_hazard(accumulator_event_hazard),
         .event_slot_wait(accumulator_event_slot_wait)
     );
 
     splat_normalizer normalizer (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(tile_cache_pixel_valid),
-        .in_ready(normalizer_in_ready),
-        .in_end(tile_cache_pixel_end),
-        .in_tile(tile_cache_pixel_tile),
-        .in_pixel(tile_cache_pixel_pixel),
-        .in_weight(tile_cache_pixel_weight),
-        .in_depth(tile_cache_pixel_depth),
-        .in_peak(tile_cache_pixel_peak),
-        .in_attribute_0(tile_cache_pixel_attribute_0),
-        .in_attribute_1(tile_cache_pixel_attribute_1),
-        .in_attribute_2(tile_cache_pixel_attribute_2),
-        .in_attribute_3(tile_cache_pixel_attribute_3),
-        .in_attribute_4(tile_cache_pixel_attribute_4),
-        .in_attribute_5(tile_cache_pixel_attribute_5),
-        .in_attribute_6(tile_cache_pixel_attribute_6),
-        .in_attribute_7(tile_cache_pixel_attribute_7),
-        .in_attribute_8(tile_cache_pixel_attribute_8),
-        .in_attribute_9(tile_cache_pixel_attribute_9),
-        .in_attribute_10(tile_cache_pixel_attribute_10),
-        .in_attribute_11(tile_cache_pixel_attribute_11),
-        .in_attribute_12(tile_cache_pixel_attribute_12),
+        .clk(clk), .rst(rst),
+        .in_valid(tile_cache_pixel_valid), .in_ready(normalizer_in_ready), .in_end(tile_cache_pixel_end),
+        .in_tile(tile_cache_pixel_tile), .in_pixel(tile_cache_pixel_pixel),
+        .in_weight(tile_cache_pixel_weight), .in_depth(tile_cache_pixel_depth),
+        .in_peak(tile_cache_pixel_peak), .in_attribute_0(tile_cache_pixel_attribute_0),
+        .in_attribute_1(tile_cache_pixel_attribute_1), .in_attribute_2(tile_cache_pixel_attribute_2),
+        .in_attribute_3(tile_cache_pixel_attribute_3), .in_attribute_4(tile_cache_pixel_attribute_4),
+        .in_attribute_5(tile_cache_pixel_attribute_5), .in_attribute_6(tile_cache_pixel_attribute_6),
+        .in_attribute_7(tile_cache_pixel_attribute_7), .in_attribute_8(tile_cache_pixel_attribute_8),
+        .in_attribute_9(tile_cache_pixel_attribute_9), .in_attribute_10(tile_cache_pixel_attribute_10),
+        .in_attribute_11(tile_cache_pixel_attribute_11), .in_attribute_12(tile_cache_pixel_attribute_12),
         .in_cardinal_0(tile_cache_pixel_cardinal_0),
-        .out_valid(normalizer_out_valid),
-        .out_ready(normalizer_out_ready),
-        .out_end(normalizer_out_end),
-        .out_column(normalizer_out_column),
-        .out_row(normalizer_out_row),
-        .out_depth(normalizer_out_depth),
-        .out_attribute_0(normalizer_out_attribute_0),
-        .out_attribute_1(normalizer_out_attribute_1),
-        .out_attribute_2(normalizer_out_attribute_2),
-        .out_attribute_3(normalizer_out_attribute_3),
-        .out_attribute_4(normalizer_out_attribute_4),
-        .out_attribute_5(normalizer_out_attribute_5),
-        .out_attribute_6(normalizer_out_attribute_6),
-        .out_attribute_7(normalizer_out_attribute_7),
-        .out_attribute_8(normalizer_out_attribute_8),
-        .out_attribute_9(normalizer_out_attribute_9),
-        .out_attribute_10(normalizer_out_attribute_10),
-        .out_attribute_11(normalizer_out_attribute_11),
-        .out_attribute_12(normalizer_out_attribute_12),
-        .out_cardinal_0(normalizer_out_cardinal_0)
+        .out_valid(normalizer_out_valid), .out_ready(fragment_ready), .out_end(normalizer_out_end),
+        .out_column(normalizer_out_column), .out_row(normalizer_out_row), .out_depth(normalizer_out_depth),
+        .out_attribute_0(normalizer_out_attribute_0), .out_attribute_1(normalizer_out_attribute_1),
+        .out_attribute_2(normalizer_out_attribute_2), .out_attribute_3(normalizer_out_attribute_3),
+        .out_attribute_4(normalizer_out_attribute_4), .out_attribute_5(normalizer_out_attribute_5),
+        .out_attribute_6(normalizer_out_attribute_6), .out_attribute_7(normalizer_out_attribute_7),
+        .out_attribute_8(normalizer_out_attribute_8), .out_attribute_9(normalizer_out_attribute_9),
+        .out_attribute_10(normalizer_out_attribute_10), .out_attribute_11(normalizer_out_attribute_11),
+        .out_attribute_12(normalizer_out_attribute_12), .out_cardinal_0(normalizer_out_cardinal_0)
     );
 
     always @(posedge clk) begin
-        if (uniform_valid & (uniform_address == 5'd0)) begin
-            uniform_m00 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd1)) begin
-            uniform_m01 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd2)) begin
-            uniform_m02 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd3)) begin
-            uniform_m03 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd4)) begin
-            uniform_m10 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd5)) begin
-            uniform_m11 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd6)) begin
-            uniform_m12 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd7)) begin
-            uniform_m13 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd8)) begin
-            uniform_m20 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd9)) begin
-            uniform_m21 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd10)) begin
-            uniform_m22 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd11)) begin
-            uniform_m23 <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd12)) begin
-            uniform_scale_x <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd13)) begin
-            uniform_scale_y <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd14)) begin
-            uniform_origin_x <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd15)) begin
-            uniform_origin_y <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd16)) begin
-            uniform_depth_a <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd17)) begin
-            uniform_depth_b <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd18)) begin
-            uniform_near_plane <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd19)) begin
-            uniform_epsilon_scale <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd20)) begin
-            uniform_epsilon_bias <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd21)) begin
-            uniform_filter_radius <= uniform_data;
-        end
-        if (uniform_valid & (uniform_address == 5'd22)) begin
-            uniform_filter_scale <= uniform_data;
-        end
+        if (uniform_valid & (uniform_address == 5'd0)) uniform_m00 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd1)) uniform_m01 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd2)) uniform_m02 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd3)) uniform_m03 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd4)) uniform_m10 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd5)) uniform_m11 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd6)) uniform_m12 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd7)) uniform_m13 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd8)) uniform_m20 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd9)) uniform_m21 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd10)) uniform_m22 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd11)) uniform_m23 <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd12)) uniform_scale_x <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd13)) uniform_scale_y <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd14)) uniform_origin_x <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd15)) uniform_origin_y <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd16)) uniform_depth_a <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd17)) uniform_depth_b <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd18)) uniform_near_plane <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd19)) uniform_epsilon_scale <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd20)) uniform_epsilon_bias <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd21)) uniform_filter_radius <= uniform_data;
+        if (uniform_valid & (uniform_address == 5'd22)) uniform_filter_scale <= uniform_data;
     end
 endmodule
 
@@ -1367,527 +718,257 @@ module splat_normalizer (
     reg [231:0] delay_20_from_0_out;
     reg [4:0] delay_30_from_0_pointer;
     reg [34:0] delay_30_from_0_out;
-    reg [23:0] mul_23_d1;
-    reg [23:0] mul_23_d2;
-    reg [23:0] mul_23_d3;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
-    reg valid_d24;
-    reg valid_d25;
-    reg valid_d26;
-    reg valid_d27;
-    reg valid_d28;
-    reg valid_d29;
-    reg valid_d30;
+    reg [23:0] mul_23_d1, mul_23_d2, mul_23_d3;
+    reg [29:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire [8:0] queue_out_column;
-    wire [8:0] queue_out_row;
-    wire [23:0] queue_out_depth;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
-    wire [15:0] queue_out_attribute_3;
-    wire [15:0] queue_out_attribute_4;
-    wire [15:0] queue_out_attribute_5;
-    wire [15:0] queue_out_attribute_6;
-    wire [15:0] queue_out_attribute_7;
-    wire [15:0] queue_out_attribute_8;
-    wire [15:0] queue_out_attribute_9;
-    wire [15:0] queue_out_attribute_10;
-    wire [15:0] queue_out_attribute_11;
-    wire [15:0] queue_out_attribute_12;
-    wire [15:0] queue_out_cardinal_0;
-    wire [23:0] to_float_u28q16_f24_ftz_unit_y;
-    wire [23:0] recip_f24_ftz_unit_y;
-    wire [23:0] to_float_u52q40_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_y;
-    wire [23:0] mul_f24_ftz_unit_copy9_y;
-    wire [23:0] mul_f24_ftz_unit_copy10_y;
-    wire [23:0] mul_f24_ftz_unit_copy11_y;
-    wire [23:0] mul_f24_ftz_unit_copy12_y;
-    wire [23:0] mul_f24_ftz_unit_copy13_y;
-    wire [23:0] mul_f24_ftz_unit_copy14_y;
-    wire [23:0] convert_f16_f24_ftz_unit_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy2_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy3_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy4_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy5_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy6_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy7_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy8_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy9_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy10_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy11_y;
-    wire [23:0] convert_f16_f24_ftz_unit_copy12_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [266:0] queue_out_data;
+    wire [23:0] to_float_u28q16_f24_ftz_unit_y, recip_f24_ftz_unit_y, to_float_u52q40_f24_ftz_unit_y;
+    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, mul_f24_ftz_unit_copy7_y;
+    wire [23:0] mul_f24_ftz_unit_copy8_y, mul_f24_ftz_unit_copy9_y, mul_f24_ftz_unit_copy10_y;
+    wire [23:0] mul_f24_ftz_unit_copy11_y, mul_f24_ftz_unit_copy12_y, mul_f24_ftz_unit_copy13_y;
+    wire [23:0] mul_f24_ftz_unit_copy14_y, convert_f16_f24_ftz_unit_y, convert_f16_f24_ftz_unit_copy2_y;
+    wire [23:0] convert_f16_f24_ftz_unit_copy3_y, convert_f16_f24_ftz_unit_copy4_y, convert_f16_f24_ftz_unit_copy5_y;
+    wire [23:0] convert_f16_f24_ftz_unit_copy6_y, convert_f16_f24_ftz_unit_copy7_y, convert_f16_f24_ftz_unit_copy8_y;
+    wire [23:0] convert_f16_f24_ftz_unit_copy9_y, convert_f16_f24_ftz_unit_copy10_y;
+    wire [23:0] convert_f16_f24_ftz_unit_copy11_y, convert_f16_f24_ftz_unit_copy12_y;
     wire [23:0] convert_f16_f24_ftz_unit_copy13_y;
-    wire [15:0] convert_f24_ftz_f16_unit_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy2_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy3_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy4_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy5_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy6_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy7_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy8_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy9_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy10_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy11_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy12_y;
-    wire [15:0] convert_f24_ftz_f16_unit_copy13_y;
+    wire [15:0] convert_f24_ftz_f16_unit_y, convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y;
+    wire [15:0] convert_f24_ftz_f16_unit_copy4_y, convert_f24_ftz_f16_unit_copy5_y, convert_f24_ftz_f16_unit_copy6_y;
+    wire [15:0] convert_f24_ftz_f16_unit_copy7_y, convert_f24_ftz_f16_unit_copy8_y, convert_f24_ftz_f16_unit_copy9_y;
+    wire [15:0] convert_f24_ftz_f16_unit_copy10_y, convert_f24_ftz_f16_unit_copy11_y;
+    wire [15:0] convert_f24_ftz_f16_unit_copy12_y, convert_f24_ftz_f16_unit_copy13_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_column = queue_out_column;
-    assign out_row = queue_out_row;
-    assign out_depth = queue_out_depth;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
-    assign out_attribute_3 = queue_out_attribute_3;
-    assign out_attribute_4 = queue_out_attribute_4;
-    assign out_attribute_5 = queue_out_attribute_5;
-    assign out_attribute_6 = queue_out_attribute_6;
-    assign out_attribute_7 = queue_out_attribute_7;
-    assign out_attribute_8 = queue_out_attribute_8;
-    assign out_attribute_9 = queue_out_attribute_9;
-    assign out_attribute_10 = queue_out_attribute_10;
-    assign out_attribute_11 = queue_out_attribute_11;
-    assign out_attribute_12 = queue_out_attribute_12;
-    assign out_cardinal_0 = queue_out_cardinal_0;
+    assign {
+        out_end, out_column, out_row, out_depth, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
+    } = queue_out_data;
 
     stream_skid_w267 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d30),
-        .in_ready(queue_in_ready),
-        .in_end(delay_30_from_0_out[0]),
-        .in_column(delay_30_from_0_out[25:17]),
-        .in_row(delay_30_from_0_out[34:26]),
-        .in_depth(mul_23_d3),
-        .in_attribute_0(convert_f24_ftz_f16_unit_y),
-        .in_attribute_1(convert_f24_ftz_f16_unit_copy2_y),
-        .in_attribute_2(convert_f24_ftz_f16_unit_copy3_y),
-        .in_attribute_3(convert_f24_ftz_f16_unit_copy4_y),
-        .in_attribute_4(convert_f24_ftz_f16_unit_copy5_y),
-        .in_attribute_5(convert_f24_ftz_f16_unit_copy6_y),
-        .in_attribute_6(convert_f24_ftz_f16_unit_copy7_y),
-        .in_attribute_7(convert_f24_ftz_f16_unit_copy8_y),
-        .in_attribute_8(convert_f24_ftz_f16_unit_copy9_y),
-        .in_attribute_9(convert_f24_ftz_f16_unit_copy10_y),
-        .in_attribute_10(convert_f24_ftz_f16_unit_copy11_y),
-        .in_attribute_11(convert_f24_ftz_f16_unit_copy12_y),
-        .in_attribute_12(convert_f24_ftz_f16_unit_copy13_y),
-        .in_cardinal_0(delay_30_from_0_out[16:1]),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_column(queue_out_column),
-        .out_row(queue_out_row),
-        .out_depth(queue_out_depth),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2),
-        .out_attribute_3(queue_out_attribute_3),
-        .out_attribute_4(queue_out_attribute_4),
-        .out_attribute_5(queue_out_attribute_5),
-        .out_attribute_6(queue_out_attribute_6),
-        .out_attribute_7(queue_out_attribute_7),
-        .out_attribute_8(queue_out_attribute_8),
-        .out_attribute_9(queue_out_attribute_9),
-        .out_attribute_10(queue_out_attribute_10),
-        .out_attribute_11(queue_out_attribute_11),
-        .out_attribute_12(queue_out_attribute_12),
-        .out_cardinal_0(queue_out_cardinal_0)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[29]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_30_from_0_out[0], delay_30_from_0_out[25:17], delay_30_from_0_out[34:26], mul_23_d3,
+            convert_f24_ftz_f16_unit_y, convert_f24_ftz_f16_unit_copy2_y, convert_f24_ftz_f16_unit_copy3_y,
+            convert_f24_ftz_f16_unit_copy4_y, convert_f24_ftz_f16_unit_copy5_y, convert_f24_ftz_f16_unit_copy6_y,
+            convert_f24_ftz_f16_unit_copy7_y, convert_f24_ftz_f16_unit_copy8_y, convert_f24_ftz_f16_unit_copy9_y,
+            convert_f24_ftz_f16_unit_copy10_y, convert_f24_ftz_f16_unit_copy11_y,
+            convert_f24_ftz_f16_unit_copy12_y, convert_f24_ftz_f16_unit_copy13_y, delay_30_from_0_out[16:1]
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_formatf24ftz_w28_fraction16 to_float_u28q16_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_weight),
-        .y(to_float_u28q16_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u28q16_f24_ftz_unit_y)
     );
 
     float_recip recip_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u28q16_f24_ftz_unit_y),
-        .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u28q16_f24_ftz_unit_y), .y(recip_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_formatf24ftz_w52_fraction40 to_float_u52q40_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_depth),
-        .y(to_float_u52q40_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_depth), .y(to_float_u52q40_f24_ftz_unit_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(delay_20_from_0_out[23:0]),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(delay_20_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy5_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy5_y),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy6_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy6_y),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy7_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy7_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy8_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy8_y),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy9_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy9_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy10_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy10_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy11_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy11_y),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy13 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy12_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy12_y),
         .y(mul_f24_ftz_unit_copy13_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy14 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_y),
-        .b(convert_f16_f24_ftz_unit_copy13_y),
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_y), .b(convert_f16_f24_ftz_unit_copy13_y),
         .y(mul_f24_ftz_unit_copy14_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[39:24]),
-        .y(convert_f16_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[39:24]), .y(convert_f16_f24_ftz_unit_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[55:40]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[55:40]),
         .y(convert_f16_f24_ftz_unit_copy2_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[71:56]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[71:56]),
         .y(convert_f16_f24_ftz_unit_copy3_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[87:72]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[87:72]),
         .y(convert_f16_f24_ftz_unit_copy4_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[103:88]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[103:88]),
         .y(convert_f16_f24_ftz_unit_copy5_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[119:104]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[119:104]),
         .y(convert_f16_f24_ftz_unit_copy6_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[135:120]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[135:120]),
         .y(convert_f16_f24_ftz_unit_copy7_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[151:136]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[151:136]),
         .y(convert_f16_f24_ftz_unit_copy8_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[167:152]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[167:152]),
         .y(convert_f16_f24_ftz_unit_copy9_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[183:168]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[183:168]),
         .y(convert_f16_f24_ftz_unit_copy10_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[199:184]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[199:184]),
         .y(convert_f16_f24_ftz_unit_copy11_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[215:200]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[215:200]),
         .y(convert_f16_f24_ftz_unit_copy12_y)
     );
 
     float_convert_ff16_tf24ftz convert_f16_f24_ftz_unit_copy13 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_20_from_0_out[231:216]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_20_from_0_out[231:216]),
         .y(convert_f16_f24_ftz_unit_copy13_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy2_y),
-        .y(convert_f24_ftz_f16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_y), .y(convert_f24_ftz_f16_unit_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
         .y(convert_f24_ftz_f16_unit_copy2_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_y),
         .y(convert_f24_ftz_f16_unit_copy3_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy5_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_y),
         .y(convert_f24_ftz_f16_unit_copy4_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy6_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_y),
         .y(convert_f24_ftz_f16_unit_copy5_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy7_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_y),
         .y(convert_f24_ftz_f16_unit_copy6_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy8_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy8_y),
         .y(convert_f24_ftz_f16_unit_copy7_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy9_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy9_y),
         .y(convert_f24_ftz_f16_unit_copy8_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy10_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy10_y),
         .y(convert_f24_ftz_f16_unit_copy9_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy11_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy11_y),
         .y(convert_f24_ftz_f16_unit_copy10_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy12_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy12_y),
         .y(convert_f24_ftz_f16_unit_copy11_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy13_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy13_y),
         .y(convert_f24_ftz_f16_unit_copy12_y)
     );
 
     float_convert_ff24ftz_tf16 convert_f24_ftz_f16_unit_copy13 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy14_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy14_y),
         .y(convert_f24_ftz_f16_unit_copy13_y)
     );
 
@@ -1895,69 +976,11 @@ module splat_normalizer (
         if (rst) begin
             delay_20_from_0_pointer <= 5'd0;
             delay_30_from_0_pointer <= 5'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
-            valid_d24 <= 1'd0;
-            valid_d25 <= 1'd0;
-            valid_d26 <= 1'd0;
-            valid_d27 <= 1'd0;
-            valid_d28 <= 1'd0;
-            valid_d29 <= 1'd0;
-            valid_d30 <= 1'd0;
+            in_flight <= 30'd0;
         end else if (queue_in_ready) begin
             delay_20_from_0_pointer <= (delay_20_from_0_pointer == 5'd18) ? (delay_20_from_0_pointer - 5'd18) : (delay_20_from_0_pointer + 5'd1);
             delay_30_from_0_pointer <= (delay_30_from_0_pointer == 5'd28) ? (delay_30_from_0_pointer - 5'd28) : (delay_30_from_0_pointer + 5'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
-            valid_d24 <= valid_d23;
-            valid_d25 <= valid_d24;
-            valid_d26 <= valid_d25;
-            valid_d27 <= valid_d26;
-            valid_d28 <= valid_d27;
-            valid_d29 <= valid_d28;
-            valid_d30 <= valid_d29;
+            in_flight <= {in_flight[28:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -1970,33 +993,18 @@ module splat_normalizer (
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_20_from_0[delay_20_from_0_pointer] <= {
-                in_attribute_12,
-                in_attribute_11,
-                in_attribute_10,
-                in_attribute_9,
-                in_attribute_8,
-                in_attribute_7,
-                in_attribute_6,
-                in_attribute_5,
-                in_attribute_4,
-                in_attribute_3,
-                in_attribute_2,
-                in_attribute_1,
-                in_attribute_0,
-                to_float_u52q40_f24_ftz_unit_y
+                in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8, in_attribute_7,
+                in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2, in_attribute_1,
+                in_attribute_0, to_float_u52q40_f24_ftz_unit_y
             };
         end
-        if (queue_in_ready) begin
-            delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
-        end
+        if (queue_in_ready) delay_20_from_0_out <= delay_20_from_0[delay_20_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_30_from_0[delay_30_from_0_pointer] <= {in_tile[11:6], in_pixel[5:3], in_tile[5:0], in_pixel[2:0], in_cardinal_0, in_end};
         end
-        if (queue_in_ready) begin
-            delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
-        end
+        if (queue_in_ready) delay_30_from_0_out <= delay_30_from_0[delay_30_from_0_pointer];
     end
 
     wire _unused = &{1'b0, in_peak};
@@ -2008,24 +1016,14 @@ endmodule
 // to = f16
 module float_convert_ff24ftz_tf16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [15:0] y
 );
     reg [9:0] distance_s1;
-    reg [12:0] significand_s1;
-    reg [12:0] significand_s2;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg [12:0] significand_s1, significand_s2;
+    reg [9:0] exponent_s1, exponent_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [9:0] sum_1 = {2'd0, a_field} + 10'd912;
@@ -2062,8 +1060,6 @@ module float_convert_ff24ftz_tf16 (
             y <= nan_s2 ? 16'h7e00 : joined_12;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating-point format conversion.
@@ -2072,7 +1068,6 @@ endmodule
 // to = f24-ftz
 module float_convert_ff16_tf24ftz (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     output reg  [23:0] y
@@ -2082,14 +1077,7 @@ module float_convert_ff16_tf24ftz (
     reg [10:0] a_significand_s1;
     reg [9:0] exponent_s2;
     reg [17:0] significand_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, zero_s1, zero_s2;
 
     wire [4:0] a_field = a[14:10];
     wire term_1 = ~(|a_field);
@@ -2127,7 +1115,7 @@ module float_convert_ff16_tf24ftz (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
 // Fixed to floating point.
@@ -2138,7 +1126,6 @@ endmodule
 // integer = unsigned
 module float_from_fixed_s3_formatf24ftz_w52_fraction40 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [51:0] a,
     output reg  [23:0] y
@@ -2147,8 +1134,7 @@ module float_from_fixed_s3_formatf24ftz_w52_fraction40 (
     reg [5:0] zeros_s1;
     reg [8:0] exponent_s2;
     reg [17:0] significand_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg zero_s1, zero_s2;
 
     wire term_1 = ~a[51] & ~a[50];
     wire term_2 = term_1 & (~a[49] & ~a[48]);
@@ -2206,7 +1192,7 @@ module float_from_fixed_s3_formatf24ftz_w52_fraction40 (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
 // Fixed to floating point.
@@ -2217,7 +1203,6 @@ endmodule
 // integer = unsigned
 module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [27:0] a,
     output reg  [23:0] y
@@ -2226,8 +1211,7 @@ module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
     reg [4:0] zeros_s1;
     reg [8:0] exponent_s2;
     reg [17:0] significand_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg zero_s1, zero_s2;
 
     wire term_1 = ~a[27] & ~a[26];
     wire term_2 = term_1 & (~a[25] & ~a[24]);
@@ -2268,7 +1252,7 @@ module float_from_fixed_s3_formatf24ftz_w28_fraction16 (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
 // Queue of two in registers.
@@ -2278,110 +1262,32 @@ module stream_skid_w267 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [8:0] in_column,
-    input  wire [8:0] in_row,
-    input  wire [23:0] in_depth,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
+    input  wire [266:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [8:0] out_column,
-    output wire [8:0] out_row,
-    output wire [23:0] out_depth,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire [266:0] out_data
 );
     reg second_valid;
-    reg [266:0] head;
-    reg [266:0] second;
+    reg [266:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [266:0] in_item = {
-        in_end,
-        in_column,
-        in_row,
-        in_depth,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0
-    };
 
-    assign out_end = head[266];
-    assign out_column = head[265:257];
-    assign out_row = head[256:248];
-    assign out_depth = head[247:224];
-    assign out_attribute_0 = head[223:208];
-    assign out_attribute_1 = head[207:192];
-    assign out_attribute_2 = head[191:176];
-    assign out_attribute_3 = head[175:160];
-    assign out_attribute_4 = head[159:144];
-    assign out_attribute_5 = head[143:128];
-    assign out_attribute_6 = head[127:112];
-    assign out_attribute_7 = head[111:96];
-    assign out_attribute_8 = head[95:80];
-    assign out_attribute_9 = head[79:64];
-    assign out_attribute_10 = head[63:48];
-    assign out_attribute_11 = head[47:32];
-    assign out_attribute_12 = head[31:16];
-    assign out_cardinal_0 = head[15:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -2479,616 +1385,288 @@ module splat_accumulator (
     output reg  event_hazard,
     output reg  event_slot_wait
 );
-    (* no_rw_check *)
-    reg [319:0] slot_0_pixels [0:63];
-    (* no_rw_check *)
-    reg [319:0] slot_1_pixels [0:63];
-    reg valid_1;
-    reg inside_1;
-    reg last_1;
-    reg slot_1;
+    reg valid_1, inside_1, last_1, slot_1;
     reg [5:0] pixel_1;
-    reg valid_2;
-    reg inside_2;
-    reg last_2;
-    reg slot_2;
+    reg valid_2, inside_2, last_2, slot_2;
     reg [5:0] pixel_2;
-    reg valid_3;
-    reg inside_3;
-    reg last_3;
-    reg slot_3;
+    reg valid_3, inside_3, last_3, slot_3;
     reg [5:0] pixel_3;
-    reg valid_4;
-    reg inside_4;
-    reg last_4;
-    reg slot_4;
+    reg valid_4, inside_4, last_4, slot_4;
     reg [5:0] pixel_4;
-    reg valid_5;
-    reg inside_5;
-    reg last_5;
-    reg slot_5;
+    reg valid_5, inside_5, last_5, slot_5;
     reg [5:0] pixel_5;
-    reg valid_6;
-    reg inside_6;
-    reg last_6;
-    reg slot_6;
+    reg valid_6, inside_6, last_6, slot_6;
     reg [5:0] pixel_6;
-    reg valid_7;
-    reg inside_7;
-    reg last_7;
-    reg slot_7;
+    reg valid_7, inside_7, last_7, slot_7;
     reg [5:0] pixel_7;
-    reg valid_8;
-    reg inside_8;
-    reg last_8;
-    reg slot_8;
+    reg valid_8, inside_8, last_8, slot_8;
     reg [5:0] pixel_8;
-    reg head_valid;
-    reg head_end;
-    reg head_last;
-    reg head_inside;
-    reg head_slot;
+    reg head_valid, head_end, head_last, head_inside, head_slot;
     reg [5:0] head_pixel;
     reg [15:0] head_weight;
     reg [39:0] head_weighted_depth;
-    reg [23:0] head_depth_low;
-    reg [23:0] head_depth_high;
-    reg [15:0] head_attribute_0;
-    reg [15:0] head_attribute_1;
-    reg [15:0] head_attribute_2;
-    reg [15:0] head_attribute_3;
-    reg [15:0] head_attribute_4;
-    reg [15:0] head_attribute_5;
-    reg [15:0] head_attribute_6;
-    reg [15:0] head_attribute_7;
-    reg [15:0] head_attribute_8;
-    reg [15:0] head_attribute_9;
-    reg [15:0] head_attribute_10;
-    reg [15:0] head_attribute_11;
-    reg [15:0] head_attribute_12;
-    reg [15:0] head_cardinal_0;
+    reg [23:0] head_depth_low, head_depth_high;
+    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2, head_attribute_3, head_attribute_4;
+    reg [15:0] head_attribute_5, head_attribute_6, head_attribute_7, head_attribute_8, head_attribute_9;
+    reg [15:0] head_attribute_10, head_attribute_11, head_attribute_12, head_cardinal_0;
     reg [7:0] collisions;
     reg arrived;
-    reg [319:0] slot_0_read;
+    wire [319:0] slot_0_read;
     reg [319:0] slot_0_pixel;
-    reg [319:0] slot_1_read;
-    reg [319:0] slot_1_pixel;
-    reg [319:0] stored;
+    wire [319:0] slot_1_read;
+    reg [319:0] slot_1_pixel, stored;
     reg drained_slot;
     reg [15:0] sample_1_weight;
     reg [39:0] sample_1_weighted_depth;
-    reg [23:0] sample_1_depth_low;
-    reg [23:0] sample_1_depth_high;
-    reg [15:0] sample_1_attribute_0;
-    reg [15:0] sample_1_attribute_1;
-    reg [15:0] sample_1_attribute_2;
-    reg [15:0] sample_1_attribute_3;
-    reg [15:0] sample_1_attribute_4;
-    reg [15:0] sample_1_attribute_5;
-    reg [15:0] sample_1_attribute_6;
-    reg [15:0] sample_1_attribute_7;
-    reg [15:0] sample_1_attribute_8;
-    reg [15:0] sample_1_attribute_9;
-    reg [15:0] sample_1_attribute_10;
-    reg [15:0] sample_1_attribute_11;
-    reg [15:0] sample_1_attribute_12;
-    reg [15:0] sample_1_cardinal_0;
-    reg [15:0] sample_2_weight;
+    reg [23:0] sample_1_depth_low, sample_1_depth_high;
+    reg [15:0] sample_1_attribute_0, sample_1_attribute_1, sample_1_attribute_2, sample_1_attribute_3;
+    reg [15:0] sample_1_attribute_4, sample_1_attribute_5, sample_1_attribute_6, sample_1_attribute_7;
+    reg [15:0] sample_1_attribute_8, sample_1_attribute_9, sample_1_attribute_10, sample_1_attribute_11;
+    reg [15:0] sample_1_attribute_12, sample_1_cardinal_0, sample_2_weight;
     reg [39:0] sample_2_weighted_depth;
-    reg [23:0] sample_2_depth_low;
-    reg [23:0] sample_2_depth_high;
-    reg [15:0] sample_2_attribute_0;
-    reg [15:0] sample_2_attribute_1;
-    reg [15:0] sample_2_attribute_2;
-    reg [15:0] sample_2_attribute_3;
-    reg [15:0] sample_2_attribute_4;
-    reg [15:0] sample_2_attribute_5;
-    reg [15:0] sample_2_attribute_6;
-    reg [15:0] sample_2_attribute_7;
-    reg [15:0] sample_2_attribute_8;
-    reg [15:0] sample_2_attribute_9;
-    reg [15:0] sample_2_attribute_10;
-    reg [15:0] sample_2_attribute_11;
-    reg [15:0] sample_2_attribute_12;
-    reg [15:0] sample_2_cardinal_0;
-    reg [15:0] sample_3_weight;
+    reg [23:0] sample_2_depth_low, sample_2_depth_high;
+    reg [15:0] sample_2_attribute_0, sample_2_attribute_1, sample_2_attribute_2, sample_2_attribute_3;
+    reg [15:0] sample_2_attribute_4, sample_2_attribute_5, sample_2_attribute_6, sample_2_attribute_7;
+    reg [15:0] sample_2_attribute_8, sample_2_attribute_9, sample_2_attribute_10, sample_2_attribute_11;
+    reg [15:0] sample_2_attribute_12, sample_2_cardinal_0, sample_3_weight;
     reg [39:0] sample_3_weighted_depth;
-    reg [23:0] sample_3_depth_low;
-    reg [23:0] sample_3_depth_high;
-    reg [15:0] sample_3_attribute_0;
-    reg [15:0] sample_3_attribute_1;
-    reg [15:0] sample_3_attribute_2;
-    reg [15:0] sample_3_attribute_3;
-    reg [15:0] sample_3_attribute_4;
-    reg [15:0] sample_3_attribute_5;
-    reg [15:0] sample_3_attribute_6;
-    reg [15:0] sample_3_attribute_7;
-    reg [15:0] sample_3_attribute_8;
-    reg [15:0] sample_3_attribute_9;
-    reg [15:0] sample_3_attribute_10;
-    reg [15:0] sample_3_attribute_11;
-    reg [15:0] sample_3_attribute_12;
-    reg [15:0] sample_3_cardinal_0;
-    reg late_fail_4;
-    reg late_fail_5;
-    reg late_pass_4;
-    reg late_pass_5;
-    reg [28:0] weight_sum_4;
-    reg [28:0] weight_sum_5;
-    reg [28:0] weight_sum_6;
-    reg [28:0] weight_sum_7;
-    reg [28:0] weight_sum_8;
-    reg [15:0] weight_4;
-    reg [15:0] weight_5;
-    reg [15:0] weight_6;
-    reg [15:0] weight_7;
-    reg [15:0] weight_8;
-    reg [51:0] depth_sum_4;
-    reg [51:0] depth_sum_5;
-    reg [51:0] depth_sum_6;
-    reg [51:0] depth_sum_7;
-    reg [51:0] depth_sum_8;
-    reg [39:0] depth_4;
-    reg [39:0] depth_5;
-    reg [39:0] depth_6;
-    reg [39:0] depth_7;
-    reg [39:0] depth_8;
-    reg stronger_4;
-    reg stronger_5;
-    reg stronger_6;
-    reg stronger_7;
-    reg stronger_8;
-    reg [15:0] peak_4;
-    reg [15:0] peak_5;
-    reg [15:0] peak_6;
-    reg [15:0] peak_7;
-    reg [15:0] peak_8;
-    reg [15:0] attribute_0_4;
-    reg [15:0] attribute_0_5;
-    reg [15:0] attribute_0_6;
-    reg [15:0] attribute_0_7;
-    reg [15:0] attribute_0_8;
-    reg [15:0] attribute_1_4;
-    reg [15:0] attribute_1_5;
-    reg [15:0] attribute_1_6;
-    reg [15:0] attribute_1_7;
-    reg [15:0] attribute_1_8;
-    reg [15:0] attribute_2_4;
-    reg [15:0] attribute_2_5;
-    reg [15:0] attribute_2_6;
-    reg [15:0] attribute_2_7;
-    reg [15:0] attribute_2_8;
-    reg [15:0] attribute_3_4;
-    reg [15:0] attribute_3_5;
-    reg [15:0] attribute_3_6;
-    reg [15:0] attribute_3_7;
-    reg [15:0] attribute_3_8;
-    reg [15:0] attribute_4_4;
-    reg [15:0] attribute_4_5;
-    reg [15:0] attribute_4_6;
-    reg [15:0] attribute_4_7;
-    reg [15:0] attribute_4_8;
-    reg [15:0] attribute_5_4;
-    reg [15:0] attribute_5_5;
-    reg [15:0] attribute_5_6;
-    reg [15:0] attribute_5_7;
-    reg [15:0] attribute_5_8;
-    reg [15:0] attribute_6_4;
-    reg [15:0] attribute_6_5;
-    reg [15:0] attribute_6_6;
-    reg [15:0] attribute_6_7;
-    reg [15:0] attribute_6_8;
-    reg [15:0] attribute_7_4;
-    reg [15:0] attribute_7_5;
-    reg [15:0] attribute_7_6;
-    reg [15:0] attribute_7_7;
-    reg [15:0] attribute_7_8;
-    reg [15:0] attribute_8_4;
-    reg [15:0] attribute_8_5;
-    reg [15:0] attribute_8_6;
-    reg [15:0] attribute_8_7;
-    reg [15:0] attribute_8_8;
-    reg [15:0] attribute_9_4;
-    reg [15:0] attribute_9_5;
-    reg [15:0] attribute_9_6;
-    reg [15:0] attribute_9_7;
-    reg [15:0] attribute_9_8;
-    reg [15:0] attribute_10_4;
-    reg [15:0] attribute_10_5;
-    reg [15:0] attribute_10_6;
-    reg [15:0] attribute_10_7;
-    reg [15:0] attribute_10_8;
-    reg [15:0] attribute_11_4;
-    reg [15:0] attribute_11_5;
-    reg [15:0] attribute_11_6;
-    reg [15:0] attribute_11_7;
-    reg [15:0] attribute_11_8;
-    reg [15:0] attribute_12_4;
-    reg [15:0] attribute_12_5;
-    reg [15:0] attribute_12_6;
-    reg [15:0] attribute_12_7;
-    reg [15:0] attribute_12_8;
-    reg [15:0] cardinal_0_4;
-    reg [15:0] cardinal_0_5;
-    reg [15:0] cardinal_0_6;
-    reg [15:0] cardinal_0_7;
-    reg [15:0] cardinal_0_8;
-    reg [15:0] stored_cardinal_0_4;
-    reg [15:0] stored_cardinal_0_5;
-    reg [15:0] stored_cardinal_0_6;
-    reg [15:0] stored_cardinal_0_7;
+    reg [23:0] sample_3_depth_low, sample_3_depth_high;
+    reg [15:0] sample_3_attribute_0, sample_3_attribute_1, sample_3_attribute_2, sample_3_attribute_3;
+    reg [15:0] sample_3_attribute_4, sample_3_attribute_5, sample_3_attribute_6, sample_3_attribute_7;
+    reg [15:0] sample_3_attribute_8, sample_3_attribute_9, sample_3_attribute_10, sample_3_attribute_11;
+    reg [15:0] sample_3_attribute_12, sample_3_cardinal_0;
+    reg late_fail_4, late_fail_5, late_pass_4, late_pass_5;
+    reg [28:0] weight_sum_4, weight_sum_5, weight_sum_6, weight_sum_7, weight_sum_8;
+    reg [15:0] weight_4, weight_5, weight_6, weight_7, weight_8;
+    reg [51:0] depth_sum_4, depth_sum_5, depth_sum_6, depth_sum_7, depth_sum_8;
+    reg [39:0] depth_4, depth_5, depth_6, depth_7, depth_8;
+    reg stronger_4, stronger_5, stronger_6, stronger_7, stronger_8;
+    reg [15:0] peak_4, peak_5, peak_6, peak_7, peak_8, attribute_0_4, attribute_0_5, attribute_0_6, attribute_0_7;
+    reg [15:0] attribute_0_8, attribute_1_4, attribute_1_5, attribute_1_6, attribute_1_7, attribute_1_8;
+    reg [15:0] attribute_2_4, attribute_2_5, attribute_2_6, attribute_2_7, attribute_2_8, attribute_3_4;
+    reg [15:0] attribute_3_5, attribute_3_6, attribute_3_7, attribute_3_8, attribute_4_4, attribute_4_5;
+    reg [15:0] attribute_4_6, attribute_4_7, attribute_4_8, attribute_5_4, attribute_5_5, attribute_5_6;
+    reg [15:0] attribute_5_7, attribute_5_8, attribute_6_4, attribute_6_5, attribute_6_6, attribute_6_7;
+    reg [15:0] attribute_6_8, attribute_7_4, attribute_7_5, attribute_7_6, attribute_7_7, attribute_7_8;
+    reg [15:0] attribute_8_4, attribute_8_5, attribute_8_6, attribute_8_7, attribute_8_8, attribute_9_4;
+    reg [15:0] attribute_9_5, attribute_9_6, attribute_9_7, attribute_9_8, attribute_10_4, attribute_10_5;
+    reg [15:0] attribute_10_6, attribute_10_7, attribute_10_8, attribute_11_4, attribute_11_5, attribute_11_6;
+    reg [15:0] attribute_11_7, attribute_11_8, attribute_12_4, attribute_12_5, attribute_12_6, attribute_12_7;
+    reg [15:0] attribute_12_8, cardinal_0_4, cardinal_0_5, cardinal_0_6, cardinal_0_7, cardinal_0_8;
+    reg [15:0] stored_cardinal_0_4, stored_cardinal_0_5, stored_cardinal_0_6, stored_cardinal_0_7;
     reg [15:0] stored_cardinal_0_8;
 
-    wire places_in_ready;
-    wire places_out_valid;
-    wire places_out_end;
-    wire places_out_last;
-    wire places_out_inside;
-    wire places_out_slot;
-    wire [5:0] places_out_pixel;
-    wire samples_in_ready;
-    wire samples_out_valid;
-    wire [15:0] samples_out_weight;
-    wire [39:0] samples_out_weighted_depth;
-    wire [23:0] samples_out_depth_low;
-    wire [23:0] samples_out_depth_high;
-    wire [15:0] samples_out_attribute_0;
-    wire [15:0] samples_out_attribute_1;
-    wire [15:0] samples_out_attribute_2;
-    wire [15:0] samples_out_attribute_3;
-    wire [15:0] samples_out_attribute_4;
-    wire [15:0] samples_out_attribute_5;
-    wire [15:0] samples_out_attribute_6;
-    wire [15:0] samples_out_attribute_7;
-    wire [15:0] samples_out_attribute_8;
-    wire [15:0] samples_out_attribute_9;
-    wire [15:0] samples_out_attribute_10;
-    wire [15:0] samples_out_attribute_11;
-    wire [15:0] samples_out_attribute_12;
-    wire [15:0] samples_out_cardinal_0;
-    wire depth_test_fail;
-    wire depth_test_pass;
-    wire [15:0] add_attribute_0_y;
-    wire [15:0] add_attribute_1_y;
-    wire [15:0] add_attribute_2_y;
-    wire [15:0] add_attribute_3_y;
-    wire [15:0] add_attribute_4_y;
-    wire [15:0] add_attribute_5_y;
-    wire [15:0] add_attribute_6_y;
-    wire [15:0] add_attribute_7_y;
-    wire [15:0] add_attribute_8_y;
-    wire [15:0] add_attribute_9_y;
-    wire [15:0] add_attribute_10_y;
-    wire [15:0] add_attribute_11_y;
-    wire [15:0] add_attribute_12_y;
+    wire places_in_ready, places_out_valid;
+    wire [9:0] places_out_data;
+    wire samples_in_ready, samples_out_valid;
+    wire [327:0] samples_out_data;
+    wire depth_test_fail, depth_test_pass;
+    wire [15:0] add_attribute_0_y, add_attribute_1_y, add_attribute_2_y, add_attribute_3_y, add_attribute_4_y;
+    wire [15:0] add_attribute_5_y, add_attribute_6_y, add_attribute_7_y, add_attribute_8_y, add_attribute_9_y;
+    wire [15:0] add_attribute_10_y, add_attribute_11_y, add_attribute_12_y;
 
-    assign in_ready = places_in_ready;
     wire [319:0] drained = drained_slot ? slot_1_pixel : slot_0_pixel;
-    wire term_1 = head_valid & ~head_end;
-    wire may_issue_inside = term_1 & head_inside;
-    wire slot_wait = may_issue_inside & ~arrived;
-    wire on_the_way = |collisions;
-    wire hazard = may_issue_inside & (arrived & on_the_way);
-    wire issue = term_1 & ~(slot_wait | hazard);
-    wire term_2 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
-    wire issue_end = head_valid & head_end & ~(term_2 | valid_7 | valid_8);
-    wire head_takes = ~head_valid | (issue | issue_end);
-    wire queue_ready = head_takes;
-    wire places_out_ready = queue_ready;
-    wire samples_out_ready = queue_ready;
-    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
-    wire term_3 = inside_7 & ({places_out_slot, places_out_pixel} == {slot_7, pixel_7});
-    wire term_4 = inside_6 & ({places_out_slot, places_out_pixel} == {slot_6, pixel_6});
-    wire term_5 = inside_5 & ({places_out_slot, places_out_pixel} == {slot_5, pixel_5});
-    wire term_6 = inside_4 & ({places_out_slot, places_out_pixel} == {slot_4, pixel_4});
-    wire term_7 = inside_3 & ({places_out_slot, places_out_pixel} == {slot_3, pixel_3});
-    wire term_8 = inside_2 & ({places_out_slot, places_out_pixel} == {slot_2, pixel_2});
-    wire term_9 = inside_1 & ({places_out_slot, places_out_pixel} == {slot_1, pixel_1});
-    wire term_10 = {places_out_slot, places_out_pixel} == {head_slot, head_pixel};
-    wire [7:0] joined_11 = {
-        term_3,
-        term_4,
-        term_5,
-        term_6,
-        term_7,
-        term_8,
-        term_9,
-        head_valid & (head_inside & ~head_end) & term_10
-    };
-    wire [1:0] shifted_12 = slot_ready >> places_out_slot;
-    wire [1:0] shifted_13 = slot_ready >> head_slot;
-    wire term_14 = drain_enable & ~drain_slot;
-    wire term_15 = drain_enable & drain_slot;
     wire filling_0 = fill_valid & ~fill_slot;
     wire writes = inside_8 & (~late_fail_5 & (late_pass_5 | ~weight_sum_8[28]));
-    wire [319:0] joined_16 = {
-        fill_weight,
-        fill_depth,
-        fill_peak,
-        fill_attribute_0,
-        fill_attribute_1,
-        fill_attribute_2,
-        fill_attribute_3,
-        fill_attribute_4,
-        fill_attribute_5,
-        fill_attribute_6,
-        fill_attribute_7,
-        fill_attribute_8,
-        fill_attribute_9,
-        fill_attribute_10,
-        fill_attribute_11,
-        fill_attribute_12,
+    wire [319:0] joined_1 = {
+        fill_weight, fill_depth, fill_peak, fill_attribute_0, fill_attribute_1, fill_attribute_2,
+        fill_attribute_3, fill_attribute_4, fill_attribute_5, fill_attribute_6, fill_attribute_7,
+        fill_attribute_8, fill_attribute_9, fill_attribute_10, fill_attribute_11, fill_attribute_12,
         fill_cardinal_0
     };
     wire selected = late_pass_5 | stronger_8;
     wire overflow_of_attribute_0 = &add_attribute_0_y[14:10];
-    wire [14:0] choice_17 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
-    wire [15:0] choice_18 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_17};
+    wire [14:0] choice_2 = overflow_of_attribute_0 ? 15'h7bff : add_attribute_0_y[14:0];
+    wire [15:0] choice_3 = late_pass_5 ? attribute_0_8 : {add_attribute_0_y[15], choice_2};
     wire overflow_of_attribute_1 = &add_attribute_1_y[14:10];
-    wire [14:0] choice_19 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
-    wire [15:0] choice_20 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_19};
+    wire [14:0] choice_4 = overflow_of_attribute_1 ? 15'h7bff : add_attribute_1_y[14:0];
+    wire [15:0] choice_5 = late_pass_5 ? attribute_1_8 : {add_attribute_1_y[15], choice_4};
     wire overflow_of_attribute_2 = &add_attribute_2_y[14:10];
-    wire [14:0] choice_21 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
-    wire [15:0] choice_22 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_21};
+    wire [14:0] choice_6 = overflow_of_attribute_2 ? 15'h7bff : add_attribute_2_y[14:0];
+    wire [15:0] choice_7 = late_pass_5 ? attribute_2_8 : {add_attribute_2_y[15], choice_6};
     wire overflow_of_attribute_3 = &add_attribute_3_y[14:10];
-    wire [14:0] choice_23 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
-    wire [15:0] choice_24 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_23};
+    wire [14:0] choice_8 = overflow_of_attribute_3 ? 15'h7bff : add_attribute_3_y[14:0];
+    wire [15:0] choice_9 = late_pass_5 ? attribute_3_8 : {add_attribute_3_y[15], choice_8};
     wire overflow_of_attribute_4 = &add_attribute_4_y[14:10];
-    wire [14:0] choice_25 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
-    wire [15:0] choice_26 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_25};
+    wire [14:0] choice_10 = overflow_of_attribute_4 ? 15'h7bff : add_attribute_4_y[14:0];
+    wire [15:0] choice_11 = late_pass_5 ? attribute_4_8 : {add_attribute_4_y[15], choice_10};
     wire overflow_of_attribute_5 = &add_attribute_5_y[14:10];
-    wire [14:0] choice_27 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
-    wire [15:0] choice_28 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_27};
+    wire [14:0] choice_12 = overflow_of_attribute_5 ? 15'h7bff : add_attribute_5_y[14:0];
+    wire [15:0] choice_13 = late_pass_5 ? attribute_5_8 : {add_attribute_5_y[15], choice_12};
     wire overflow_of_attribute_6 = &add_attribute_6_y[14:10];
-    wire [14:0] choice_29 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
-    wire [15:0] choice_30 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_29};
+    wire [14:0] choice_14 = overflow_of_attribute_6 ? 15'h7bff : add_attribute_6_y[14:0];
+    wire [15:0] choice_15 = late_pass_5 ? attribute_6_8 : {add_attribute_6_y[15], choice_14};
     wire overflow_of_attribute_7 = &add_attribute_7_y[14:10];
-    wire [14:0] choice_31 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
-    wire [15:0] choice_32 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_31};
+    wire [14:0] choice_16 = overflow_of_attribute_7 ? 15'h7bff : add_attribute_7_y[14:0];
+    wire [15:0] choice_17 = late_pass_5 ? attribute_7_8 : {add_attribute_7_y[15], choice_16};
     wire overflow_of_attribute_8 = &add_attribute_8_y[14:10];
-    wire [14:0] choice_33 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
-    wire [15:0] choice_34 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_33};
+    wire [14:0] choice_18 = overflow_of_attribute_8 ? 15'h7bff : add_attribute_8_y[14:0];
+    wire [15:0] choice_19 = late_pass_5 ? attribute_8_8 : {add_attribute_8_y[15], choice_18};
     wire overflow_of_attribute_9 = &add_attribute_9_y[14:10];
-    wire [14:0] choice_35 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
-    wire [15:0] choice_36 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_35};
+    wire [14:0] choice_20 = overflow_of_attribute_9 ? 15'h7bff : add_attribute_9_y[14:0];
+    wire [15:0] choice_21 = late_pass_5 ? attribute_9_8 : {add_attribute_9_y[15], choice_20};
     wire overflow_of_attribute_10 = &add_attribute_10_y[14:10];
-    wire [14:0] choice_37 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
-    wire [15:0] choice_38 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_37};
+    wire [14:0] choice_22 = overflow_of_attribute_10 ? 15'h7bff : add_attribute_10_y[14:0];
+    wire [15:0] choice_23 = late_pass_5 ? attribute_10_8 : {add_attribute_10_y[15], choice_22};
     wire overflow_of_attribute_11 = &add_attribute_11_y[14:10];
-    wire [14:0] choice_39 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
-    wire [15:0] choice_40 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_39};
+    wire [14:0] choice_24 = overflow_of_attribute_11 ? 15'h7bff : add_attribute_11_y[14:0];
+    wire [15:0] choice_25 = late_pass_5 ? attribute_11_8 : {add_attribute_11_y[15], choice_24};
     wire overflow_of_attribute_12 = &add_attribute_12_y[14:10];
-    wire [14:0] choice_41 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
-    wire [15:0] choice_42 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_41};
+    wire [14:0] choice_26 = overflow_of_attribute_12 ? 15'h7bff : add_attribute_12_y[14:0];
+    wire [15:0] choice_27 = late_pass_5 ? attribute_12_8 : {add_attribute_12_y[15], choice_26};
     wire [319:0] result = {
-        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0],
-        late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
-        selected ? weight_8 : peak_8,
-        choice_18,
-        choice_20,
-        choice_22,
-        choice_24,
-        choice_26,
-        choice_28,
-        choice_30,
-        choice_32,
-        choice_34,
-        choice_36,
-        choice_38,
-        choice_40,
-        choice_42,
+        late_pass_5 ? {12'd0, weight_8} : weight_sum_8[27:0], late_pass_5 ? {12'd0, depth_8} : depth_sum_8,
+        selected ? weight_8 : peak_8, choice_3, choice_5, choice_7, choice_9, choice_11, choice_13, choice_15,
+        choice_17, choice_19, choice_21, choice_23, choice_25, choice_27,
         selected ? cardinal_0_8 : stored_cardinal_0_8
     };
+    wire term_28 = head_valid & ~head_end;
+    wire may_issue_inside = term_28 & head_inside;
+    wire on_the_way = |collisions;
+    wire issue_inside = may_issue_inside & (arrived & ~on_the_way);
+    wire term_29 = drain_enable & ~drain_slot;
     wire filling_1 = fill_valid & fill_slot;
+    wire term_30 = drain_enable & drain_slot;
+    wire slot_wait = may_issue_inside & ~arrived;
+    wire hazard = may_issue_inside & (arrived & on_the_way);
+    wire issue = term_28 & ~(slot_wait | hazard);
+    wire term_31 = valid_1 | valid_2 | valid_3 | valid_4 | valid_5 | valid_6;
+    wire issue_end = head_valid & head_end & ~(term_31 | valid_7 | valid_8);
+    wire head_takes = ~head_valid | (issue | issue_end);
+    wire places_out_end = places_out_data[9];
+    wire places_out_last = places_out_data[8];
+    wire places_out_inside = places_out_data[7];
+    wire places_out_slot = places_out_data[6];
+    wire [5:0] places_out_pixel = places_out_data[5:0];
+    wire [15:0] samples_out_weight = samples_out_data[327:312];
+    wire [39:0] samples_out_weighted_depth = samples_out_data[311:272];
+    wire [23:0] samples_out_depth_low = samples_out_data[271:248];
+    wire [23:0] samples_out_depth_high = samples_out_data[247:224];
+    wire [15:0] samples_out_attribute_0 = samples_out_data[223:208];
+    wire [15:0] samples_out_attribute_1 = samples_out_data[207:192];
+    wire [15:0] samples_out_attribute_2 = samples_out_data[191:176];
+    wire [15:0] samples_out_attribute_3 = samples_out_data[175:160];
+    wire [15:0] samples_out_attribute_4 = samples_out_data[159:144];
+    wire [15:0] samples_out_attribute_5 = samples_out_data[143:128];
+    wire [15:0] samples_out_attribute_6 = samples_out_data[127:112];
+    wire [15:0] samples_out_attribute_7 = samples_out_data[111:96];
+    wire [15:0] samples_out_attribute_8 = samples_out_data[95:80];
+    wire [15:0] samples_out_attribute_9 = samples_out_data[79:64];
+    wire [15:0] samples_out_attribute_10 = samples_out_data[63:48];
+    wire [15:0] samples_out_attribute_11 = samples_out_data[47:32];
+    wire [15:0] samples_out_attribute_12 = samples_out_data[31:16];
+    wire [15:0] samples_out_cardinal_0 = samples_out_data[15:0];
+    wire term_32 = head_valid & (head_inside & ~head_end) & (places_out_data[6:0] == {head_slot, head_pixel});
+    wire [7:0] joined_33 = {
+        inside_7 & (places_out_data[6:0] == {slot_7, pixel_7}),
+        inside_6 & (places_out_data[6:0] == {slot_6, pixel_6}),
+        inside_5 & (places_out_data[6:0] == {slot_5, pixel_5}),
+        inside_4 & (places_out_data[6:0] == {slot_4, pixel_4}),
+        inside_3 & (places_out_data[6:0] == {slot_3, pixel_3}),
+        inside_2 & (places_out_data[6:0] == {slot_2, pixel_2}),
+        inside_1 & (places_out_data[6:0] == {slot_1, pixel_1}), term_32
+    };
+    wire [1:0] shifted_34 = slot_ready >> places_out_slot;
+    wire [1:0] shifted_35 = slot_ready >> head_slot;
 
-    assign drain_weight = drained[319:292];
-    assign drain_depth = drained[291:240];
-    assign drain_peak = drained[239:224];
-    assign drain_attribute_0 = drained[223:208];
-    assign drain_attribute_1 = drained[207:192];
-    assign drain_attribute_2 = drained[191:176];
-    assign drain_attribute_3 = drained[175:160];
-    assign drain_attribute_4 = drained[159:144];
-    assign drain_attribute_5 = drained[143:128];
-    assign drain_attribute_6 = drained[127:112];
-    assign drain_attribute_7 = drained[111:96];
-    assign drain_attribute_8 = drained[95:80];
-    assign drain_attribute_9 = drained[79:64];
-    assign drain_attribute_10 = drained[63:48];
-    assign drain_attribute_11 = drained[47:32];
-    assign drain_attribute_12 = drained[31:16];
-    assign drain_cardinal_0 = drained[15:0];
+    assign in_ready = places_in_ready;
+    assign {
+        drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1, drain_attribute_2,
+        drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6, drain_attribute_7,
+        drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11, drain_attribute_12,
+        drain_cardinal_0
+    } = drained;
+
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_0_pixels (
+        .clk(clk),
+        .write(filling_0 | (writes & ~slot_8)), .write_address(filling_0 ? fill_pixel : pixel_8),
+        .write_data(filling_0 ? joined_1 : result),
+        .read(slot_ready[0] ? (issue_inside & ~head_slot) : term_29),
+        .read_address(slot_ready[0] ? head_pixel : drain_pixel), .read_data(slot_0_read)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(320), .DEPTH(64)) slot_1_pixels (
+        .clk(clk),
+        .write(filling_1 | (writes & slot_8)), .write_address(filling_1 ? fill_pixel : pixel_8),
+        .write_data(filling_1 ? joined_1 : result),
+        .read(slot_ready[1] ? (issue_inside & head_slot) : term_30),
+        .read_address(slot_ready[1] ? head_pixel : drain_pixel), .read_data(slot_1_read)
+    );
 
     stream_fifo_d64_w10 places (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(places_in_ready),
-        .in_end(in_end),
-        .in_last(in_last),
-        .in_inside(in_inside),
-        .in_slot(in_slot),
-        .in_pixel(in_pixel),
-        .out_valid(places_out_valid),
-        .out_ready(places_out_ready),
-        .out_end(places_out_end),
-        .out_last(places_out_last),
-        .out_inside(places_out_inside),
-        .out_slot(places_out_slot),
-        .out_pixel(places_out_pixel)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(places_in_ready),
+        .in_data({in_end, in_last, in_inside, in_slot, in_pixel}),
+        .out_valid(places_out_valid), .out_ready(head_takes), .out_data(places_out_data)
     );
 
     stream_fifo_d64_w328 samples (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(samples_in_ready),
-        .in_weight(in_weight),
-        .in_weighted_depth(in_weighted_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .in_attribute_3(in_attribute_3),
-        .in_attribute_4(in_attribute_4),
-        .in_attribute_5(in_attribute_5),
-        .in_attribute_6(in_attribute_6),
-        .in_attribute_7(in_attribute_7),
-        .in_attribute_8(in_attribute_8),
-        .in_attribute_9(in_attribute_9),
-        .in_attribute_10(in_attribute_10),
-        .in_attribute_11(in_attribute_11),
-        .in_attribute_12(in_attribute_12),
-        .in_cardinal_0(in_cardinal_0),
-        .out_valid(samples_out_valid),
-        .out_ready(samples_out_ready),
-        .out_weight(samples_out_weight),
-        .out_weighted_depth(samples_out_weighted_depth),
-        .out_depth_low(samples_out_depth_low),
-        .out_depth_high(samples_out_depth_high),
-        .out_attribute_0(samples_out_attribute_0),
-        .out_attribute_1(samples_out_attribute_1),
-        .out_attribute_2(samples_out_attribute_2),
-        .out_attribute_3(samples_out_attribute_3),
-        .out_attribute_4(samples_out_attribute_4),
-        .out_attribute_5(samples_out_attribute_5),
-        .out_attribute_6(samples_out_attribute_6),
-        .out_attribute_7(samples_out_attribute_7),
-        .out_attribute_8(samples_out_attribute_8),
-        .out_attribute_9(samples_out_attribute_9),
-        .out_attribute_10(samples_out_attribute_10),
-        .out_attribute_11(samples_out_attribute_11),
-        .out_attribute_12(samples_out_attribute_12),
-        .out_cardinal_0(samples_out_cardinal_0)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(samples_in_ready),
+        .in_data({
+            in_weight, in_weighted_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1,
+            in_attribute_2, in_attribute_3, in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7,
+            in_attribute_8, in_attribute_9, in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0
+        }),
+        .out_valid(samples_out_valid), .out_ready(head_takes), .out_data(samples_out_data)
     );
 
     splat_depth_test depth_test (
-        .clk(clk),
-        .rst(rst),
-        .weight(stored[319:292]),
-        .depth(stored[291:240]),
-        .depth_low(sample_3_depth_low),
-        .depth_high(sample_3_depth_high),
-        .fail(depth_test_fail),
-        .pass(depth_test_pass)
+        .clk(clk), .rst(rst), .weight(stored[319:292]),
+        .depth(stored[291:240]), .depth_low(sample_3_depth_low), .depth_high(sample_3_depth_high),
+        .fail(depth_test_fail), .pass(depth_test_pass)
     );
 
     float_add_s5_ff16 add_attribute_0 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[223:208]),
-        .b(sample_3_attribute_0),
-        .y(add_attribute_0_y)
+        .clk(clk), .enable(1'd1), .a(stored[223:208]), .b(sample_3_attribute_0), .y(add_attribute_0_y)
     );
 
     float_add_s5_ff16 add_attribute_1 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[207:192]),
-        .b(sample_3_attribute_1),
-        .y(add_attribute_1_y)
+        .clk(clk), .enable(1'd1), .a(stored[207:192]), .b(sample_3_attribute_1), .y(add_attribute_1_y)
     );
 
     float_add_s5_ff16 add_attribute_2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[191:176]),
-        .b(sample_3_attribute_2),
-        .y(add_attribute_2_y)
+        .clk(clk), .enable(1'd1), .a(stored[191:176]), .b(sample_3_attribute_2), .y(add_attribute_2_y)
     );
 
     float_add_s5_ff16 add_attribute_3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[175:160]),
-        .b(sample_3_attribute_3),
-        .y(add_attribute_3_y)
+        .clk(clk), .enable(1'd1), .a(stored[175:160]), .b(sample_3_attribute_3), .y(add_attribute_3_y)
     );
 
     float_add_s5_ff16 add_attribute_4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[159:144]),
-        .b(sample_3_attribute_4),
-        .y(add_attribute_4_y)
+        .clk(clk), .enable(1'd1), .a(stored[159:144]), .b(sample_3_attribute_4), .y(add_attribute_4_y)
     );
 
     float_add_s5_ff16 add_attribute_5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[143:128]),
-        .b(sample_3_attribute_5),
-        .y(add_attribute_5_y)
+        .clk(clk), .enable(1'd1), .a(stored[143:128]), .b(sample_3_attribute_5), .y(add_attribute_5_y)
     );
 
     float_add_s5_ff16 add_attribute_6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[127:112]),
-        .b(sample_3_attribute_6),
-        .y(add_attribute_6_y)
+        .clk(clk), .enable(1'd1), .a(stored[127:112]), .b(sample_3_attribute_6), .y(add_attribute_6_y)
     );
 
     float_add_s5_ff16 add_attribute_7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[111:96]),
-        .b(sample_3_attribute_7),
-        .y(add_attribute_7_y)
+        .clk(clk), .enable(1'd1), .a(stored[111:96]), .b(sample_3_attribute_7), .y(add_attribute_7_y)
     );
 
     float_add_s5_ff16 add_attribute_8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[95:80]),
-        .b(sample_3_attribute_8),
-        .y(add_attribute_8_y)
+        .clk(clk), .enable(1'd1), .a(stored[95:80]), .b(sample_3_attribute_8), .y(add_attribute_8_y)
     );
 
     float_add_s5_ff16 add_attribute_9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[79:64]),
-        .b(sample_3_attribute_9),
-        .y(add_attribute_9_y)
+        .clk(clk), .enable(1'd1), .a(stored[79:64]), .b(sample_3_attribute_9), .y(add_attribute_9_y)
     );
 
     float_add_s5_ff16 add_attribute_10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[63:48]),
-        .b(sample_3_attribute_10),
-        .y(add_attribute_10_y)
+        .clk(clk), .enable(1'd1), .a(stored[63:48]), .b(sample_3_attribute_10), .y(add_attribute_10_y)
     );
 
     float_add_s5_ff16 add_attribute_11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[47:32]),
-        .b(sample_3_attribute_11),
-        .y(add_attribute_11_y)
+        .clk(clk), .enable(1'd1), .a(stored[47:32]), .b(sample_3_attribute_11), .y(add_attribute_11_y)
     );
 
     float_add_s5_ff16 add_attribute_12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(1'd1),
-        .a(stored[31:16]),
-        .b(sample_3_attribute_12),
-        .y(add_attribute_12_y)
+        .clk(clk), .enable(1'd1), .a(stored[31:16]), .b(sample_3_attribute_12), .y(add_attribute_12_y)
     );
 
     always @(posedge clk) begin
@@ -3137,9 +1715,7 @@ module splat_accumulator (
             event_accumulate <= issue_inside;
             event_hazard <= hazard;
             event_slot_wait <= slot_wait;
-            if (head_takes) begin
-                head_valid <= places_out_valid;
-            end
+            if (head_takes) head_valid <= places_out_valid;
         end
     end
     always @(posedge clk) begin
@@ -3168,8 +1744,8 @@ module splat_accumulator (
         last_8 <= last_7;
         slot_8 <= slot_7;
         pixel_8 <= pixel_7;
-        collisions <= head_takes ? joined_11 : (collisions << 1);
-        arrived <= head_takes ? shifted_12[0] : shifted_13[0];
+        collisions <= head_takes ? joined_33 : (collisions << 1);
+        arrived <= head_takes ? shifted_34[0] : shifted_35[0];
         stored <= slot_2 ? slot_1_pixel : slot_0_pixel;
         sample_1_weight <= head_weight;
         sample_1_weighted_depth <= head_weighted_depth;
@@ -3359,44 +1935,12 @@ module splat_accumulator (
             head_attribute_12 <= samples_out_attribute_12;
             head_cardinal_0 <= samples_out_cardinal_0;
         end
-        if (slot_ready[0] | term_14) begin
-            slot_0_pixel <= slot_0_read;
-        end
-        if (slot_ready[1] | term_15) begin
-            slot_1_pixel <= slot_1_read;
-        end
-        if (drain_enable) begin
-            drained_slot <= drain_slot;
-        end
-    end
-    always @(posedge clk) begin
-        if (filling_0 | (writes & ~slot_8)) begin
-            slot_0_pixels[filling_0 ? fill_pixel : pixel_8] <= filling_0 ? joined_16 : result;
-        end
-        if (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) begin
-            slot_0_read <= slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
-        end
-`ifdef RTL_ASSERT
-        if ((filling_0 | (writes & ~slot_8)) && (slot_ready[0] ? (issue_inside & ~head_slot) : term_14) && (filling_0 ? fill_pixel : pixel_8) == (slot_ready[0] ? head_pixel : drain_pixel)) begin
-            slot_0_read <= ~slot_0_pixels[slot_ready[0] ? head_pixel : drain_pixel];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (filling_1 | (writes & slot_8)) begin
-            slot_1_pixels[filling_1 ? fill_pixel : pixel_8] <= filling_1 ? joined_16 : result;
-        end
-        if (slot_ready[1] ? (issue_inside & head_slot) : term_15) begin
-            slot_1_read <= slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
-        end
-`ifdef RTL_ASSERT
-        if ((filling_1 | (writes & slot_8)) && (slot_ready[1] ? (issue_inside & head_slot) : term_15) && (filling_1 ? fill_pixel : pixel_8) == (slot_ready[1] ? head_pixel : drain_pixel)) begin
-            slot_1_read <= ~slot_1_pixels[slot_ready[1] ? head_pixel : drain_pixel];
-        end
-`endif
+        if (slot_ready[0] | term_29) slot_0_pixel <= slot_0_read;
+        if (slot_ready[1] | term_30) slot_1_pixel <= slot_1_read;
+        if (drain_enable) drained_slot <= drain_slot;
     end
 
-    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_12[1], shifted_13[1]};
+    wire _unused = &{1'b0, samples_in_ready, samples_out_valid, shifted_34[1], shifted_35[1]};
 
 `ifdef RTL_ASSERT
     always @(posedge clk) begin
@@ -3419,40 +1963,22 @@ endmodule
 // format = f16
 module float_add_s5_ff16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     input  wire [15:0] b,
     output reg  [15:0] y
 );
     reg [7:0] distance_s1;
-    reg [10:0] large_s1;
-    reg [10:0] small_s1;
+    reg [10:0] large_s1, small_s1;
     reg [7:0] limit_s1;
     reg subtract_s1;
-    reg [14:0] sum_s2;
-    reg [14:0] stop_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg subtract_s2;
+    reg [14:0] sum_s2, stop_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, infinite_s1, infinite_s2, subtract_s2;
     reg [14:0] value_s3;
     reg [3:0] zeros_s3;
-    reg [7:0] limit_s2;
-    reg [7:0] limit_s3;
-    reg [7:0] exponent_s4;
+    reg [7:0] limit_s2, limit_s3, exponent_s4;
     reg [12:0] significand_s4;
-    reg sign_s3;
-    reg sign_s4;
-    reg nan_s3;
-    reg nan_s4;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg zero_s3;
-    reg zero_s4;
+    reg sign_s3, sign_s4, nan_s3, nan_s4, infinite_s3, infinite_s4, zero_s3, zero_s4;
 
     wire swap = a[14:0] < b[14:0];
     wire [4:0] b_field = b[14:10];
@@ -3525,7 +2051,7 @@ module float_add_s5_ff16 (
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[7:5], rst, sum_13[0]};
+    wire _unused = &{1'b0, distance_s1[7:5], sum_13[0]};
 endmodule
 
 // Compares a pixel's normalized depth with a splat's depth band.
@@ -3539,17 +2065,10 @@ module splat_depth_test (
     output reg  fail,
     output reg  pass
 );
-    reg [51:0] arrived;
-    reg [51:0] stored;
-    reg [25:0] low_bound_low_low;
-    reg [25:0] low_bound_high_high;
-    reg [25:0] low_bound_high_low;
-    reg [25:0] low_bound_low_high;
+    reg [51:0] arrived, stored;
+    reg [25:0] low_bound_low_low, low_bound_high_high, low_bound_high_low, low_bound_low_high;
     reg [51:0] low_bound;
-    reg [25:0] high_bound_low_low;
-    reg [25:0] high_bound_high_high;
-    reg [25:0] high_bound_high_low;
-    reg [25:0] high_bound_low_high;
+    reg [25:0] high_bound_low_low, high_bound_high_high, high_bound_high_low, high_bound_low_high;
     reg [51:0] high_bound;
 
     wire [51:0] term_1 = {26'd0, low_bound_low_low} | ({26'd0, low_bound_high_high} << 26);
@@ -3588,78 +2107,28 @@ module stream_fifo_d64_w328 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [15:0] in_weight,
-    input  wire [39:0] in_weighted_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
+    input  wire [327:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire [327:0] out_data
 );
-    (* no_rw_check *)
-    reg [327:0] entries [0:63];
-    reg [6:0] held;
-    reg [6:0] waiting;
-    reg [5:0] write_address;
-    reg [5:0] read_address;
-    reg [327:0] item;
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
+    wire [327:0] item;
 
     wire has_room = ~held[6];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_weight = item[327:312];
-    assign out_weighted_depth = item[311:272];
-    assign out_depth_low = item[271:248];
-    assign out_depth_high = item[247:224];
-    assign out_attribute_0 = item[223:208];
-    assign out_attribute_1 = item[207:192];
-    assign out_attribute_2 = item[191:176];
-    assign out_attribute_3 = item[175:160];
-    assign out_attribute_4 = item[159:144];
-    assign out_attribute_5 = item[143:128];
-    assign out_attribute_6 = item[127:112];
-    assign out_attribute_7 = item[111:96];
-    assign out_attribute_8 = item[95:80];
-    assign out_attribute_9 = item[79:64];
-    assign out_attribute_10 = item[63:48];
-    assign out_attribute_11 = item[47:32];
-    assign out_attribute_12 = item[31:16];
-    assign out_cardinal_0 = item[15:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(328), .DEPTH(64)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -3671,46 +2140,10 @@ module stream_fifo_d64_w328 (
         end else begin
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 6'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 6'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {
-                in_weight,
-                in_weighted_depth,
-                in_depth_low,
-                in_depth_high,
-                in_attribute_0,
-                in_attribute_1,
-                in_attribute_2,
-                in_attribute_3,
-                in_attribute_4,
-                in_attribute_5,
-                in_attribute_6,
-                in_attribute_7,
-                in_attribute_8,
-                in_attribute_9,
-                in_attribute_10,
-                in_attribute_11,
-                in_attribute_12,
-                in_cardinal_0
-            };
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -3745,39 +2178,24 @@ module stream_fifo_d64_w10 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
+    input  wire [9:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel
+    output wire [9:0] out_data
 );
     (* ram_style = "distributed" *)
     reg [9:0] entries [0:63];
-    reg [6:0] held;
-    reg [6:0] waiting;
-    reg [5:0] write_address;
-    reg [5:0] read_address;
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
     reg [9:0] item;
 
     wire has_room = ~held[6];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire pop = out_valid & out_ready;
+    wire fetch = |waiting & (~out_valid | out_ready);
 
-    assign out_end = item[9];
-    assign out_last = item[8];
-    assign out_inside = item[7];
-    assign out_slot = item[6];
-    assign out_pixel = item[5:0];
+    assign in_ready = has_room;
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
@@ -3789,22 +2207,14 @@ module stream_fifo_d64_w10 (
         end else begin
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 6'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 6'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
         end
     end
     always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_end, in_last, in_inside, in_slot, in_pixel};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
+        if (push) entries[write_address] <= in_data;
+        if (fetch) item <= entries[read_address];
     end
 
 `ifdef RTL_ASSERT
@@ -3896,327 +2306,122 @@ module splat_weighting (
     reg [39:0] delay_7_from_0_out;
     reg [3:0] delay_10_from_0_pointer;
     reg [73:0] delay_10_from_0_out;
-    reg [15:0] weight_d8;
-    reg [15:0] weight_d9;
-    reg [15:0] weight_d10;
-    reg [15:0] reinterpret_25_d1;
-    reg [15:0] reinterpret_25_d2;
-    reg [15:0] reinterpret_25_d3;
-    reg [15:0] reinterpret_25_d4;
-    reg [15:0] reinterpret_27_d1;
-    reg [15:0] reinterpret_27_d2;
-    reg [15:0] reinterpret_27_d3;
-    reg [15:0] reinterpret_27_d4;
-    reg [15:0] reinterpret_29_d1;
-    reg [15:0] reinterpret_29_d2;
-    reg [15:0] reinterpret_29_d3;
-    reg [15:0] reinterpret_29_d4;
-    reg [15:0] reinterpret_31_d1;
-    reg [15:0] reinterpret_31_d2;
-    reg [15:0] reinterpret_31_d3;
-    reg [15:0] reinterpret_31_d4;
-    reg [15:0] reinterpret_33_d1;
-    reg [15:0] reinterpret_33_d2;
-    reg [15:0] reinterpret_33_d3;
-    reg [15:0] reinterpret_33_d4;
-    reg [15:0] reinterpret_35_d1;
-    reg [15:0] reinterpret_35_d2;
-    reg [15:0] reinterpret_35_d3;
-    reg [15:0] reinterpret_35_d4;
-    reg [15:0] reinterpret_37_d1;
-    reg [15:0] reinterpret_37_d2;
-    reg [15:0] reinterpret_37_d3;
-    reg [15:0] reinterpret_37_d4;
-    reg [15:0] reinterpret_39_d1;
-    reg [15:0] reinterpret_39_d2;
-    reg [15:0] reinterpret_39_d3;
-    reg [15:0] reinterpret_39_d4;
-    reg [15:0] reinterpret_41_d1;
-    reg [15:0] reinterpret_41_d2;
-    reg [15:0] reinterpret_41_d3;
-    reg [15:0] reinterpret_41_d4;
-    reg [15:0] reinterpret_43_d1;
-    reg [15:0] reinterpret_43_d2;
-    reg [15:0] reinterpret_43_d3;
-    reg [15:0] reinterpret_43_d4;
-    reg [15:0] reinterpret_45_d1;
-    reg [15:0] reinterpret_45_d2;
-    reg [15:0] reinterpret_45_d3;
-    reg [15:0] reinterpret_45_d4;
-    reg [15:0] reinterpret_47_d1;
-    reg [15:0] reinterpret_47_d2;
-    reg [15:0] reinterpret_47_d3;
-    reg [15:0] reinterpret_47_d4;
-    reg [15:0] reinterpret_49_d1;
-    reg [15:0] reinterpret_49_d2;
-    reg [15:0] reinterpret_49_d3;
-    reg [15:0] reinterpret_49_d4;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
+    reg [15:0] weight_d8, weight_d9, weight_d10, reinterpret_25_d1, reinterpret_25_d2, reinterpret_25_d3;
+    reg [15:0] reinterpret_25_d4, reinterpret_27_d1, reinterpret_27_d2, reinterpret_27_d3, reinterpret_27_d4;
+    reg [15:0] reinterpret_29_d1, reinterpret_29_d2, reinterpret_29_d3, reinterpret_29_d4, reinterpret_31_d1;
+    reg [15:0] reinterpret_31_d2, reinterpret_31_d3, reinterpret_31_d4, reinterpret_33_d1, reinterpret_33_d2;
+    reg [15:0] reinterpret_33_d3, reinterpret_33_d4, reinterpret_35_d1, reinterpret_35_d2, reinterpret_35_d3;
+    reg [15:0] reinterpret_35_d4, reinterpret_37_d1, reinterpret_37_d2, reinterpret_37_d3, reinterpret_37_d4;
+    reg [15:0] reinterpret_39_d1, reinterpret_39_d2, reinterpret_39_d3, reinterpret_39_d4, reinterpret_41_d1;
+    reg [15:0] reinterpret_41_d2, reinterpret_41_d3, reinterpret_41_d4, reinterpret_43_d1, reinterpret_43_d2;
+    reg [15:0] reinterpret_43_d3, reinterpret_43_d4, reinterpret_45_d1, reinterpret_45_d2, reinterpret_45_d3;
+    reg [15:0] reinterpret_45_d4, reinterpret_47_d1, reinterpret_47_d2, reinterpret_47_d3, reinterpret_47_d4;
+    reg [15:0] reinterpret_49_d1, reinterpret_49_d2, reinterpret_49_d3, reinterpret_49_d4;
+    reg [9:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire queue_out_last;
-    wire queue_out_inside;
-    wire queue_out_slot;
-    wire [5:0] queue_out_pixel;
-    wire [15:0] queue_out_weight;
-    wire [39:0] queue_out_weighted_depth;
-    wire [23:0] queue_out_depth_low;
-    wire [23:0] queue_out_depth_high;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
-    wire [15:0] queue_out_attribute_3;
-    wire [15:0] queue_out_attribute_4;
-    wire [15:0] queue_out_attribute_5;
-    wire [15:0] queue_out_attribute_6;
-    wire [15:0] queue_out_attribute_7;
-    wire [15:0] queue_out_attribute_8;
-    wire [15:0] queue_out_attribute_9;
-    wire [15:0] queue_out_attribute_10;
-    wire [15:0] queue_out_attribute_11;
-    wire [15:0] queue_out_attribute_12;
-    wire [15:0] queue_out_cardinal_0;
+    wire queue_in_ready, queue_out_valid;
+    wire [337:0] queue_out_data;
     wire [15:0] to_float_u16q16_f16_unit_y;
     wire [39:0] mul_u16_u24_unit_y;
-    wire [15:0] mul_f16_unit_y;
-    wire [15:0] mul_f16_unit_copy2_y;
-    wire [15:0] mul_f16_unit_copy3_y;
-    wire [15:0] mul_f16_unit_copy4_y;
-    wire [15:0] mul_f16_unit_copy5_y;
-    wire [15:0] mul_f16_unit_copy6_y;
-    wire [15:0] mul_f16_unit_copy7_y;
-    wire [15:0] mul_f16_unit_copy8_y;
-    wire [15:0] mul_f16_unit_copy9_y;
-    wire [15:0] mul_f16_unit_copy10_y;
-    wire [15:0] mul_f16_unit_copy11_y;
-    wire [15:0] mul_f16_unit_copy12_y;
+    wire [15:0] mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y, mul_f16_unit_copy4_y;
+    wire [15:0] mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y, mul_f16_unit_copy8_y;
+    wire [15:0] mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y, mul_f16_unit_copy12_y;
     wire [15:0] mul_f16_unit_copy13_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_last = queue_out_last;
-    assign out_inside = queue_out_inside;
-    assign out_slot = queue_out_slot;
-    assign out_pixel = queue_out_pixel;
-    assign out_weight = queue_out_weight;
-    assign out_weighted_depth = queue_out_weighted_depth;
-    assign out_depth_low = queue_out_depth_low;
-    assign out_depth_high = queue_out_depth_high;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
-    assign out_attribute_3 = queue_out_attribute_3;
-    assign out_attribute_4 = queue_out_attribute_4;
-    assign out_attribute_5 = queue_out_attribute_5;
-    assign out_attribute_6 = queue_out_attribute_6;
-    assign out_attribute_7 = queue_out_attribute_7;
-    assign out_attribute_8 = queue_out_attribute_8;
-    assign out_attribute_9 = queue_out_attribute_9;
-    assign out_attribute_10 = queue_out_attribute_10;
-    assign out_attribute_11 = queue_out_attribute_11;
-    assign out_attribute_12 = queue_out_attribute_12;
-    assign out_cardinal_0 = queue_out_cardinal_0;
+    assign {
+        out_end, out_last, out_inside, out_slot, out_pixel, out_weight, out_weighted_depth, out_depth_low,
+        out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2, out_attribute_3, out_attribute_4,
+        out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8, out_attribute_9, out_attribute_10,
+        out_attribute_11, out_attribute_12, out_cardinal_0
+    } = queue_out_data;
 
-    stream_skid_w338_v2 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d10),
-        .in_ready(queue_in_ready),
-        .in_end(delay_10_from_0_out[0]),
-        .in_last(delay_10_from_0_out[1]),
-        .in_inside(delay_10_from_0_out[2]),
-        .in_slot(delay_10_from_0_out[3]),
-        .in_pixel(delay_10_from_0_out[9:4]),
-        .in_weight(weight_d10),
-        .in_weighted_depth(mul_u16_u24_unit_y),
-        .in_depth_low(delay_10_from_0_out[33:10]),
-        .in_depth_high(delay_10_from_0_out[57:34]),
-        .in_attribute_0(mul_f16_unit_y),
-        .in_attribute_1(mul_f16_unit_copy2_y),
-        .in_attribute_2(mul_f16_unit_copy3_y),
-        .in_attribute_3(mul_f16_unit_copy4_y),
-        .in_attribute_4(mul_f16_unit_copy5_y),
-        .in_attribute_5(mul_f16_unit_copy6_y),
-        .in_attribute_6(mul_f16_unit_copy7_y),
-        .in_attribute_7(mul_f16_unit_copy8_y),
-        .in_attribute_8(mul_f16_unit_copy9_y),
-        .in_attribute_9(mul_f16_unit_copy10_y),
-        .in_attribute_10(mul_f16_unit_copy11_y),
-        .in_attribute_11(mul_f16_unit_copy12_y),
-        .in_attribute_12(mul_f16_unit_copy13_y),
-        .in_cardinal_0(delay_10_from_0_out[73:58]),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_last(queue_out_last),
-        .out_inside(queue_out_inside),
-        .out_slot(queue_out_slot),
-        .out_pixel(queue_out_pixel),
-        .out_weight(queue_out_weight),
-        .out_weighted_depth(queue_out_weighted_depth),
-        .out_depth_low(queue_out_depth_low),
-        .out_depth_high(queue_out_depth_high),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2),
-        .out_attribute_3(queue_out_attribute_3),
-        .out_attribute_4(queue_out_attribute_4),
-        .out_attribute_5(queue_out_attribute_5),
-        .out_attribute_6(queue_out_attribute_6),
-        .out_attribute_7(queue_out_attribute_7),
-        .out_attribute_8(queue_out_attribute_8),
-        .out_attribute_9(queue_out_attribute_9),
-        .out_attribute_10(queue_out_attribute_10),
-        .out_attribute_11(queue_out_attribute_11),
-        .out_attribute_12(queue_out_attribute_12),
-        .out_cardinal_0(queue_out_cardinal_0)
+    stream_skid_w338 queue (
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_10_from_0_out[0], delay_10_from_0_out[1], delay_10_from_0_out[2], delay_10_from_0_out[3],
+            delay_10_from_0_out[9:4], weight_d10, mul_u16_u24_unit_y, delay_10_from_0_out[33:10],
+            delay_10_from_0_out[57:34], mul_f16_unit_y, mul_f16_unit_copy2_y, mul_f16_unit_copy3_y,
+            mul_f16_unit_copy4_y, mul_f16_unit_copy5_y, mul_f16_unit_copy6_y, mul_f16_unit_copy7_y,
+            mul_f16_unit_copy8_y, mul_f16_unit_copy9_y, mul_f16_unit_copy10_y, mul_f16_unit_copy11_y,
+            mul_f16_unit_copy12_y, mul_f16_unit_copy13_y, delay_10_from_0_out[73:58]
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s4_formatf16_w16_fraction16 to_float_u16q16_f16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_weight),
-        .y(to_float_u16q16_f16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_weight), .y(to_float_u16q16_f16_unit_y)
     );
 
     integer_mul mul_u16_u24_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_7_from_0_out[15:0]),
-        .b(delay_7_from_0_out[39:16]),
+        .clk(clk), .enable(queue_in_ready), .a(delay_7_from_0_out[15:0]), .b(delay_7_from_0_out[39:16]),
         .y(mul_u16_u24_unit_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_25_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_25_d4),
         .y(mul_f16_unit_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_27_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_27_d4),
         .y(mul_f16_unit_copy2_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_29_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_29_d4),
         .y(mul_f16_unit_copy3_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_31_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_31_d4),
         .y(mul_f16_unit_copy4_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_33_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_33_d4),
         .y(mul_f16_unit_copy5_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_35_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_35_d4),
         .y(mul_f16_unit_copy6_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_37_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_37_d4),
         .y(mul_f16_unit_copy7_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_39_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_39_d4),
         .y(mul_f16_unit_copy8_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_41_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_41_d4),
         .y(mul_f16_unit_copy9_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_43_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_43_d4),
         .y(mul_f16_unit_copy10_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_45_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_45_d4),
         .y(mul_f16_unit_copy11_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_47_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_47_d4),
         .y(mul_f16_unit_copy12_y)
     );
 
     float_mul_s6_ff16 mul_f16_unit_copy13 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u16q16_f16_unit_y),
-        .b(reinterpret_49_d4),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u16q16_f16_unit_y), .b(reinterpret_49_d4),
         .y(mul_f16_unit_copy13_y)
     );
 
@@ -4224,29 +2429,11 @@ module splat_weighting (
         if (rst) begin
             delay_7_from_0_pointer <= 3'd0;
             delay_10_from_0_pointer <= 4'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
+            in_flight <= 10'd0;
         end else if (queue_in_ready) begin
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
+            in_flight <= {in_flight[8:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -4309,20 +2496,14 @@ module splat_weighting (
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
-        end
-        if (queue_in_ready) begin
-            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
-        end
+        if (queue_in_ready) delay_7_from_0[delay_7_from_0_pointer] <= {in_depth, in_weight};
+        if (queue_in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_10_from_0[delay_10_from_0_pointer] <= {in_cardinal_0, in_depth_high, in_depth_low, in_pixel, in_slot, in_inside, in_last, in_end};
         end
-        if (queue_in_ready) begin
-            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
-        end
+        if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 endmodule
 
@@ -4331,7 +2512,6 @@ endmodule
 // format = f16
 module float_mul_s6_ff16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     input  wire [15:0] b,
@@ -4342,37 +2522,14 @@ module float_mul_s6_ff16 (
     reg [10:0] a_significand_s1;
     reg [3:0] b_zeros_s1;
     reg [7:0] b_exponent_s1;
-    reg [10:0] b_significand_s1;
-    reg [10:0] left_s2;
-    reg [10:0] right_s2;
+    reg [10:0] b_significand_s1, left_s2, right_s2;
     reg [7:0] exponent_s2;
     reg [21:0] product_s3;
-    reg [7:0] exponent_s3;
-    reg [7:0] distance_s4;
-    reg [12:0] significand_s4;
-    reg [12:0] significand_s5;
-    reg [7:0] exponent_s4;
-    reg [7:0] exponent_s5;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
+    reg [7:0] exponent_s3, distance_s4;
+    reg [12:0] significand_s4, significand_s5;
+    reg [7:0] exponent_s4, exponent_s5;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, sign_s5, nan_s1, nan_s2, nan_s3, nan_s4, nan_s5, infinite_s1;
+    reg infinite_s2, infinite_s3, infinite_s4, infinite_s5, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5;
 
     wire [4:0] a_field = a[14:10];
     wire term_1 = ~(|a_field);
@@ -4454,8 +2611,6 @@ module float_mul_s6_ff16 (
             y <= nan_s5 ? 16'h7e00 : {sign_s5, zero_s5 ? 15'd0 : choice_32};
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Integer product, pipelined.
@@ -4464,7 +2619,6 @@ endmodule
 // b = u24
 module integer_mul (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     input  wire [23:0] b,
@@ -4472,8 +2626,7 @@ module integer_mul (
 );
     reg [15:0] a_s1;
     reg [23:0] b_s1;
-    reg [27:0] partial_0_0_s2;
-    reg [27:0] partial_0_12_s2;
+    reg [27:0] partial_0_0_s2, partial_0_12_s2;
 
     always @(posedge clk) begin
         if (enable) begin
@@ -4484,8 +2637,6 @@ module integer_mul (
             y <= {12'd0, partial_0_0_s2} + ({12'd0, partial_0_12_s2} << 12);
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Fixed to floating point.
@@ -4496,20 +2647,16 @@ endmodule
 // integer = unsigned
 module float_from_fixed_s4_formatf16_w16_fraction16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     output reg  [15:0] y
 );
-    reg [15:0] magnitude_s1;
-    reg [15:0] magnitude_s2;
+    reg [15:0] magnitude_s1, magnitude_s2;
     reg [3:0] zeros_s2;
     reg [5:0] distance_s3;
     reg [12:0] significand_s3;
     reg [5:0] exponent_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
+    reg zero_s1, zero_s2, zero_s3;
 
     wire term_1 = ~magnitude_s1[15] & ~magnitude_s1[14];
     wire term_2 = term_1 & (~magnitude_s1[13] & ~magnitude_s1[12]);
@@ -4548,157 +2695,6 @@ module float_from_fixed_s4_formatf16_w16_fraction16 (
             y <= {1'd0, zero_s3 ? 15'd0 : choice_20};
         end
     end
-
-    wire _unused = &{1'b0, rst};
-endmodule
-
-// Queue of two in registers.
-// width = 338
-module stream_skid_w338_v2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
-    input  wire [39:0] in_weighted_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight,
-    output wire [39:0] out_weighted_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
-);
-    reg second_valid;
-    reg [337:0] head;
-    reg [337:0] second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [337:0] in_item = {
-        in_end,
-        in_last,
-        in_inside,
-        in_slot,
-        in_pixel,
-        in_weight,
-        in_weighted_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0
-    };
-
-    assign out_end = head[337];
-    assign out_last = head[336];
-    assign out_inside = head[335];
-    assign out_slot = head[334];
-    assign out_pixel = head[333:328];
-    assign out_weight = head[327:312];
-    assign out_weighted_depth = head[311:272];
-    assign out_depth_low = head[271:248];
-    assign out_depth_high = head[247:224];
-    assign out_attribute_0 = head[223:208];
-    assign out_attribute_1 = head[207:192];
-    assign out_attribute_2 = head[191:176];
-    assign out_attribute_3 = head[175:160];
-    assign out_attribute_4 = head[159:144];
-    assign out_attribute_5 = head[143:128];
-    assign out_attribute_6 = head[127:112];
-    assign out_attribute_7 = head[111:96];
-    assign out_attribute_8 = head[95:80];
-    assign out_attribute_9 = head[79:64];
-    assign out_attribute_10 = head[63:48];
-    assign out_attribute_11 = head[47:32];
-    assign out_attribute_12 = head[31:16];
-    assign out_cardinal_0 = head[15:0];
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Samples of a splat copy, one a cycle, with their kernel weights.
@@ -4770,57 +2766,19 @@ module splat_rasterizer (
     output reg  event_starved,
     output reg  event_blocked
 );
-    reg busy;
-    reg idle;
-    reg is_end;
-    reg is_last;
-    reg slot;
+    reg busy, idle, is_end, is_last, slot;
     reg [11:0] tile;
-    reg [2:0] column;
-    reg [2:0] row;
-    reg [2:0] left;
-    reg [2:0] right;
-    reg [2:0] bottom;
-    reg [23:0] center_x;
-    reg [23:0] center_y;
-    reg [23:0] ax;
-    reg [23:0] bx;
-    reg [23:0] ay;
-    reg [23:0] by;
-    reg [23:0] delta;
-    reg [23:0] mx;
-    reg [23:0] my;
+    reg [2:0] column, row, left, right, bottom;
+    reg [23:0] center_x, center_y, ax, bx, ay, by, delta, mx, my;
 
-    wire evaluation_in_ready;
-    wire evaluation_out_valid;
-    wire evaluation_out_end;
-    wire evaluation_out_last;
-    wire evaluation_out_inside;
-    wire evaluation_out_slot;
+    wire evaluation_in_ready, evaluation_out_valid, evaluation_out_end, evaluation_out_last;
+    wire evaluation_out_inside, evaluation_out_slot;
     wire [5:0] evaluation_out_pixel;
     wire [15:0] evaluation_out_weight;
-    wire shared_in_ready;
-    wire shared_out_valid;
-    wire [23:0] shared_out_depth;
-    wire [23:0] shared_out_depth_low;
-    wire [23:0] shared_out_depth_high;
-    wire [15:0] shared_out_attribute_0;
-    wire [15:0] shared_out_attribute_1;
-    wire [15:0] shared_out_attribute_2;
-    wire [15:0] shared_out_attribute_3;
-    wire [15:0] shared_out_attribute_4;
-    wire [15:0] shared_out_attribute_5;
-    wire [15:0] shared_out_attribute_6;
-    wire [15:0] shared_out_attribute_7;
-    wire [15:0] shared_out_attribute_8;
-    wire [15:0] shared_out_attribute_9;
-    wire [15:0] shared_out_attribute_10;
-    wire [15:0] shared_out_attribute_11;
-    wire [15:0] shared_out_attribute_12;
-    wire [15:0] shared_out_cardinal_0;
+    wire shared_in_ready, shared_out_valid;
+    wire [295:0] shared_out_data;
 
     wire take = evaluation_in_ready & idle & shared_in_ready;
-    assign in_ready = take;
     wire load = take & in_valid;
     wire term_1 = in_end | ({in_left, in_top} == {in_right, in_bottom});
     wire term_2 = column == right;
@@ -4828,6 +2786,7 @@ module splat_rasterizer (
     wire [2:0] choice_4 = term_2 ? (row + 3'd1) : row;
     wire term_5 = {choice_3, choice_4} == {right, bottom};
 
+    assign in_ready = take;
     assign out_valid = evaluation_out_valid;
     assign out_end = evaluation_out_end;
     assign out_last = evaluation_out_last;
@@ -4835,95 +2794,34 @@ module splat_rasterizer (
     assign out_slot = evaluation_out_slot;
     assign out_pixel = evaluation_out_pixel;
     assign out_weight = evaluation_out_weight;
-    assign out_depth = shared_out_depth;
-    assign out_depth_low = shared_out_depth_low;
-    assign out_depth_high = shared_out_depth_high;
-    assign out_attribute_0 = shared_out_attribute_0;
-    assign out_attribute_1 = shared_out_attribute_1;
-    assign out_attribute_2 = shared_out_attribute_2;
-    assign out_attribute_3 = shared_out_attribute_3;
-    assign out_attribute_4 = shared_out_attribute_4;
-    assign out_attribute_5 = shared_out_attribute_5;
-    assign out_attribute_6 = shared_out_attribute_6;
-    assign out_attribute_7 = shared_out_attribute_7;
-    assign out_attribute_8 = shared_out_attribute_8;
-    assign out_attribute_9 = shared_out_attribute_9;
-    assign out_attribute_10 = shared_out_attribute_10;
-    assign out_attribute_11 = shared_out_attribute_11;
-    assign out_attribute_12 = shared_out_attribute_12;
-    assign out_cardinal_0 = shared_out_cardinal_0;
+    assign {
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
+    } = shared_out_data;
 
     splat_evaluation evaluation (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(busy),
-        .in_ready(evaluation_in_ready),
-        .in_end(is_end),
-        .in_last(is_last & ~is_end),
-        .in_slot(slot),
-        .in_column({tile[5:0], column}),
-        .in_row({tile[11:6], row}),
-        .in_center_x(center_x),
-        .in_center_y(center_y),
-        .in_ax(ax),
-        .in_bx(bx),
-        .in_ay(ay),
-        .in_by(by),
-        .in_delta(delta),
-        .in_mx(mx),
+        .clk(clk), .rst(rst),
+        .in_valid(busy), .in_ready(evaluation_in_ready), .in_end(is_end), .in_last(is_last & ~is_end),
+        .in_slot(slot), .in_column({tile[5:0], column}), .in_row({tile[11:6], row}), .in_center_x(center_x),
+        .in_center_y(center_y), .in_ax(ax), .in_bx(bx), .in_ay(ay), .in_by(by), .in_delta(delta), .in_mx(mx),
         .in_my(my),
         .filter_scale(filter_scale),
-        .out_valid(evaluation_out_valid),
-        .out_ready(out_ready),
-        .out_end(evaluation_out_end),
-        .out_last(evaluation_out_last),
-        .out_inside(evaluation_out_inside),
-        .out_slot(evaluation_out_slot),
-        .out_pixel(evaluation_out_pixel),
-        .out_weight(evaluation_out_weight)
+        .out_valid(evaluation_out_valid), .out_ready(out_ready), .out_end(evaluation_out_end),
+        .out_last(evaluation_out_last), .out_inside(evaluation_out_inside), .out_slot(evaluation_out_slot),
+        .out_pixel(evaluation_out_pixel), .out_weight(evaluation_out_weight)
     );
 
     stream_fifo_d64_w296 shared (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(load & ~in_end),
-        .in_ready(shared_in_ready),
-        .in_depth(in_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .in_attribute_3(in_attribute_3),
-        .in_attribute_4(in_attribute_4),
-        .in_attribute_5(in_attribute_5),
-        .in_attribute_6(in_attribute_6),
-        .in_attribute_7(in_attribute_7),
-        .in_attribute_8(in_attribute_8),
-        .in_attribute_9(in_attribute_9),
-        .in_attribute_10(in_attribute_10),
-        .in_attribute_11(in_attribute_11),
-        .in_attribute_12(in_attribute_12),
-        .in_cardinal_0(in_cardinal_0),
-        .out_valid(shared_out_valid),
-        .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
-        .out_depth(shared_out_depth),
-        .out_depth_low(shared_out_depth_low),
-        .out_depth_high(shared_out_depth_high),
-        .out_attribute_0(shared_out_attribute_0),
-        .out_attribute_1(shared_out_attribute_1),
-        .out_attribute_2(shared_out_attribute_2),
-        .out_attribute_3(shared_out_attribute_3),
-        .out_attribute_4(shared_out_attribute_4),
-        .out_attribute_5(shared_out_attribute_5),
-        .out_attribute_6(shared_out_attribute_6),
-        .out_attribute_7(shared_out_attribute_7),
-        .out_attribute_8(shared_out_attribute_8),
-        .out_attribute_9(shared_out_attribute_9),
-        .out_attribute_10(shared_out_attribute_10),
-        .out_attribute_11(shared_out_attribute_11),
-        .out_attribute_12(shared_out_attribute_12),
-        .out_cardinal_0(shared_out_cardinal_0)
+        .clk(clk), .rst(rst),
+        .in_valid(load & ~in_end), .in_ready(shared_in_ready),
+        .in_data({
+            in_depth, in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
+            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
+            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0
+        }),
+        .out_valid(shared_out_valid), .out_ready(out_ready & evaluation_out_valid & evaluation_out_last),
+        .out_data(shared_out_data)
     );
 
     always @(posedge clk) begin
@@ -4979,75 +2877,28 @@ module stream_fifo_d64_w296 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
+    input  wire [295:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire [295:0] out_data
 );
-    (* no_rw_check *)
-    reg [295:0] entries [0:63];
-    reg [6:0] held;
-    reg [6:0] waiting;
-    reg [5:0] write_address;
-    reg [5:0] read_address;
-    reg [295:0] item;
+    reg [6:0] held, waiting;
+    reg [5:0] write_address, read_address;
+    wire [295:0] item;
 
     wire has_room = ~held[6];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_depth = item[295:272];
-    assign out_depth_low = item[271:248];
-    assign out_depth_high = item[247:224];
-    assign out_attribute_0 = item[223:208];
-    assign out_attribute_1 = item[207:192];
-    assign out_attribute_2 = item[191:176];
-    assign out_attribute_3 = item[175:160];
-    assign out_attribute_4 = item[159:144];
-    assign out_attribute_5 = item[143:128];
-    assign out_attribute_6 = item[127:112];
-    assign out_attribute_7 = item[111:96];
-    assign out_attribute_8 = item[95:80];
-    assign out_attribute_9 = item[79:64];
-    assign out_attribute_10 = item[63:48];
-    assign out_attribute_11 = item[47:32];
-    assign out_attribute_12 = item[31:16];
-    assign out_cardinal_0 = item[15:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(296), .DEPTH(64)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -5059,45 +2910,10 @@ module stream_fifo_d64_w296 (
         end else begin
             held <= (held + {6'd0, push}) - {6'd0, pop};
             waiting <= (waiting + {6'd0, push}) - {6'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 6'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 6'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 6'd1;
+            if (fetch) read_address <= read_address + 6'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {
-                in_depth,
-                in_depth_low,
-                in_depth_high,
-                in_attribute_0,
-                in_attribute_1,
-                in_attribute_2,
-                in_attribute_3,
-                in_attribute_4,
-                in_attribute_5,
-                in_attribute_6,
-                in_attribute_7,
-                in_attribute_8,
-                in_attribute_9,
-                in_attribute_10,
-                in_attribute_11,
-                in_attribute_12,
-                in_cardinal_0
-            };
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -5197,110 +3013,23 @@ module splat_evaluation (
     reg [5:0] delay_58_from_0_pointer;
     reg [6:0] delay_58_from_0_out;
     reg end_d53;
-    reg [23:0] neg_18_d1;
-    reg [23:0] neg_18_d2;
-    reg [23:0] neg_18_d3;
-    reg [23:0] neg_23_d1;
-    reg [23:0] neg_23_d2;
-    reg [23:0] neg_23_d3;
+    reg [23:0] neg_18_d1, neg_18_d2, neg_18_d3, neg_23_d1, neg_23_d2, neg_23_d3;
     reg not_62_d1;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
-    reg valid_d24;
-    reg valid_d25;
-    reg valid_d26;
-    reg valid_d27;
-    reg valid_d28;
-    reg valid_d29;
-    reg valid_d30;
-    reg valid_d31;
-    reg valid_d32;
-    reg valid_d33;
-    reg valid_d34;
-    reg valid_d35;
-    reg valid_d36;
-    reg valid_d37;
-    reg valid_d38;
-    reg valid_d39;
-    reg valid_d40;
-    reg valid_d41;
-    reg valid_d42;
-    reg valid_d43;
-    reg valid_d44;
-    reg valid_d45;
-    reg valid_d46;
-    reg valid_d47;
-    reg valid_d48;
-    reg valid_d49;
-    reg valid_d50;
-    reg valid_d51;
-    reg valid_d52;
-    reg valid_d53;
-    reg valid_d54;
-    reg valid_d55;
-    reg valid_d56;
-    reg valid_d57;
-    reg valid_d58;
+    reg [57:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire queue_out_last;
-    wire queue_out_inside;
-    wire queue_out_slot;
-    wire [5:0] queue_out_pixel;
-    wire [15:0] queue_out_weight;
-    wire [23:0] to_float_u10q1_f24_ftz_unit_y;
-    wire [23:0] to_float_u10q1_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y;
-    wire [23:0] add_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_copy7_y;
-    wire [23:0] add_f24_ftz_unit_copy8_y;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_y;
-    wire [23:0] mul_f24_ftz_unit_copy7_y;
-    wire [23:0] mul_f24_ftz_unit_copy8_y;
-    wire [23:0] mul_f24_ftz_unit_copy9_y;
-    wire [23:0] mul_f24_ftz_unit_copy10_y;
-    wire [23:0] mul_f24_ftz_unit_copy11_y;
-    wire [23:0] mul_f24_ftz_unit_copy12_y;
-    wire [23:0] div_f24_ftz_unit_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [25:0] queue_out_data;
+    wire [23:0] to_float_u10q1_f24_ftz_unit_y, to_float_u10q1_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy5_y, add_f24_ftz_unit_copy6_y, add_f24_ftz_unit_copy7_y;
+    wire [23:0] add_f24_ftz_unit_copy8_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_y, mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y;
+    wire [23:0] mul_f24_ftz_unit_copy7_y, mul_f24_ftz_unit_copy8_y, mul_f24_ftz_unit_copy9_y;
+    wire [23:0] mul_f24_ftz_unit_copy10_y, mul_f24_ftz_unit_copy11_y, mul_f24_ftz_unit_copy12_y, div_f24_ftz_unit_y;
     wire [23:0] min_f24_ftz_unit_y;
     wire lt_f24_ftz_unit_y;
-    wire [15:0] to_fixed_f24_ftz_u16q16_unit_y;
-    wire [15:0] interpolate_8_8_16_unit_y;
+    wire [15:0] to_fixed_f24_ftz_u16q16_unit_y, interpolate_8_8_16_unit_y;
 
-    assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
     wire [23:0] select_53 = delay_24_from_0_out ? 24'h7f8000 : div_f24_ftz_unit_y;
     wire not_62 = ~delay_52_from_0_out;
     wire and_63 = lt_f24_ftz_unit_y & not_62_d1;
@@ -5308,272 +3037,147 @@ module splat_evaluation (
     wire or_65 = end_d53 | or_64;
     wire xor_51 = add_f24_ftz_unit_copy6_y[23] ^ delay_12_from_0_out;
 
+    assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_last = queue_out_last;
-    assign out_inside = queue_out_inside;
-    assign out_slot = queue_out_slot;
-    assign out_pixel = queue_out_pixel;
-    assign out_weight = queue_out_weight;
+    assign {out_end, out_last, out_inside, out_slot, out_pixel, out_weight} = queue_out_data;
 
     stream_skid_w26 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d58 & delay_5_from_0_out[3]),
-        .in_ready(queue_in_ready),
-        .in_end(delay_5_from_0_out[0]),
-        .in_last(delay_5_from_0_out[1]),
-        .in_inside(delay_5_from_0_out[2]),
-        .in_slot(delay_58_from_0_out[0]),
-        .in_pixel(delay_58_from_0_out[6:1]),
-        .in_weight(interpolate_8_8_16_unit_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_last(queue_out_last),
-        .out_inside(queue_out_inside),
-        .out_slot(queue_out_slot),
-        .out_pixel(queue_out_pixel),
-        .out_weight(queue_out_weight)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[57] & delay_5_from_0_out[3]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_5_from_0_out[0], delay_5_from_0_out[1], delay_5_from_0_out[2], delay_58_from_0_out[0],
+            delay_58_from_0_out[6:1], interpolate_8_8_16_unit_y
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_from_fixed_s3_formatf24ftz_w10_fraction1 to_float_u10q1_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a({in_column, 1'd1}),
-        .y(to_float_u10q1_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a({in_column, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_y)
     );
 
     float_from_fixed_s3_formatf24ftz_w10_fraction1 to_float_u10q1_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a({in_row, 1'd1}),
-        .y(to_float_u10q1_f24_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a({in_row, 1'd1}), .y(to_float_u10q1_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u10q1_f24_ftz_unit_y),
-        .b(neg_18_d3),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_y), .b(neg_18_d3),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_float_u10q1_f24_ftz_unit_copy2_y),
-        .b(neg_23_d3),
+        .clk(clk), .enable(queue_in_ready), .a(to_float_u10q1_f24_ftz_unit_copy2_y), .b(neg_23_d3),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_y),
-        .b({~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]}),
-        .y(add_f24_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_y),
+        .b({~mul_f24_ftz_unit_copy2_y[23], mul_f24_ftz_unit_copy2_y[22:0]}), .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_y),
-        .b({~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]}),
-        .y(add_f24_ftz_unit_copy4_y)
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_y),
+        .b({~mul_f24_ftz_unit_copy4_y[23], mul_f24_ftz_unit_copy4_y[22:0]}), .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(delay_13_from_0_out),
-        .b(mul_f24_ftz_unit_copy5_y),
+        .clk(clk), .enable(queue_in_ready), .a(delay_13_from_0_out), .b(mul_f24_ftz_unit_copy5_y),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy5_y),
-        .b(delay_6_from_0_out),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f24_ftz_unit_copy6_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy7_y),
-        .b(mul_f24_ftz_unit_copy8_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy8_y),
         .y(add_f24_ftz_unit_copy7_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy10_y),
-        .b(mul_f24_ftz_unit_copy11_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy10_y), .b(mul_f24_ftz_unit_copy11_y),
         .y(add_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(delay_9_from_0_out[23:0]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[23:0]),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(delay_9_from_0_out[47:24]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[47:24]),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(delay_9_from_0_out[71:48]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[71:48]),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(delay_9_from_0_out[95:72]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[95:72]),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(delay_9_from_0_out[119:96]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(delay_9_from_0_out[119:96]),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(delay_9_from_0_out[143:120]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(delay_9_from_0_out[143:120]),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy3_y),
-        .b(add_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy7_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy4_y),
-        .b(add_f24_ftz_unit_copy4_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_y), .b(add_f24_ftz_unit_copy4_y),
         .y(mul_f24_ftz_unit_copy8_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy6_y),
-        .b(add_f24_ftz_unit_copy6_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy6_y), .b(add_f24_ftz_unit_copy6_y),
         .y(mul_f24_ftz_unit_copy9_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(add_f24_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_copy10_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy11_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy8_y),
-        .b(filter_scale),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy8_y), .b(filter_scale),
         .y(mul_f24_ftz_unit_copy12_y)
     );
 
     float_div div_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy7_y),
-        .b(mul_f24_ftz_unit_copy9_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy7_y), .b(mul_f24_ftz_unit_copy9_y),
         .y(div_f24_ftz_unit_y)
     );
 
     float_min min_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(select_53),
-        .b(delay_26_from_0_out),
-        .y(min_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(select_53), .b(delay_26_from_0_out), .y(min_f24_ftz_unit_y)
     );
 
     float_lt lt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_f24_ftz_unit_y),
-        .b(24'h3f8000),
-        .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_y), .b(24'h3f8000), .y(lt_f24_ftz_unit_y)
     );
 
     float_to_fixed_w16_fraction16 to_fixed_f24_ftz_u16q16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_f24_ftz_unit_y),
-        .y(to_fixed_f24_ftz_u16q16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_y), .y(to_fixed_f24_ftz_u16q16_unit_y)
     );
 
     float_table interpolate_8_8_16_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_u16q16_unit_y),
-        .y(interpolate_8_8_16_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u16q16_unit_y), .y(interpolate_8_8_16_unit_y)
     );
 
     always @(posedge clk) begin
@@ -5588,64 +3192,7 @@ module splat_evaluation (
             delay_52_from_0_pointer <= 6'd0;
             delay_53_from_0_pointer <= 6'd0;
             delay_58_from_0_pointer <= 6'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
-            valid_d24 <= 1'd0;
-            valid_d25 <= 1'd0;
-            valid_d26 <= 1'd0;
-            valid_d27 <= 1'd0;
-            valid_d28 <= 1'd0;
-            valid_d29 <= 1'd0;
-            valid_d30 <= 1'd0;
-            valid_d31 <= 1'd0;
-            valid_d32 <= 1'd0;
-            valid_d33 <= 1'd0;
-            valid_d34 <= 1'd0;
-            valid_d35 <= 1'd0;
-            valid_d36 <= 1'd0;
-            valid_d37 <= 1'd0;
-            valid_d38 <= 1'd0;
-            valid_d39 <= 1'd0;
-            valid_d40 <= 1'd0;
-            valid_d41 <= 1'd0;
-            valid_d42 <= 1'd0;
-            valid_d43 <= 1'd0;
-            valid_d44 <= 1'd0;
-            valid_d45 <= 1'd0;
-            valid_d46 <= 1'd0;
-            valid_d47 <= 1'd0;
-            valid_d48 <= 1'd0;
-            valid_d49 <= 1'd0;
-            valid_d50 <= 1'd0;
-            valid_d51 <= 1'd0;
-            valid_d52 <= 1'd0;
-            valid_d53 <= 1'd0;
-            valid_d54 <= 1'd0;
-            valid_d55 <= 1'd0;
-            valid_d56 <= 1'd0;
-            valid_d57 <= 1'd0;
-            valid_d58 <= 1'd0;
+            in_flight <= 58'd0;
         end else if (queue_in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
@@ -5657,64 +3204,7 @@ module splat_evaluation (
             delay_52_from_0_pointer <= (delay_52_from_0_pointer == 6'd50) ? (delay_52_from_0_pointer - 6'd50) : (delay_52_from_0_pointer + 6'd1);
             delay_53_from_0_pointer <= (delay_53_from_0_pointer == 6'd51) ? (delay_53_from_0_pointer - 6'd51) : (delay_53_from_0_pointer + 6'd1);
             delay_58_from_0_pointer <= (delay_58_from_0_pointer == 6'd56) ? (delay_58_from_0_pointer - 6'd56) : (delay_58_from_0_pointer + 6'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
-            valid_d24 <= valid_d23;
-            valid_d25 <= valid_d24;
-            valid_d26 <= valid_d25;
-            valid_d27 <= valid_d26;
-            valid_d28 <= valid_d27;
-            valid_d29 <= valid_d28;
-            valid_d30 <= valid_d29;
-            valid_d31 <= valid_d30;
-            valid_d32 <= valid_d31;
-            valid_d33 <= valid_d32;
-            valid_d34 <= valid_d33;
-            valid_d35 <= valid_d34;
-            valid_d36 <= valid_d35;
-            valid_d37 <= valid_d36;
-            valid_d38 <= valid_d37;
-            valid_d39 <= valid_d38;
-            valid_d40 <= valid_d39;
-            valid_d41 <= valid_d40;
-            valid_d42 <= valid_d41;
-            valid_d43 <= valid_d42;
-            valid_d44 <= valid_d43;
-            valid_d45 <= valid_d44;
-            valid_d46 <= valid_d45;
-            valid_d47 <= valid_d46;
-            valid_d48 <= valid_d47;
-            valid_d49 <= valid_d48;
-            valid_d50 <= valid_d49;
-            valid_d51 <= valid_d50;
-            valid_d52 <= valid_d51;
-            valid_d53 <= valid_d52;
-            valid_d54 <= valid_d53;
-            valid_d55 <= valid_d54;
-            valid_d56 <= valid_d55;
-            valid_d57 <= valid_d56;
-            valid_d58 <= valid_d57;
+            in_flight <= {in_flight[56:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -5733,81 +3223,47 @@ module splat_evaluation (
         if (queue_in_ready) begin
             delay_5_from_0[delay_5_from_0_pointer] <= {or_65, and_63, delay_53_from_0_out, end_d53};
         end
-        if (queue_in_ready) begin
-            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-        end
+        if (queue_in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy6_y;
-        end
-        if (queue_in_ready) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
+        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy6_y;
+        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_9_from_0[delay_9_from_0_pointer] <= {in_my, in_mx, in_bx, in_by, in_ax, in_ay};
         end
-        if (queue_in_ready) begin
-            delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
-        end
+        if (queue_in_ready) delay_9_from_0_out <= delay_9_from_0[delay_9_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_12_from_0[delay_12_from_0_pointer] <= delay_13_from_0_out[23];
-        end
-        if (queue_in_ready) begin
-            delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
-        end
+        if (queue_in_ready) delay_12_from_0[delay_12_from_0_pointer] <= delay_13_from_0_out[23];
+        if (queue_in_ready) delay_12_from_0_out <= delay_12_from_0[delay_12_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
-        end
-        if (queue_in_ready) begin
-            delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
-        end
+        if (queue_in_ready) delay_13_from_0[delay_13_from_0_pointer] <= in_delta;
+        if (queue_in_ready) delay_13_from_0_out <= delay_13_from_0[delay_13_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_24_from_0[delay_24_from_0_pointer] <= xor_51;
-        end
-        if (queue_in_ready) begin
-            delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
-        end
+        if (queue_in_ready) delay_24_from_0[delay_24_from_0_pointer] <= xor_51;
+        if (queue_in_ready) delay_24_from_0_out <= delay_24_from_0[delay_24_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_26_from_0[delay_26_from_0_pointer] <= mul_f24_ftz_unit_copy12_y;
-        end
-        if (queue_in_ready) begin
-            delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
-        end
+        if (queue_in_ready) delay_26_from_0[delay_26_from_0_pointer] <= mul_f24_ftz_unit_copy12_y;
+        if (queue_in_ready) delay_26_from_0_out <= delay_26_from_0[delay_26_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_52_from_0[delay_52_from_0_pointer] <= in_end;
-        end
-        if (queue_in_ready) begin
-            delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
-        end
+        if (queue_in_ready) delay_52_from_0[delay_52_from_0_pointer] <= in_end;
+        if (queue_in_ready) delay_52_from_0_out <= delay_52_from_0[delay_52_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_53_from_0[delay_53_from_0_pointer] <= in_last;
-        end
-        if (queue_in_ready) begin
-            delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
-        end
+        if (queue_in_ready) delay_53_from_0[delay_53_from_0_pointer] <= in_last;
+        if (queue_in_ready) delay_53_from_0_out <= delay_53_from_0[delay_53_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_58_from_0[delay_58_from_0_pointer] <= {in_row[2:0], in_column[2:0], in_slot};
         end
-        if (queue_in_ready) begin
-            delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
-        end
+        if (queue_in_ready) delay_58_from_0_out <= delay_58_from_0[delay_58_from_0_pointer];
     end
 endmodule
 
@@ -5817,7 +3273,6 @@ endmodule
 // fraction_bits = 8
 module float_table (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [15:0] a,
     output reg  [15:0] y
@@ -5826,9 +3281,7 @@ module float_table (
     reg [7:0] fraction_s1;
     reg [16:0] slope_s2;
     reg [7:0] fraction_s2;
-    reg [15:0] rise_s3;
-    reg [15:0] start_s2;
-    reg [15:0] start_s3;
+    reg [15:0] rise_s3, start_s2, start_s3;
 
     reg [32:0] samples;
     always @(*) begin
@@ -6107,7 +3560,7 @@ module float_table (
         end
     end
 
-    wire _unused = &{1'b0, product_2[7:0], product_2[25:24], rst};
+    wire _unused = &{1'b0, product_2[7:0], product_2[25:24]};
 endmodule
 
 // Floating to fixed point.
@@ -6118,22 +3571,13 @@ endmodule
 // integer = unsigned
 module float_to_fixed_w16_fraction16 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [15:0] y
 );
     reg [3:0] distance_s1;
-    reg [15:0] significand_s1;
-    reg [15:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg [15:0] significand_s1, magnitude_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h792;
@@ -6159,7 +3603,7 @@ module float_to_fixed_w16_fraction16 (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:4], rst};
+    wire _unused = &{1'b0, difference_2[10:4]};
 endmodule
 
 // Floating-point quotient, correctly rounded.
@@ -6167,7 +3611,6 @@ endmodule
 // format = f24-ftz
 module float_div (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
@@ -6219,109 +3662,23 @@ module float_div (
     reg [14:0] quotient_s15;
     reg [15:0] divisor_s15;
     reg [16:0] remainder_s16;
-    reg [15:0] quotient_s16;
-    reg [15:0] divisor_s16;
-    reg [16:0] remainder_s17;
-    reg [16:0] quotient_s17;
+    reg [15:0] quotient_s16, divisor_s16;
+    reg [16:0] remainder_s17, quotient_s17;
     reg [15:0] divisor_s17;
     reg [16:0] remainder_s18;
     reg [17:0] quotient_s18;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
-    reg [9:0] exponent_s5;
-    reg [9:0] exponent_s6;
-    reg [9:0] exponent_s7;
-    reg [9:0] exponent_s8;
-    reg [9:0] exponent_s9;
-    reg [9:0] exponent_s10;
-    reg [9:0] exponent_s11;
-    reg [9:0] exponent_s12;
-    reg [9:0] exponent_s13;
-    reg [9:0] exponent_s14;
-    reg [9:0] exponent_s15;
-    reg [9:0] exponent_s16;
-    reg [9:0] exponent_s17;
-    reg [9:0] exponent_s18;
-    reg [9:0] exponent_s19;
+    reg [9:0] exponent_s1, exponent_s2, exponent_s3, exponent_s4, exponent_s5, exponent_s6, exponent_s7;
+    reg [9:0] exponent_s8, exponent_s9, exponent_s10, exponent_s11, exponent_s12, exponent_s13, exponent_s14;
+    reg [9:0] exponent_s15, exponent_s16, exponent_s17, exponent_s18, exponent_s19;
     reg [17:0] significand_s19;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg sign_s6;
-    reg sign_s7;
-    reg sign_s8;
-    reg sign_s9;
-    reg sign_s10;
-    reg sign_s11;
-    reg sign_s12;
-    reg sign_s13;
-    reg sign_s14;
-    reg sign_s15;
-    reg sign_s16;
-    reg sign_s17;
-    reg sign_s18;
-    reg sign_s19;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg nan_s6;
-    reg nan_s7;
-    reg nan_s8;
-    reg nan_s9;
-    reg nan_s10;
-    reg nan_s11;
-    reg nan_s12;
-    reg nan_s13;
-    reg nan_s14;
-    reg nan_s15;
-    reg nan_s16;
-    reg nan_s17;
-    reg nan_s18;
-    reg nan_s19;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg infinite_s6;
-    reg infinite_s7;
-    reg infinite_s8;
-    reg infinite_s9;
-    reg infinite_s10;
-    reg infinite_s11;
-    reg infinite_s12;
-    reg infinite_s13;
-    reg infinite_s14;
-    reg infinite_s15;
-    reg infinite_s16;
-    reg infinite_s17;
-    reg infinite_s18;
-    reg infinite_s19;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-    reg zero_s6;
-    reg zero_s7;
-    reg zero_s8;
-    reg zero_s9;
-    reg zero_s10;
-    reg zero_s11;
-    reg zero_s12;
-    reg zero_s13;
-    reg zero_s14;
-    reg zero_s15;
-    reg zero_s16;
-    reg zero_s17;
-    reg zero_s18;
-    reg zero_s19;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, sign_s5, sign_s6, sign_s7, sign_s8, sign_s9, sign_s10, sign_s11;
+    reg sign_s12, sign_s13, sign_s14, sign_s15, sign_s16, sign_s17, sign_s18, sign_s19, nan_s1, nan_s2;
+    reg nan_s3, nan_s4, nan_s5, nan_s6, nan_s7, nan_s8, nan_s9, nan_s10, nan_s11, nan_s12, nan_s13, nan_s14;
+    reg nan_s15, nan_s16, nan_s17, nan_s18, nan_s19, infinite_s1, infinite_s2, infinite_s3, infinite_s4;
+    reg infinite_s5, infinite_s6, infinite_s7, infinite_s8, infinite_s9, infinite_s10, infinite_s11;
+    reg infinite_s12, infinite_s13, infinite_s14, infinite_s15, infinite_s16, infinite_s17, infinite_s18;
+    reg infinite_s19, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5, zero_s6, zero_s7, zero_s8, zero_s9;
+    reg zero_s10, zero_s11, zero_s12, zero_s13, zero_s14, zero_s15, zero_s16, zero_s17, zero_s18, zero_s19;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -6534,27 +3891,10 @@ module float_div (
     end
 
     wire _unused = &{
-        1'b0,
-        difference_11[16],
-        difference_13[16],
-        difference_15[16],
-        difference_17[16],
-        difference_19[16],
-        difference_21[16],
-        difference_23[16],
-        difference_25[16],
-        difference_27[16],
-        difference_29[16],
-        difference_3[16],
-        difference_31[16],
-        difference_33[16],
-        difference_35[16],
-        difference_37[16],
-        difference_5[16],
-        difference_7[16],
-        difference_9[16],
-        rst,
-        significand_s19[17]
+        1'b0, difference_11[16], difference_13[16], difference_15[16], difference_17[16], difference_19[16],
+        difference_21[16], difference_23[16], difference_25[16], difference_27[16], difference_29[16],
+        difference_3[16], difference_31[16], difference_33[16], difference_35[16], difference_37[16],
+        difference_5[16], difference_7[16], difference_9[16], significand_s19[17]
     };
 endmodule
 
@@ -6566,7 +3906,6 @@ endmodule
 // integer = unsigned
 module float_from_fixed_s3_formatf24ftz_w10_fraction1 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [9:0] a,
     output reg  [23:0] y
@@ -6575,8 +3914,7 @@ module float_from_fixed_s3_formatf24ftz_w10_fraction1 (
     reg [3:0] zeros_s1;
     reg [8:0] exponent_s2;
     reg [17:0] significand_s2;
-    reg zero_s1;
-    reg zero_s2;
+    reg zero_s1, zero_s2;
 
     wire term_1 = ~a[9] & ~a[8];
     wire term_2 = term_1 & (~a[7] & ~a[6]);
@@ -6602,7 +3940,7 @@ module float_from_fixed_s3_formatf24ftz_w10_fraction1 (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s2[17]};
+    wire _unused = &{1'b0, significand_s2[17]};
 endmodule
 
 // Queue of two in registers.
@@ -6612,55 +3950,32 @@ module stream_skid_w26 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire in_last,
-    input  wire in_inside,
-    input  wire in_slot,
-    input  wire [5:0] in_pixel,
-    input  wire [15:0] in_weight,
+    input  wire [25:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire out_last,
-    output wire out_inside,
-    output wire out_slot,
-    output wire [5:0] out_pixel,
-    output wire [15:0] out_weight
+    output wire [25:0] out_data
 );
     reg second_valid;
-    reg [25:0] head;
-    reg [25:0] second;
+    reg [25:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [25:0] in_item = {in_end, in_last, in_inside, in_slot, in_pixel, in_weight};
 
-    assign out_end = head[25];
-    assign out_last = head[24];
-    assign out_inside = head[23];
-    assign out_slot = head[22];
-    assign out_pixel = head[21:16];
-    assign out_weight = head[15:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -6863,50 +4178,18 @@ module splat_tile_cache (
     input  wire [15:0] drain_attribute_12,
     input  wire [15:0] drain_cardinal_0
 );
-    (* no_rw_check *)
-    reg touched_tiles [0:4095];
-    reg head_valid;
-    reg head_end;
-    reg [23:0] head_center_x;
-    reg [23:0] head_center_y;
-    reg [23:0] head_ax;
-    reg [23:0] head_bx;
-    reg [23:0] head_ay;
-    reg [23:0] head_by;
-    reg [23:0] head_delta;
-    reg [23:0] head_mx;
-    reg [23:0] head_my;
-    reg [23:0] head_depth;
-    reg [23:0] head_depth_low;
-    reg [23:0] head_depth_high;
-    reg [15:0] head_attribute_0;
-    reg [15:0] head_attribute_1;
-    reg [15:0] head_attribute_2;
-    reg [15:0] head_attribute_3;
-    reg [15:0] head_attribute_4;
-    reg [15:0] head_attribute_5;
-    reg [15:0] head_attribute_6;
-    reg [15:0] head_attribute_7;
-    reg [15:0] head_attribute_8;
-    reg [15:0] head_attribute_9;
-    reg [15:0] head_attribute_10;
-    reg [15:0] head_attribute_11;
-    reg [15:0] head_attribute_12;
-    reg [15:0] head_cardinal_0;
-    reg [2:0] head_left;
-    reg [2:0] head_right;
-    reg [2:0] head_top;
-    reg [2:0] head_bottom;
+    reg head_valid, head_end;
+    reg [23:0] head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx, head_my;
+    reg [23:0] head_depth, head_depth_low, head_depth_high;
+    reg [15:0] head_attribute_0, head_attribute_1, head_attribute_2, head_attribute_3, head_attribute_4;
+    reg [15:0] head_attribute_5, head_attribute_6, head_attribute_7, head_attribute_8, head_attribute_9;
+    reg [15:0] head_attribute_10, head_attribute_11, head_attribute_12, head_cardinal_0;
+    reg [2:0] head_left, head_right, head_top, head_bottom;
     reg [11:0] head_tile;
     reg [2:0] mode;
     reg frame_ended;
     reg [11:0] code;
-    reg code_read;
-    reg looking;
-    reg looked;
-    reg moving;
-    reg slot;
-    reg evict;
+    reg code_read, looking, looked, moving, slot, evict;
     reg [11:0] evict_tile;
     reg load;
     reg [6:0] drained;
@@ -6917,182 +4200,100 @@ module splat_tile_cache (
     reg [6:0] filled;
     reg next;
     reg [11:0] tile_0;
-    reg resident_0;
-    reg ready_0;
+    reg resident_0, ready_0;
     reg [7:0] in_flight_0;
-    reg is_of_copy_0;
-    reg is_of_code_0;
+    reg is_of_copy_0, is_of_code_0;
     reg [11:0] tile_1;
-    reg resident_1;
-    reg ready_1;
+    reg resident_1, ready_1;
     reg [7:0] in_flight_1;
-    reg is_of_copy_1;
-    reg is_of_code_1;
-    reg stored_touched;
+    reg is_of_copy_1, is_of_code_1;
+    wire stored_touched;
     reg touched;
 
-    wire in_queue_in_ready;
-    wire in_queue_out_valid;
-    wire in_queue_out_end;
-    wire [23:0] in_queue_out_center_x;
-    wire [23:0] in_queue_out_center_y;
-    wire [23:0] in_queue_out_ax;
-    wire [23:0] in_queue_out_bx;
-    wire [23:0] in_queue_out_ay;
-    wire [23:0] in_queue_out_by;
-    wire [23:0] in_queue_out_delta;
-    wire [23:0] in_queue_out_mx;
-    wire [23:0] in_queue_out_my;
-    wire [23:0] in_queue_out_depth;
-    wire [23:0] in_queue_out_depth_low;
-    wire [23:0] in_queue_out_depth_high;
-    wire [15:0] in_queue_out_attribute_0;
-    wire [15:0] in_queue_out_attribute_1;
-    wire [15:0] in_queue_out_attribute_2;
-    wire [15:0] in_queue_out_attribute_3;
-    wire [15:0] in_queue_out_attribute_4;
-    wire [15:0] in_queue_out_attribute_5;
-    wire [15:0] in_queue_out_attribute_6;
-    wire [15:0] in_queue_out_attribute_7;
-    wire [15:0] in_queue_out_attribute_8;
-    wire [15:0] in_queue_out_attribute_9;
-    wire [15:0] in_queue_out_attribute_10;
-    wire [15:0] in_queue_out_attribute_11;
-    wire [15:0] in_queue_out_attribute_12;
-    wire [15:0] in_queue_out_cardinal_0;
-    wire [2:0] in_queue_out_left;
-    wire [2:0] in_queue_out_right;
-    wire [2:0] in_queue_out_top;
-    wire [2:0] in_queue_out_bottom;
-    wire [11:0] in_queue_out_tile;
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire out_queue_out_end;
-    wire [23:0] out_queue_out_center_x;
-    wire [23:0] out_queue_out_center_y;
-    wire [23:0] out_queue_out_ax;
-    wire [23:0] out_queue_out_bx;
-    wire [23:0] out_queue_out_ay;
-    wire [23:0] out_queue_out_by;
-    wire [23:0] out_queue_out_delta;
-    wire [23:0] out_queue_out_mx;
-    wire [23:0] out_queue_out_my;
-    wire [23:0] out_queue_out_depth;
-    wire [23:0] out_queue_out_depth_low;
-    wire [23:0] out_queue_out_depth_high;
-    wire [15:0] out_queue_out_attribute_0;
-    wire [15:0] out_queue_out_attribute_1;
-    wire [15:0] out_queue_out_attribute_2;
-    wire [15:0] out_queue_out_attribute_3;
-    wire [15:0] out_queue_out_attribute_4;
-    wire [15:0] out_queue_out_attribute_5;
-    wire [15:0] out_queue_out_attribute_6;
-    wire [15:0] out_queue_out_attribute_7;
-    wire [15:0] out_queue_out_attribute_8;
-    wire [15:0] out_queue_out_attribute_9;
-    wire [15:0] out_queue_out_attribute_10;
-    wire [15:0] out_queue_out_attribute_11;
-    wire [15:0] out_queue_out_attribute_12;
-    wire [15:0] out_queue_out_cardinal_0;
-    wire [2:0] out_queue_out_left;
-    wire [2:0] out_queue_out_right;
-    wire [2:0] out_queue_out_top;
-    wire [2:0] out_queue_out_bottom;
-    wire [11:0] out_queue_out_tile;
-    wire out_queue_out_slot;
-    wire write_queue_in_ready;
-    wire write_queue_out_valid;
-    wire [11:0] write_queue_out_tile;
-    wire [5:0] write_queue_out_pixel;
-    wire [27:0] write_queue_out_weight;
-    wire [51:0] write_queue_out_depth;
-    wire [15:0] write_queue_out_peak;
-    wire [15:0] write_queue_out_attribute_0;
-    wire [15:0] write_queue_out_attribute_1;
-    wire [15:0] write_queue_out_attribute_2;
-    wire [15:0] write_queue_out_attribute_3;
-    wire [15:0] write_queue_out_attribute_4;
-    wire [15:0] write_queue_out_attribute_5;
-    wire [15:0] write_queue_out_attribute_6;
-    wire [15:0] write_queue_out_attribute_7;
-    wire [15:0] write_queue_out_attribute_8;
-    wire [15:0] write_queue_out_attribute_9;
-    wire [15:0] write_queue_out_attribute_10;
-    wire [15:0] write_queue_out_attribute_11;
-    wire [15:0] write_queue_out_attribute_12;
-    wire [15:0] write_queue_out_cardinal_0;
-    wire pixel_queue_in_ready;
-    wire pixel_queue_out_valid;
-    wire pixel_queue_out_end;
-    wire [11:0] pixel_queue_out_tile;
-    wire [5:0] pixel_queue_out_pixel;
-    wire [27:0] pixel_queue_out_weight;
-    wire [51:0] pixel_queue_out_depth;
-    wire [15:0] pixel_queue_out_peak;
-    wire [15:0] pixel_queue_out_attribute_0;
-    wire [15:0] pixel_queue_out_attribute_1;
-    wire [15:0] pixel_queue_out_attribute_2;
-    wire [15:0] pixel_queue_out_attribute_3;
-    wire [15:0] pixel_queue_out_attribute_4;
-    wire [15:0] pixel_queue_out_attribute_5;
-    wire [15:0] pixel_queue_out_attribute_6;
-    wire [15:0] pixel_queue_out_attribute_7;
-    wire [15:0] pixel_queue_out_attribute_8;
-    wire [15:0] pixel_queue_out_attribute_9;
-    wire [15:0] pixel_queue_out_attribute_10;
-    wire [15:0] pixel_queue_out_attribute_11;
-    wire [15:0] pixel_queue_out_attribute_12;
-    wire [15:0] pixel_queue_out_cardinal_0;
+    wire in_queue_in_ready, in_queue_out_valid;
+    wire [536:0] in_queue_out_data;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [537:0] out_queue_out_data;
+    wire write_queue_in_ready, write_queue_out_valid;
+    wire [337:0] write_queue_out_data;
+    wire pixel_queue_in_ready, pixel_queue_out_valid;
+    wire [338:0] pixel_queue_out_data;
 
-    assign in_ready = in_queue_in_ready;
     wire may_fill = moving & (~filled[6] & (~evict | (filled < drained)));
     wire term_1 = mode == 3'd6;
     wire take_data = (may_fill & load) | (term_1 & (pixel_queue_in_ready & ~drained[6]));
-    assign data_ready = take_data;
     wire term_2 = mode == 3'd5;
     wire draining = term_2 | (moving & evict);
     wire term_3 = ~holding | (term_2 ? pixel_queue_in_ready : write_queue_in_ready);
     wire drain_step = draining & term_3;
+    wire term_4 = mode == 3'd0;
+    wire term_5 = mode == 3'd4;
+    wire term_6 = mode == 3'd3;
     wire head_takes = ~head_valid;
-    wire in_queue_out_ready = head_takes;
     wire head_waits = (mode == 3'd1) & head_valid;
-    wire term_4 = head_waits & ~head_end;
-    wire term_5 = resident_0 & is_of_copy_0;
+    wire term_7 = head_waits & ~head_end;
+    wire term_8 = resident_0 & is_of_copy_0;
     wire copy_slot = resident_1 & is_of_copy_1;
-    wire copy_hit = |{term_5, copy_slot};
-    wire term_6 = out_queue_in_ready & ~((term_5 & &in_flight_0) | (copy_slot & &in_flight_1));
-    wire send = term_4 & (copy_hit & term_6);
+    wire copy_hit = |{term_8, copy_slot};
+    wire term_9 = out_queue_in_ready & ~((term_8 & &in_flight_0) | (copy_slot & &in_flight_1));
+    wire send = term_7 & (copy_hit & term_9);
     wire send_end = head_waits & (head_end & out_queue_in_ready);
-    wire term_7 = send | send_end;
-    wire out_queue_out_ready = out_ready;
+    wire term_10 = send | send_end;
     wire held_leaves = holding & drain_step;
-    wire write_queue_out_ready = write_ready;
     wire close = (mode == 3'd7) & pixel_queue_in_ready;
     wire beat = take_data & data_valid;
-    wire term_8 = term_1 & beat;
-    wire [27:0] choice_9 = term_2 ? drain_weight : data_weight;
-    wire visible = |choice_9;
-    wire pixel_queue_out_ready = pixel_ready;
-    wire term_10 = mode == 3'd0;
+    wire term_11 = term_1 & beat;
+    wire [27:0] choice_12 = term_2 ? drain_weight : data_weight;
+    wire visible = |choice_12;
+    wire in_queue_out_end = in_queue_out_data[536];
+    wire [23:0] in_queue_out_center_x = in_queue_out_data[535:512];
+    wire [23:0] in_queue_out_center_y = in_queue_out_data[511:488];
+    wire [23:0] in_queue_out_ax = in_queue_out_data[487:464];
+    wire [23:0] in_queue_out_bx = in_queue_out_data[463:440];
+    wire [23:0] in_queue_out_ay = in_queue_out_data[439:416];
+    wire [23:0] in_queue_out_by = in_queue_out_data[415:392];
+    wire [23:0] in_queue_out_delta = in_queue_out_data[391:368];
+    wire [23:0] in_queue_out_mx = in_queue_out_data[367:344];
+    wire [23:0] in_queue_out_my = in_queue_out_data[343:320];
+    wire [23:0] in_queue_out_depth = in_queue_out_data[319:296];
+    wire [23:0] in_queue_out_depth_low = in_queue_out_data[295:272];
+    wire [23:0] in_queue_out_depth_high = in_queue_out_data[271:248];
+    wire [15:0] in_queue_out_attribute_0 = in_queue_out_data[247:232];
+    wire [15:0] in_queue_out_attribute_1 = in_queue_out_data[231:216];
+    wire [15:0] in_queue_out_attribute_2 = in_queue_out_data[215:200];
+    wire [15:0] in_queue_out_attribute_3 = in_queue_out_data[199:184];
+    wire [15:0] in_queue_out_attribute_4 = in_queue_out_data[183:168];
+    wire [15:0] in_queue_out_attribute_5 = in_queue_out_data[167:152];
+    wire [15:0] in_queue_out_attribute_6 = in_queue_out_data[151:136];
+    wire [15:0] in_queue_out_attribute_7 = in_queue_out_data[135:120];
+    wire [15:0] in_queue_out_attribute_8 = in_queue_out_data[119:104];
+    wire [15:0] in_queue_out_attribute_9 = in_queue_out_data[103:88];
+    wire [15:0] in_queue_out_attribute_10 = in_queue_out_data[87:72];
+    wire [15:0] in_queue_out_attribute_11 = in_queue_out_data[71:56];
+    wire [15:0] in_queue_out_attribute_12 = in_queue_out_data[55:40];
+    wire [15:0] in_queue_out_cardinal_0 = in_queue_out_data[39:24];
+    wire [2:0] in_queue_out_left = in_queue_out_data[23:21];
+    wire [2:0] in_queue_out_right = in_queue_out_data[20:18];
+    wire [2:0] in_queue_out_top = in_queue_out_data[17:15];
+    wire [2:0] in_queue_out_bottom = in_queue_out_data[14:12];
+    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
     wire last_code = &code;
-    wire term_11 = ~(looking | looked | moving);
-    wire finish = (mode == 3'd2) & (frame_ended & term_11);
-    wire term_12 = mode == 3'd3;
-    wire term_13 = showing | holding;
-    wire term_14 = (term_2 & (drained[6] & ~term_13)) | (term_1 & drained[6]);
-    wire term_15 = mode == 3'd4;
-    wire next_tile = term_14 | (term_15 & ~touched);
+    wire term_13 = ~(looking | looked | moving);
+    wire finish = (mode == 3'd2) & (frame_ended & term_13);
+    wire term_14 = showing | holding;
+    wire term_15 = (term_2 & (drained[6] & ~term_14)) | (term_1 & drained[6]);
+    wire next_tile = term_15 | (term_5 & ~touched);
     wire sent_slot = resident_1 & is_of_code_1;
     wire sent_hit = |{resident_0 & is_of_code_0, sent_slot};
-    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_15 ? (sent_hit ? 3'd5 : 3'd6) : mode;
-    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_12 & code_read) ? 3'd4 : choice_16;
+    wire [2:0] choice_16 = next_tile ? (last_code ? 3'd7 : 3'd3) : term_5 ? (sent_hit ? 3'd5 : 3'd6) : mode;
+    wire [2:0] choice_17 = send_end ? 3'd2 : finish ? 3'd3 : (term_6 & code_read) ? 3'd4 : choice_16;
     wire term_18 = (~next & (in_flight_0 == 8'd0)) | (next & (in_flight_1 == 8'd0));
-    wire start = term_4 & (~copy_hit & (term_11 & term_18));
-    wire term_19 = ~evict | (drained[6] & ~(term_13 | write_queue_out_valid));
+    wire start = term_7 & (~copy_hit & (term_13 & term_18));
+    wire term_19 = ~evict | (drained[6] & ~(term_14 | write_queue_out_valid));
     wire done = moving & (filled[6] & (~fill_valid & term_19));
-    wire term_20 = start | term_15;
-    wire term_21 = touched & (looked | (term_15 & ~sent_hit));
-    wire term_22 = looked | term_15;
+    wire term_20 = start | term_5;
+    wire term_21 = touched & (looked | (term_5 & ~sent_hit));
+    wire term_22 = looked | term_5;
     wire drain_next = drain_step & ~drained[6];
     wire fill = may_fill & (~load | data_valid);
     wire term_23 = start & ~next;
@@ -7104,329 +4305,97 @@ module splat_tile_cache (
     wire term_29 = send & copy_slot;
     wire term_30 = retire_valid & retire_slot;
 
+    assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
-    assign out_end = out_queue_out_end;
-    assign out_center_x = out_queue_out_center_x;
-    assign out_center_y = out_queue_out_center_y;
-    assign out_ax = out_queue_out_ax;
-    assign out_bx = out_queue_out_bx;
-    assign out_ay = out_queue_out_ay;
-    assign out_by = out_queue_out_by;
-    assign out_delta = out_queue_out_delta;
-    assign out_mx = out_queue_out_mx;
-    assign out_my = out_queue_out_my;
-    assign out_depth = out_queue_out_depth;
-    assign out_depth_low = out_queue_out_depth_low;
-    assign out_depth_high = out_queue_out_depth_high;
-    assign out_attribute_0 = out_queue_out_attribute_0;
-    assign out_attribute_1 = out_queue_out_attribute_1;
-    assign out_attribute_2 = out_queue_out_attribute_2;
-    assign out_attribute_3 = out_queue_out_attribute_3;
-    assign out_attribute_4 = out_queue_out_attribute_4;
-    assign out_attribute_5 = out_queue_out_attribute_5;
-    assign out_attribute_6 = out_queue_out_attribute_6;
-    assign out_attribute_7 = out_queue_out_attribute_7;
-    assign out_attribute_8 = out_queue_out_attribute_8;
-    assign out_attribute_9 = out_queue_out_attribute_9;
-    assign out_attribute_10 = out_queue_out_attribute_10;
-    assign out_attribute_11 = out_queue_out_attribute_11;
-    assign out_attribute_12 = out_queue_out_attribute_12;
-    assign out_cardinal_0 = out_queue_out_cardinal_0;
-    assign out_left = out_queue_out_left;
-    assign out_right = out_queue_out_right;
-    assign out_top = out_queue_out_top;
-    assign out_bottom = out_queue_out_bottom;
-    assign out_tile = out_queue_out_tile;
-    assign out_slot = out_queue_out_slot;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
+        out_right, out_top, out_bottom, out_tile, out_slot
+    } = out_queue_out_data;
+    assign data_ready = take_data;
     assign write_valid = write_queue_out_valid;
-    assign write_tile = write_queue_out_tile;
-    assign write_pixel = write_queue_out_pixel;
-    assign write_weight = write_queue_out_weight;
-    assign write_depth = write_queue_out_depth;
-    assign write_peak = write_queue_out_peak;
-    assign write_attribute_0 = write_queue_out_attribute_0;
-    assign write_attribute_1 = write_queue_out_attribute_1;
-    assign write_attribute_2 = write_queue_out_attribute_2;
-    assign write_attribute_3 = write_queue_out_attribute_3;
-    assign write_attribute_4 = write_queue_out_attribute_4;
-    assign write_attribute_5 = write_queue_out_attribute_5;
-    assign write_attribute_6 = write_queue_out_attribute_6;
-    assign write_attribute_7 = write_queue_out_attribute_7;
-    assign write_attribute_8 = write_queue_out_attribute_8;
-    assign write_attribute_9 = write_queue_out_attribute_9;
-    assign write_attribute_10 = write_queue_out_attribute_10;
-    assign write_attribute_11 = write_queue_out_attribute_11;
-    assign write_attribute_12 = write_queue_out_attribute_12;
-    assign write_cardinal_0 = write_queue_out_cardinal_0;
+    assign {
+        write_tile, write_pixel, write_weight, write_depth, write_peak, write_attribute_0, write_attribute_1,
+        write_attribute_2, write_attribute_3, write_attribute_4, write_attribute_5, write_attribute_6,
+        write_attribute_7, write_attribute_8, write_attribute_9, write_attribute_10, write_attribute_11,
+        write_attribute_12, write_cardinal_0
+    } = write_queue_out_data;
     assign pixel_valid = pixel_queue_out_valid;
-    assign pixel_end = pixel_queue_out_end;
-    assign pixel_tile = pixel_queue_out_tile;
-    assign pixel_pixel = pixel_queue_out_pixel;
-    assign pixel_weight = pixel_queue_out_weight;
-    assign pixel_depth = pixel_queue_out_depth;
-    assign pixel_peak = pixel_queue_out_peak;
-    assign pixel_attribute_0 = pixel_queue_out_attribute_0;
-    assign pixel_attribute_1 = pixel_queue_out_attribute_1;
-    assign pixel_attribute_2 = pixel_queue_out_attribute_2;
-    assign pixel_attribute_3 = pixel_queue_out_attribute_3;
-    assign pixel_attribute_4 = pixel_queue_out_attribute_4;
-    assign pixel_attribute_5 = pixel_queue_out_attribute_5;
-    assign pixel_attribute_6 = pixel_queue_out_attribute_6;
-    assign pixel_attribute_7 = pixel_queue_out_attribute_7;
-    assign pixel_attribute_8 = pixel_queue_out_attribute_8;
-    assign pixel_attribute_9 = pixel_queue_out_attribute_9;
-    assign pixel_attribute_10 = pixel_queue_out_attribute_10;
-    assign pixel_attribute_11 = pixel_queue_out_attribute_11;
-    assign pixel_attribute_12 = pixel_queue_out_attribute_12;
-    assign pixel_cardinal_0 = pixel_queue_out_cardinal_0;
+    assign {
+        pixel_end, pixel_tile, pixel_pixel, pixel_weight, pixel_depth, pixel_peak, pixel_attribute_0,
+        pixel_attribute_1, pixel_attribute_2, pixel_attribute_3, pixel_attribute_4, pixel_attribute_5,
+        pixel_attribute_6, pixel_attribute_7, pixel_attribute_8, pixel_attribute_9, pixel_attribute_10,
+        pixel_attribute_11, pixel_attribute_12, pixel_cardinal_0
+    } = pixel_queue_out_data;
     assign slot_ready = {ready_1, ready_0};
     assign fill_slot = slot;
     assign drain_enable = drain_step;
     assign drain_slot = slot;
     assign drain_pixel = drained[5:0];
 
-    stream_half_buffer_w537 in_queue (
+    memory_1w1r_unordered #(.WIDTH(1), .DEPTH(4096)) touched_tiles (
         .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(in_queue_in_ready),
-        .in_end(in_end),
-        .in_center_x(in_center_x),
-        .in_center_y(in_center_y),
-        .in_ax(in_ax),
-        .in_bx(in_bx),
-        .in_ay(in_ay),
-        .in_by(in_by),
-        .in_delta(in_delta),
-        .in_mx(in_mx),
-        .in_my(in_my),
-        .in_depth(in_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .in_attribute_3(in_attribute_3),
-        .in_attribute_4(in_attribute_4),
-        .in_attribute_5(in_attribute_5),
-        .in_attribute_6(in_attribute_6),
-        .in_attribute_7(in_attribute_7),
-        .in_attribute_8(in_attribute_8),
-        .in_attribute_9(in_attribute_9),
-        .in_attribute_10(in_attribute_10),
-        .in_attribute_11(in_attribute_11),
-        .in_attribute_12(in_attribute_12),
-        .in_cardinal_0(in_cardinal_0),
-        .in_left(in_left),
-        .in_right(in_right),
-        .in_top(in_top),
-        .in_bottom(in_bottom),
-        .in_tile(in_tile),
-        .out_valid(in_queue_out_valid),
-        .out_ready(in_queue_out_ready),
-        .out_end(in_queue_out_end),
-        .out_center_x(in_queue_out_center_x),
-        .out_center_y(in_queue_out_center_y),
-        .out_ax(in_queue_out_ax),
-        .out_bx(in_queue_out_bx),
-        .out_ay(in_queue_out_ay),
-        .out_by(in_queue_out_by),
-        .out_delta(in_queue_out_delta),
-        .out_mx(in_queue_out_mx),
-        .out_my(in_queue_out_my),
-        .out_depth(in_queue_out_depth),
-        .out_depth_low(in_queue_out_depth_low),
-        .out_depth_high(in_queue_out_depth_high),
-        .out_attribute_0(in_queue_out_attribute_0),
-        .out_attribute_1(in_queue_out_attribute_1),
-        .out_attribute_2(in_queue_out_attribute_2),
-        .out_attribute_3(in_queue_out_attribute_3),
-        .out_attribute_4(in_queue_out_attribute_4),
-        .out_attribute_5(in_queue_out_attribute_5),
-        .out_attribute_6(in_queue_out_attribute_6),
-        .out_attribute_7(in_queue_out_attribute_7),
-        .out_attribute_8(in_queue_out_attribute_8),
-        .out_attribute_9(in_queue_out_attribute_9),
-        .out_attribute_10(in_queue_out_attribute_10),
-        .out_attribute_11(in_queue_out_attribute_11),
-        .out_attribute_12(in_queue_out_attribute_12),
-        .out_cardinal_0(in_queue_out_cardinal_0),
-        .out_left(in_queue_out_left),
-        .out_right(in_queue_out_right),
-        .out_top(in_queue_out_top),
-        .out_bottom(in_queue_out_bottom),
-        .out_tile(in_queue_out_tile)
+        .write(looked | (term_4 | (term_5 & touched))), .write_address(looked ? read_tile : code),
+        .write_data(looked),
+        .read(1'd1), .read_address(term_6 ? code : head_tile), .read_data(stored_touched)
+    );
+
+    stream_half_buffer_w537 in_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .in_data({
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
+            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
+            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
+            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
+            in_bottom, in_tile
+        }),
+        .out_valid(in_queue_out_valid), .out_ready(head_takes), .out_data(in_queue_out_data)
     );
 
     stream_half_buffer_w538 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_7),
-        .in_ready(out_queue_in_ready),
-        .in_end(head_end),
-        .in_center_x(head_center_x),
-        .in_center_y(head_center_y),
-        .in_ax(head_ax),
-        .in_bx(head_bx),
-        .in_ay(head_ay),
-        .in_by(head_by),
-        .in_delta(head_delta),
-        .in_mx(head_mx),
-        .in_my(head_my),
-        .in_depth(head_depth),
-        .in_depth_low(head_depth_low),
-        .in_depth_high(head_depth_high),
-        .in_attribute_0(head_attribute_0),
-        .in_attribute_1(head_attribute_1),
-        .in_attribute_2(head_attribute_2),
-        .in_attribute_3(head_attribute_3),
-        .in_attribute_4(head_attribute_4),
-        .in_attribute_5(head_attribute_5),
-        .in_attribute_6(head_attribute_6),
-        .in_attribute_7(head_attribute_7),
-        .in_attribute_8(head_attribute_8),
-        .in_attribute_9(head_attribute_9),
-        .in_attribute_10(head_attribute_10),
-        .in_attribute_11(head_attribute_11),
-        .in_attribute_12(head_attribute_12),
-        .in_cardinal_0(head_cardinal_0),
-        .in_left(head_left),
-        .in_right(head_right),
-        .in_top(head_top),
-        .in_bottom(head_bottom),
-        .in_tile(head_tile),
-        .in_slot(copy_slot),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_attribute_3(out_queue_out_attribute_3),
-        .out_attribute_4(out_queue_out_attribute_4),
-        .out_attribute_5(out_queue_out_attribute_5),
-        .out_attribute_6(out_queue_out_attribute_6),
-        .out_attribute_7(out_queue_out_attribute_7),
-        .out_attribute_8(out_queue_out_attribute_8),
-        .out_attribute_9(out_queue_out_attribute_9),
-        .out_attribute_10(out_queue_out_attribute_10),
-        .out_attribute_11(out_queue_out_attribute_11),
-        .out_attribute_12(out_queue_out_attribute_12),
-        .out_cardinal_0(out_queue_out_cardinal_0),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile),
-        .out_slot(out_queue_out_slot)
+        .clk(clk), .rst(rst),
+        .in_valid(term_10), .in_ready(out_queue_in_ready),
+        .in_data({
+            head_end, head_center_x, head_center_y, head_ax, head_bx, head_ay, head_by, head_delta, head_mx,
+            head_my, head_depth, head_depth_low, head_depth_high, head_attribute_0, head_attribute_1,
+            head_attribute_2, head_attribute_3, head_attribute_4, head_attribute_5, head_attribute_6,
+            head_attribute_7, head_attribute_8, head_attribute_9, head_attribute_10, head_attribute_11,
+            head_attribute_12, head_cardinal_0, head_left, head_right, head_top, head_bottom, head_tile,
+            copy_slot
+        }),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_skid_w338 write_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(moving & held_leaves),
-        .in_ready(write_queue_in_ready),
-        .in_tile(evict_tile),
-        .in_pixel(held_pixel),
-        .in_weight(drain_weight),
-        .in_depth(drain_depth),
-        .in_peak(drain_peak),
-        .in_attribute_0(drain_attribute_0),
-        .in_attribute_1(drain_attribute_1),
-        .in_attribute_2(drain_attribute_2),
-        .in_attribute_3(drain_attribute_3),
-        .in_attribute_4(drain_attribute_4),
-        .in_attribute_5(drain_attribute_5),
-        .in_attribute_6(drain_attribute_6),
-        .in_attribute_7(drain_attribute_7),
-        .in_attribute_8(drain_attribute_8),
-        .in_attribute_9(drain_attribute_9),
-        .in_attribute_10(drain_attribute_10),
-        .in_attribute_11(drain_attribute_11),
-        .in_attribute_12(drain_attribute_12),
-        .in_cardinal_0(drain_cardinal_0),
-        .out_valid(write_queue_out_valid),
-        .out_ready(write_queue_out_ready),
-        .out_tile(write_queue_out_tile),
-        .out_pixel(write_queue_out_pixel),
-        .out_weight(write_queue_out_weight),
-        .out_depth(write_queue_out_depth),
-        .out_peak(write_queue_out_peak),
-        .out_attribute_0(write_queue_out_attribute_0),
-        .out_attribute_1(write_queue_out_attribute_1),
-        .out_attribute_2(write_queue_out_attribute_2),
-        .out_attribute_3(write_queue_out_attribute_3),
-        .out_attribute_4(write_queue_out_attribute_4),
-        .out_attribute_5(write_queue_out_attribute_5),
-        .out_attribute_6(write_queue_out_attribute_6),
-        .out_attribute_7(write_queue_out_attribute_7),
-        .out_attribute_8(write_queue_out_attribute_8),
-        .out_attribute_9(write_queue_out_attribute_9),
-        .out_attribute_10(write_queue_out_attribute_10),
-        .out_attribute_11(write_queue_out_attribute_11),
-        .out_attribute_12(write_queue_out_attribute_12),
-        .out_cardinal_0(write_queue_out_cardinal_0)
+        .clk(clk), .rst(rst),
+        .in_valid(moving & held_leaves), .in_ready(write_queue_in_ready),
+        .in_data({
+            evict_tile, held_pixel, drain_weight, drain_depth, drain_peak, drain_attribute_0, drain_attribute_1,
+            drain_attribute_2, drain_attribute_3, drain_attribute_4, drain_attribute_5, drain_attribute_6,
+            drain_attribute_7, drain_attribute_8, drain_attribute_9, drain_attribute_10, drain_attribute_11,
+            drain_attribute_12, drain_cardinal_0
+        }),
+        .out_valid(write_queue_out_valid), .out_ready(write_ready), .out_data(write_queue_out_data)
     );
 
     stream_skid_w339 pixel_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(close | (((term_2 & held_leaves) | term_8) & visible)),
-        .in_ready(pixel_queue_in_ready),
-        .in_end(close),
-        .in_tile(code),
-        .in_pixel(term_2 ? held_pixel : drained[5:0]),
-        .in_weight(choice_9),
-        .in_depth(term_2 ? drain_depth : data_depth),
-        .in_peak(term_2 ? drain_peak : data_peak),
-        .in_attribute_0(term_2 ? drain_attribute_0 : data_attribute_0),
-        .in_attribute_1(term_2 ? drain_attribute_1 : data_attribute_1),
-        .in_attribute_2(term_2 ? drain_attribute_2 : data_attribute_2),
-        .in_attribute_3(term_2 ? drain_attribute_3 : data_attribute_3),
-        .in_attribute_4(term_2 ? drain_attribute_4 : data_attribute_4),
-        .in_attribute_5(term_2 ? drain_attribute_5 : data_attribute_5),
-        .in_attribute_6(term_2 ? drain_attribute_6 : data_attribute_6),
-        .in_attribute_7(term_2 ? drain_attribute_7 : data_attribute_7),
-        .in_attribute_8(term_2 ? drain_attribute_8 : data_attribute_8),
-        .in_attribute_9(term_2 ? drain_attribute_9 : data_attribute_9),
-        .in_attribute_10(term_2 ? drain_attribute_10 : data_attribute_10),
-        .in_attribute_11(term_2 ? drain_attribute_11 : data_attribute_11),
-        .in_attribute_12(term_2 ? drain_attribute_12 : data_attribute_12),
-        .in_cardinal_0(term_2 ? drain_cardinal_0 : data_cardinal_0),
-        .out_valid(pixel_queue_out_valid),
-        .out_ready(pixel_queue_out_ready),
-        .out_end(pixel_queue_out_end),
-        .out_tile(pixel_queue_out_tile),
-        .out_pixel(pixel_queue_out_pixel),
-        .out_weight(pixel_queue_out_weight),
-        .out_depth(pixel_queue_out_depth),
-        .out_peak(pixel_queue_out_peak),
-        .out_attribute_0(pixel_queue_out_attribute_0),
-        .out_attribute_1(pixel_queue_out_attribute_1),
-        .out_attribute_2(pixel_queue_out_attribute_2),
-        .out_attribute_3(pixel_queue_out_attribute_3),
-        .out_attribute_4(pixel_queue_out_attribute_4),
-        .out_attribute_5(pixel_queue_out_attribute_5),
-        .out_attribute_6(pixel_queue_out_attribute_6),
-        .out_attribute_7(pixel_queue_out_attribute_7),
-        .out_attribute_8(pixel_queue_out_attribute_8),
-        .out_attribute_9(pixel_queue_out_attribute_9),
-        .out_attribute_10(pixel_queue_out_attribute_10),
-        .out_attribute_11(pixel_queue_out_attribute_11),
-        .out_attribute_12(pixel_queue_out_attribute_12),
-        .out_cardinal_0(pixel_queue_out_cardinal_0)
+        .clk(clk), .rst(rst),
+        .in_valid(close | (((term_2 & held_leaves) | term_11) & visible)), .in_ready(pixel_queue_in_ready),
+        .in_data({
+            close, code, term_2 ? held_pixel : drained[5:0], choice_12, term_2 ? drain_depth : data_depth,
+            term_2 ? drain_peak : data_peak, term_2 ? drain_attribute_0 : data_attribute_0,
+            term_2 ? drain_attribute_1 : data_attribute_1, term_2 ? drain_attribute_2 : data_attribute_2,
+            term_2 ? drain_attribute_3 : data_attribute_3, term_2 ? drain_attribute_4 : data_attribute_4,
+            term_2 ? drain_attribute_5 : data_attribute_5, term_2 ? drain_attribute_6 : data_attribute_6,
+            term_2 ? drain_attribute_7 : data_attribute_7, term_2 ? drain_attribute_8 : data_attribute_8,
+            term_2 ? drain_attribute_9 : data_attribute_9, term_2 ? drain_attribute_10 : data_attribute_10,
+            term_2 ? drain_attribute_11 : data_attribute_11, term_2 ? drain_attribute_12 : data_attribute_12,
+            term_2 ? drain_cardinal_0 : data_cardinal_0
+        }),
+        .out_valid(pixel_queue_out_valid), .out_ready(pixel_ready), .out_data(pixel_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -7451,46 +4420,28 @@ module splat_tile_cache (
             in_flight_1 <= 8'd0;
             fill_valid <= 1'd0;
         end else begin
-            head_valid <= head_valid ? ~term_7 : in_queue_out_valid;
-            mode <= ((term_10 & last_code) | close) ? 3'd1 : choice_17;
-            code_read <= term_12 & ~code_read;
+            head_valid <= head_valid ? ~term_10 : in_queue_out_valid;
+            mode <= ((term_4 & last_code) | close) ? 3'd1 : choice_17;
+            code_read <= term_6 & ~code_read;
             looking <= start;
             looked <= looking;
             fill_valid <= fill;
-            if (frame_end | finish) begin
-                frame_ended <= frame_end;
-            end
-            if (term_10 | next_tile) begin
-                code <= code + 12'd1;
-            end
-            if (looked | done) begin
-                moving <= looked;
-            end
-            if (term_21 | read_ready) begin
-                read_valid <= term_21;
-            end
+            if (frame_end | finish) frame_ended <= frame_end;
+            if (term_4 | next_tile) code <= code + 12'd1;
+            if (looked | done) moving <= looked;
+            if (term_21 | read_ready) read_valid <= term_21;
             if (drain_step) begin
                 showing <= drain_next;
                 holding <= showing;
             end
-            if (start | close) begin
-                next <= (next | close) ? 1'd0 : (next + 1'd1);
-            end
-            if (term_23 | close) begin
-                resident_0 <= term_23;
-            end
-            if (term_24 | term_23 | finish) begin
-                ready_0 <= term_24;
-            end
+            if (start | close) next <= (next | close) ? 1'd0 : (next + 1'd1);
+            if (term_23 | close) resident_0 <= term_23;
+            if (term_24 | term_23 | finish) ready_0 <= term_24;
             if (term_25 ^ term_26) begin
                 in_flight_0 <= term_25 ? (in_flight_0 + 8'd1) : (in_flight_0 - 8'd1);
             end
-            if (term_27 | close) begin
-                resident_1 <= term_27;
-            end
-            if (term_28 | term_27 | finish) begin
-                ready_1 <= term_28;
-            end
+            if (term_27 | close) resident_1 <= term_27;
+            if (term_28 | term_27 | finish) ready_1 <= term_28;
             if (term_29 ^ term_30) begin
                 in_flight_1 <= term_29 ? (in_flight_1 + 8'd1) : (in_flight_1 - 8'd1);
             end
@@ -7532,39 +4483,25 @@ module splat_tile_cache (
             head_tile <= in_queue_out_tile;
         end
         if (term_20) begin
-            slot <= term_15 ? sent_slot : next;
-            read_tile <= term_15 ? code : head_tile;
+            slot <= term_5 ? sent_slot : next;
+            read_tile <= term_5 ? code : head_tile;
         end
         if (start) begin
             evict <= (~next & resident_0) | (next & resident_1);
             evict_tile <= ({12{~next}} & tile_0) | ({12{next}} & tile_1);
         end
-        if (looked) begin
-            load <= touched;
-        end
-        if (term_22 | (drain_next | term_8)) begin
-            drained <= term_22 ? 7'd0 : (drained + 7'd1);
-        end
-        if (drain_next) begin
-            shown_pixel <= drained[5:0];
-        end
-        if (drain_step) begin
-            held_pixel <= shown_pixel;
-        end
-        if (term_22 | fill) begin
-            filled <= term_22 ? 7'd0 : (filled + 7'd1);
-        end
-        if (term_23) begin
-            tile_0 <= head_tile;
-        end
+        if (looked) load <= touched;
+        if (term_22 | (drain_next | term_11)) drained <= term_22 ? 7'd0 : (drained + 7'd1);
+        if (drain_next) shown_pixel <= drained[5:0];
+        if (drain_step) held_pixel <= shown_pixel;
+        if (term_22 | fill) filled <= term_22 ? 7'd0 : (filled + 7'd1);
+        if (term_23) tile_0 <= head_tile;
         is_of_copy_0 <= head_takes ? (tile_0 == in_queue_out_tile) : (is_of_copy_0 | term_23);
         is_of_code_0 <= tile_0 == code;
         is_of_copy_1 <= head_takes ? (tile_1 == in_queue_out_tile) : (is_of_copy_1 | term_27);
         is_of_code_1 <= tile_1 == code;
         touched <= stored_touched;
-        if (term_27) begin
-            tile_1 <= head_tile;
-        end
+        if (term_27) tile_1 <= head_tile;
         if (fill) begin
             fill_pixel <= filled[5:0];
             fill_weight <= load ? data_weight : 28'd0;
@@ -7585,17 +4522,6 @@ module splat_tile_cache (
             fill_attribute_12 <= load ? data_attribute_12 : 16'd0;
             fill_cardinal_0 <= load ? data_cardinal_0 : 16'd0;
         end
-    end
-    always @(posedge clk) begin
-        if (looked | (term_10 | (term_15 & touched))) begin
-            touched_tiles[looked ? read_tile : code] <= looked;
-        end
-        stored_touched <= touched_tiles[term_12 ? code : head_tile];
-`ifdef RTL_ASSERT
-        if ((looked | (term_10 | (term_15 & touched))) && (looked ? read_tile : code) == (term_12 ? code : head_tile)) begin
-            stored_touched <= ~touched_tiles[term_12 ? code : head_tile];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -7629,118 +4555,32 @@ module stream_skid_w339 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [11:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [15:0] in_peak,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
+    input  wire [338:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [11:0] out_tile,
-    output wire [5:0] out_pixel,
-    output wire [27:0] out_weight,
-    output wire [51:0] out_depth,
-    output wire [15:0] out_peak,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire [338:0] out_data
 );
     reg second_valid;
-    reg [338:0] head;
-    reg [338:0] second;
+    reg [338:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [338:0] in_item = {
-        in_end,
-        in_tile,
-        in_pixel,
-        in_weight,
-        in_depth,
-        in_peak,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0
-    };
 
-    assign out_end = head[338];
-    assign out_tile = head[337:326];
-    assign out_pixel = head[325:320];
-    assign out_weight = head[319:292];
-    assign out_depth = head[291:240];
-    assign out_peak = head[239:224];
-    assign out_attribute_0 = head[223:208];
-    assign out_attribute_1 = head[207:192];
-    assign out_attribute_2 = head[191:176];
-    assign out_attribute_3 = head[175:160];
-    assign out_attribute_4 = head[159:144];
-    assign out_attribute_5 = head[143:128];
-    assign out_attribute_6 = head[127:112];
-    assign out_attribute_7 = head[111:96];
-    assign out_attribute_8 = head[95:80];
-    assign out_attribute_9 = head[79:64];
-    assign out_attribute_10 = head[63:48];
-    assign out_attribute_11 = head[47:32];
-    assign out_attribute_12 = head[31:16];
-    assign out_cardinal_0 = head[15:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -7766,114 +4606,32 @@ module stream_skid_w338 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [11:0] in_tile,
-    input  wire [5:0] in_pixel,
-    input  wire [27:0] in_weight,
-    input  wire [51:0] in_depth,
-    input  wire [15:0] in_peak,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
+    input  wire [337:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [11:0] out_tile,
-    output wire [5:0] out_pixel,
-    output wire [27:0] out_weight,
-    output wire [51:0] out_depth,
-    output wire [15:0] out_peak,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire [337:0] out_data
 );
     reg second_valid;
-    reg [337:0] head;
-    reg [337:0] second;
+    reg [337:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [337:0] in_item = {
-        in_tile,
-        in_pixel,
-        in_weight,
-        in_depth,
-        in_peak,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0
-    };
 
-    assign out_tile = head[337:326];
-    assign out_pixel = head[325:320];
-    assign out_weight = head[319:292];
-    assign out_depth = head[291:240];
-    assign out_peak = head[239:224];
-    assign out_attribute_0 = head[223:208];
-    assign out_attribute_1 = head[207:192];
-    assign out_attribute_2 = head[191:176];
-    assign out_attribute_3 = head[175:160];
-    assign out_attribute_4 = head[159:144];
-    assign out_attribute_5 = head[143:128];
-    assign out_attribute_6 = head[127:112];
-    assign out_attribute_7 = head[111:96];
-    assign out_attribute_8 = head[95:80];
-    assign out_attribute_9 = head[79:64];
-    assign out_attribute_10 = head[63:48];
-    assign out_attribute_11 = head[47:32];
-    assign out_attribute_12 = head[31:16];
-    assign out_cardinal_0 = head[15:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -7899,74 +4657,10 @@ module stream_half_buffer_w538 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [2:0] in_left,
-    input  wire [2:0] in_right,
-    input  wire [2:0] in_top,
-    input  wire [2:0] in_bottom,
-    input  wire [11:0] in_tile,
-    input  wire in_slot,
+    input  wire [537:0] in_data,
     output wire out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [2:0] out_left,
-    output wire [2:0] out_right,
-    output wire [2:0] out_top,
-    output wire [2:0] out_bottom,
-    output wire [11:0] out_tile,
-    output wire out_slot
+    output wire [537:0] out_data
 );
     reg full;
     reg [537:0] item;
@@ -7974,39 +4668,7 @@ module stream_half_buffer_w538 (
     assign in_ready = ~full;
 
     assign out_valid = full;
-    assign out_end = item[537];
-    assign out_center_x = item[536:513];
-    assign out_center_y = item[512:489];
-    assign out_ax = item[488:465];
-    assign out_bx = item[464:441];
-    assign out_ay = item[440:417];
-    assign out_by = item[416:393];
-    assign out_delta = item[392:369];
-    assign out_mx = item[368:345];
-    assign out_my = item[344:321];
-    assign out_depth = item[320:297];
-    assign out_depth_low = item[296:273];
-    assign out_depth_high = item[272:249];
-    assign out_attribute_0 = item[248:233];
-    assign out_attribute_1 = item[232:217];
-    assign out_attribute_2 = item[216:201];
-    assign out_attribute_3 = item[200:185];
-    assign out_attribute_4 = item[184:169];
-    assign out_attribute_5 = item[168:153];
-    assign out_attribute_6 = item[152:137];
-    assign out_attribute_7 = item[136:121];
-    assign out_attribute_8 = item[120:105];
-    assign out_attribute_9 = item[104:89];
-    assign out_attribute_10 = item[88:73];
-    assign out_attribute_11 = item[72:57];
-    assign out_attribute_12 = item[56:41];
-    assign out_cardinal_0 = item[40:25];
-    assign out_left = item[24:22];
-    assign out_right = item[21:19];
-    assign out_top = item[18:16];
-    assign out_bottom = item[15:13];
-    assign out_tile = item[12:1];
-    assign out_slot = item[0];
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
@@ -8016,43 +4678,7 @@ module stream_half_buffer_w538 (
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            item <= {
-                in_end,
-                in_center_x,
-                in_center_y,
-                in_ax,
-                in_bx,
-                in_ay,
-                in_by,
-                in_delta,
-                in_mx,
-                in_my,
-                in_depth,
-                in_depth_low,
-                in_depth_high,
-                in_attribute_0,
-                in_attribute_1,
-                in_attribute_2,
-                in_attribute_3,
-                in_attribute_4,
-                in_attribute_5,
-                in_attribute_6,
-                in_attribute_7,
-                in_attribute_8,
-                in_attribute_9,
-                in_attribute_10,
-                in_attribute_11,
-                in_attribute_12,
-                in_cardinal_0,
-                in_left,
-                in_right,
-                in_top,
-                in_bottom,
-                in_tile,
-                in_slot
-            };
-        end
+        if (in_ready) item <= in_data;
     end
 endmodule
 
@@ -8130,892 +4756,92 @@ module splat_reorder (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    (* no_rw_check *)
-    reg [3:0] payloads_0 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_4 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_8 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_12 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_16 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_20 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_24 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_28 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_32 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_36 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_40 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_44 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_48 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_52 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_56 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_60 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_64 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_68 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_72 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_76 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_80 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_84 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_88 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_92 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_96 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_100 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_104 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_108 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_112 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_116 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_120 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_124 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_128 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_132 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_136 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_140 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_144 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_148 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_152 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_156 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_160 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_164 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_168 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_172 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_176 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_180 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_184 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_188 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_192 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_196 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_200 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_204 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_208 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_212 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_216 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_220 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_224 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_228 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_232 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_236 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_240 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_244 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_248 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_252 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_256 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_260 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_264 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_268 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_272 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_276 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_280 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_284 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_288 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_292 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_296 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_300 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_304 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_308 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_312 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_316 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_320 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_324 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_328 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_332 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_336 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_340 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_344 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_348 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_352 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_356 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_360 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_364 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_368 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_372 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_376 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_380 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_384 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_388 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_392 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_396 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_400 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_404 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_408 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_412 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_416 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_420 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_424 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_428 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_432 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_436 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_440 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_444 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_448 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_452 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_456 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_460 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_464 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_468 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_472 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_476 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_480 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_484 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_488 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_492 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_496 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_500 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_504 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_508 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_512 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_516 [0:4095];
-    (* no_rw_check *)
-    reg [3:0] payloads_520 [0:4095];
     reg free_valid;
     reg [11:0] free;
     reg [12:0] fresh;
-    reg draining;
-    reg stage_valid;
+    reg draining, stage_valid;
     reg [11:0] stage_tile;
-    reg [3:0] stage_payload_0;
-    reg [3:0] stage_payload_4;
-    reg [3:0] stage_payload_8;
-    reg [3:0] stage_payload_12;
-    reg [3:0] stage_payload_16;
-    reg [3:0] stage_payload_20;
-    reg [3:0] stage_payload_24;
-    reg [3:0] stage_payload_28;
-    reg [3:0] stage_payload_32;
-    reg [3:0] stage_payload_36;
-    reg [3:0] stage_payload_40;
-    reg [3:0] stage_payload_44;
-    reg [3:0] stage_payload_48;
-    reg [3:0] stage_payload_52;
-    reg [3:0] stage_payload_56;
-    reg [3:0] stage_payload_60;
-    reg [3:0] stage_payload_64;
-    reg [3:0] stage_payload_68;
-    reg [3:0] stage_payload_72;
-    reg [3:0] stage_payload_76;
-    reg [3:0] stage_payload_80;
-    reg [3:0] stage_payload_84;
-    reg [3:0] stage_payload_88;
-    reg [3:0] stage_payload_92;
-    reg [3:0] stage_payload_96;
-    reg [3:0] stage_payload_100;
-    reg [3:0] stage_payload_104;
-    reg [3:0] stage_payload_108;
-    reg [3:0] stage_payload_112;
-    reg [3:0] stage_payload_116;
-    reg [3:0] stage_payload_120;
-    reg [3:0] stage_payload_124;
-    reg [3:0] stage_payload_128;
-    reg [3:0] stage_payload_132;
-    reg [3:0] stage_payload_136;
-    reg [3:0] stage_payload_140;
-    reg [3:0] stage_payload_144;
-    reg [3:0] stage_payload_148;
-    reg [3:0] stage_payload_152;
-    reg [3:0] stage_payload_156;
-    reg [3:0] stage_payload_160;
-    reg [3:0] stage_payload_164;
-    reg [3:0] stage_payload_168;
-    reg [3:0] stage_payload_172;
-    reg [3:0] stage_payload_176;
-    reg [3:0] stage_payload_180;
-    reg [3:0] stage_payload_184;
-    reg [3:0] stage_payload_188;
-    reg [3:0] stage_payload_192;
-    reg [3:0] stage_payload_196;
-    reg [3:0] stage_payload_200;
-    reg [3:0] stage_payload_204;
-    reg [3:0] stage_payload_208;
-    reg [3:0] stage_payload_212;
-    reg [3:0] stage_payload_216;
-    reg [3:0] stage_payload_220;
-    reg [3:0] stage_payload_224;
-    reg [3:0] stage_payload_228;
-    reg [3:0] stage_payload_232;
-    reg [3:0] stage_payload_236;
-    reg [3:0] stage_payload_240;
-    reg [3:0] stage_payload_244;
-    reg [3:0] stage_payload_248;
-    reg [3:0] stage_payload_252;
-    reg [3:0] stage_payload_256;
-    reg [3:0] stage_payload_260;
-    reg [3:0] stage_payload_264;
-    reg [3:0] stage_payload_268;
-    reg [3:0] stage_payload_272;
-    reg [3:0] stage_payload_276;
-    reg [3:0] stage_payload_280;
-    reg [3:0] stage_payload_284;
-    reg [3:0] stage_payload_288;
-    reg [3:0] stage_payload_292;
-    reg [3:0] stage_payload_296;
-    reg [3:0] stage_payload_300;
-    reg [3:0] stage_payload_304;
-    reg [3:0] stage_payload_308;
-    reg [3:0] stage_payload_312;
-    reg [3:0] stage_payload_316;
-    reg [3:0] stage_payload_320;
-    reg [3:0] stage_payload_324;
-    reg [3:0] stage_payload_328;
-    reg [3:0] stage_payload_332;
-    reg [3:0] stage_payload_336;
-    reg [3:0] stage_payload_340;
-    reg [3:0] stage_payload_344;
-    reg [3:0] stage_payload_348;
-    reg [3:0] stage_payload_352;
-    reg [3:0] stage_payload_356;
-    reg [3:0] stage_payload_360;
-    reg [3:0] stage_payload_364;
-    reg [3:0] stage_payload_368;
-    reg [3:0] stage_payload_372;
-    reg [3:0] stage_payload_376;
-    reg [3:0] stage_payload_380;
-    reg [3:0] stage_payload_384;
-    reg [3:0] stage_payload_388;
-    reg [3:0] stage_payload_392;
-    reg [3:0] stage_payload_396;
-    reg [3:0] stage_payload_400;
-    reg [3:0] stage_payload_404;
-    reg [3:0] stage_payload_408;
-    reg [3:0] stage_payload_412;
-    reg [3:0] stage_payload_416;
-    reg [3:0] stage_payload_420;
-    reg [3:0] stage_payload_424;
-    reg [3:0] stage_payload_428;
-    reg [3:0] stage_payload_432;
-    reg [3:0] stage_payload_436;
-    reg [3:0] stage_payload_440;
-    reg [3:0] stage_payload_444;
-    reg [3:0] stage_payload_448;
-    reg [3:0] stage_payload_452;
-    reg [3:0] stage_payload_456;
-    reg [3:0] stage_payload_460;
-    reg [3:0] stage_payload_464;
-    reg [3:0] stage_payload_468;
-    reg [3:0] stage_payload_472;
-    reg [3:0] stage_payload_476;
-    reg [3:0] stage_payload_480;
-    reg [3:0] stage_payload_484;
-    reg [3:0] stage_payload_488;
-    reg [3:0] stage_payload_492;
-    reg [3:0] stage_payload_496;
-    reg [3:0] stage_payload_500;
-    reg [3:0] stage_payload_504;
-    reg [3:0] stage_payload_508;
-    reg [3:0] stage_payload_512;
-    reg [3:0] stage_payload_516;
-    reg [3:0] stage_payload_520;
+    wire [523:0] stage_payload;
 
-    wire in_queue_in_ready;
-    wire in_queue_out_valid;
-    wire in_queue_out_end;
-    wire [23:0] in_queue_out_center_x;
-    wire [23:0] in_queue_out_center_y;
-    wire [23:0] in_queue_out_ax;
-    wire [23:0] in_queue_out_bx;
-    wire [23:0] in_queue_out_ay;
-    wire [23:0] in_queue_out_by;
-    wire [23:0] in_queue_out_delta;
-    wire [23:0] in_queue_out_mx;
-    wire [23:0] in_queue_out_my;
-    wire [23:0] in_queue_out_depth;
-    wire [23:0] in_queue_out_depth_low;
-    wire [23:0] in_queue_out_depth_high;
-    wire [15:0] in_queue_out_attribute_0;
-    wire [15:0] in_queue_out_attribute_1;
-    wire [15:0] in_queue_out_attribute_2;
-    wire [15:0] in_queue_out_attribute_3;
-    wire [15:0] in_queue_out_attribute_4;
-    wire [15:0] in_queue_out_attribute_5;
-    wire [15:0] in_queue_out_attribute_6;
-    wire [15:0] in_queue_out_attribute_7;
-    wire [15:0] in_queue_out_attribute_8;
-    wire [15:0] in_queue_out_attribute_9;
-    wire [15:0] in_queue_out_attribute_10;
-    wire [15:0] in_queue_out_attribute_11;
-    wire [15:0] in_queue_out_attribute_12;
-    wire [15:0] in_queue_out_cardinal_0;
-    wire [2:0] in_queue_out_left;
-    wire [2:0] in_queue_out_right;
-    wire [2:0] in_queue_out_top;
-    wire [2:0] in_queue_out_bottom;
-    wire [11:0] in_queue_out_tile;
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire out_queue_out_end;
-    wire [23:0] out_queue_out_center_x;
-    wire [23:0] out_queue_out_center_y;
-    wire [23:0] out_queue_out_ax;
-    wire [23:0] out_queue_out_bx;
-    wire [23:0] out_queue_out_ay;
-    wire [23:0] out_queue_out_by;
-    wire [23:0] out_queue_out_delta;
-    wire [23:0] out_queue_out_mx;
-    wire [23:0] out_queue_out_my;
-    wire [23:0] out_queue_out_depth;
-    wire [23:0] out_queue_out_depth_low;
-    wire [23:0] out_queue_out_depth_high;
-    wire [15:0] out_queue_out_attribute_0;
-    wire [15:0] out_queue_out_attribute_1;
-    wire [15:0] out_queue_out_attribute_2;
-    wire [15:0] out_queue_out_attribute_3;
-    wire [15:0] out_queue_out_attribute_4;
-    wire [15:0] out_queue_out_attribute_5;
-    wire [15:0] out_queue_out_attribute_6;
-    wire [15:0] out_queue_out_attribute_7;
-    wire [15:0] out_queue_out_attribute_8;
-    wire [15:0] out_queue_out_attribute_9;
-    wire [15:0] out_queue_out_attribute_10;
-    wire [15:0] out_queue_out_attribute_11;
-    wire [15:0] out_queue_out_attribute_12;
-    wire [15:0] out_queue_out_cardinal_0;
-    wire [2:0] out_queue_out_left;
-    wire [2:0] out_queue_out_right;
-    wire [2:0] out_queue_out_top;
-    wire [2:0] out_queue_out_bottom;
-    wire [11:0] out_queue_out_tile;
-    wire caught_in_ready;
-    wire caught_out_valid;
-    wire caught_out_end;
-    wire [23:0] caught_out_center_x;
-    wire [23:0] caught_out_center_y;
-    wire [23:0] caught_out_ax;
-    wire [23:0] caught_out_bx;
-    wire [23:0] caught_out_ay;
-    wire [23:0] caught_out_by;
-    wire [23:0] caught_out_delta;
-    wire [23:0] caught_out_mx;
-    wire [23:0] caught_out_my;
-    wire [23:0] caught_out_depth;
-    wire [23:0] caught_out_depth_low;
-    wire [23:0] caught_out_depth_high;
-    wire [15:0] caught_out_attribute_0;
-    wire [15:0] caught_out_attribute_1;
-    wire [15:0] caught_out_attribute_2;
-    wire [15:0] caught_out_attribute_3;
-    wire [15:0] caught_out_attribute_4;
-    wire [15:0] caught_out_attribute_5;
-    wire [15:0] caught_out_attribute_6;
-    wire [15:0] caught_out_attribute_7;
-    wire [15:0] caught_out_attribute_8;
-    wire [15:0] caught_out_attribute_9;
-    wire [15:0] caught_out_attribute_10;
-    wire [15:0] caught_out_attribute_11;
-    wire [15:0] caught_out_attribute_12;
-    wire [15:0] caught_out_cardinal_0;
-    wire [2:0] caught_out_left;
-    wire [2:0] caught_out_right;
-    wire [2:0] caught_out_top;
-    wire [2:0] caught_out_bottom;
-    wire [11:0] caught_out_tile;
-    wire heap_in_ready;
-    wire heap_out_valid;
-    wire [11:0] heap_out_tile;
-    wire [11:0] heap_out_pointer;
-    wire heap_empty;
-    wire returned_in_ready;
-    wire returned_out_valid;
-    wire [11:0] returned_out_pointer;
+    wire in_queue_in_ready, in_queue_out_valid;
+    wire [536:0] in_queue_out_data;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [536:0] out_queue_out_data;
+    wire caught_in_ready, caught_out_valid;
+    wire [536:0] caught_out_data;
+    wire heap_in_ready, heap_out_valid;
+    wire [11:0] heap_out_tile, heap_out_pointer;
+    wire heap_empty, returned_in_ready, returned_out_valid;
+    wire [11:0] returned_out_data;
 
-    assign in_ready = in_queue_in_ready;
     wire open = in_queue_out_valid & ~draining;
+    wire in_queue_out_end = in_queue_out_data[536];
     wire offer = open & ~in_queue_out_end & free_valid;
+    wire advance = ~stage_valid | caught_in_ready;
     wire insert = offer & heap_in_ready;
     wire take_end = open & in_queue_out_end;
     wire in_queue_out_ready = insert | take_end;
-    wire caught_out_ready = out_queue_in_ready;
-    wire out_queue_out_ready = out_ready;
     wire close = draining & (heap_empty & ~stage_valid & caught_in_ready);
-    wire advance = ~stage_valid | caught_in_ready;
-    wire heap_out_ready = advance;
-    wire leaving = heap_out_valid & heap_out_ready;
+    wire [11:0] in_queue_out_tile = in_queue_out_data[11:0];
+    wire leaving = heap_out_valid & advance;
     wire all_used = fresh[12];
     wire returned_out_ready = ~free_valid & all_used;
 
+    assign in_ready = in_queue_in_ready;
     assign out_valid = out_queue_out_valid;
-    assign out_end = out_queue_out_end;
-    assign out_center_x = out_queue_out_center_x;
-    assign out_center_y = out_queue_out_center_y;
-    assign out_ax = out_queue_out_ax;
-    assign out_bx = out_queue_out_bx;
-    assign out_ay = out_queue_out_ay;
-    assign out_by = out_queue_out_by;
-    assign out_delta = out_queue_out_delta;
-    assign out_mx = out_queue_out_mx;
-    assign out_my = out_queue_out_my;
-    assign out_depth = out_queue_out_depth;
-    assign out_depth_low = out_queue_out_depth_low;
-    assign out_depth_high = out_queue_out_depth_high;
-    assign out_attribute_0 = out_queue_out_attribute_0;
-    assign out_attribute_1 = out_queue_out_attribute_1;
-    assign out_attribute_2 = out_queue_out_attribute_2;
-    assign out_attribute_3 = out_queue_out_attribute_3;
-    assign out_attribute_4 = out_queue_out_attribute_4;
-    assign out_attribute_5 = out_queue_out_attribute_5;
-    assign out_attribute_6 = out_queue_out_attribute_6;
-    assign out_attribute_7 = out_queue_out_attribute_7;
-    assign out_attribute_8 = out_queue_out_attribute_8;
-    assign out_attribute_9 = out_queue_out_attribute_9;
-    assign out_attribute_10 = out_queue_out_attribute_10;
-    assign out_attribute_11 = out_queue_out_attribute_11;
-    assign out_attribute_12 = out_queue_out_attribute_12;
-    assign out_cardinal_0 = out_queue_out_cardinal_0;
-    assign out_left = out_queue_out_left;
-    assign out_right = out_queue_out_right;
-    assign out_top = out_queue_out_top;
-    assign out_bottom = out_queue_out_bottom;
-    assign out_tile = out_queue_out_tile;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
+        out_right, out_top, out_bottom, out_tile
+    } = out_queue_out_data;
+
+    memory_1w1r_unordered #(.WIDTH(524), .DEPTH(4096), .SLICE(4)) payloads (
+        .clk(clk),
+        .write(offer), .write_address(free), .write_data(in_queue_out_data[535:12]),
+        .read(advance), .read_address(heap_out_pointer), .read_data(stage_payload)
+    );
 
     stream_half_buffer_w537 in_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(in_queue_in_ready),
-        .in_end(in_end),
-        .in_center_x(in_center_x),
-        .in_center_y(in_center_y),
-        .in_ax(in_ax),
-        .in_bx(in_bx),
-        .in_ay(in_ay),
-        .in_by(in_by),
-        .in_delta(in_delta),
-        .in_mx(in_mx),
-        .in_my(in_my),
-        .in_depth(in_depth),
-        .in_depth_low(in_depth_low),
-        .in_depth_high(in_depth_high),
-        .in_attribute_0(in_attribute_0),
-        .in_attribute_1(in_attribute_1),
-        .in_attribute_2(in_attribute_2),
-        .in_attribute_3(in_attribute_3),
-        .in_attribute_4(in_attribute_4),
-        .in_attribute_5(in_attribute_5),
-        .in_attribute_6(in_attribute_6),
-        .in_attribute_7(in_attribute_7),
-        .in_attribute_8(in_attribute_8),
-        .in_attribute_9(in_attribute_9),
-        .in_attribute_10(in_attribute_10),
-        .in_attribute_11(in_attribute_11),
-        .in_attribute_12(in_attribute_12),
-        .in_cardinal_0(in_cardinal_0),
-        .in_left(in_left),
-        .in_right(in_right),
-        .in_top(in_top),
-        .in_bottom(in_bottom),
-        .in_tile(in_tile),
-        .out_valid(in_queue_out_valid),
-        .out_ready(in_queue_out_ready),
-        .out_end(in_queue_out_end),
-        .out_center_x(in_queue_out_center_x),
-        .out_center_y(in_queue_out_center_y),
-        .out_ax(in_queue_out_ax),
-        .out_bx(in_queue_out_bx),
-        .out_ay(in_queue_out_ay),
-        .out_by(in_queue_out_by),
-        .out_delta(in_queue_out_delta),
-        .out_mx(in_queue_out_mx),
-        .out_my(in_queue_out_my),
-        .out_depth(in_queue_out_depth),
-        .out_depth_low(in_queue_out_depth_low),
-        .out_depth_high(in_queue_out_depth_high),
-        .out_attribute_0(in_queue_out_attribute_0),
-        .out_attribute_1(in_queue_out_attribute_1),
-        .out_attribute_2(in_queue_out_attribute_2),
-        .out_attribute_3(in_queue_out_attribute_3),
-        .out_attribute_4(in_queue_out_attribute_4),
-        .out_attribute_5(in_queue_out_attribute_5),
-        .out_attribute_6(in_queue_out_attribute_6),
-        .out_attribute_7(in_queue_out_attribute_7),
-        .out_attribute_8(in_queue_out_attribute_8),
-        .out_attribute_9(in_queue_out_attribute_9),
-        .out_attribute_10(in_queue_out_attribute_10),
-        .out_attribute_11(in_queue_out_attribute_11),
-        .out_attribute_12(in_queue_out_attribute_12),
-        .out_cardinal_0(in_queue_out_cardinal_0),
-        .out_left(in_queue_out_left),
-        .out_right(in_queue_out_right),
-        .out_top(in_queue_out_top),
-        .out_bottom(in_queue_out_bottom),
-        .out_tile(in_queue_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(in_queue_in_ready),
+        .in_data({
+            in_end, in_center_x, in_center_y, in_ax, in_bx, in_ay, in_by, in_delta, in_mx, in_my, in_depth,
+            in_depth_low, in_depth_high, in_attribute_0, in_attribute_1, in_attribute_2, in_attribute_3,
+            in_attribute_4, in_attribute_5, in_attribute_6, in_attribute_7, in_attribute_8, in_attribute_9,
+            in_attribute_10, in_attribute_11, in_attribute_12, in_cardinal_0, in_left, in_right, in_top,
+            in_bottom, in_tile
+        }),
+        .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_half_buffer_w537 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(caught_out_valid & caught_out_ready),
-        .in_ready(out_queue_in_ready),
-        .in_end(caught_out_end),
-        .in_center_x(caught_out_center_x),
-        .in_center_y(caught_out_center_y),
-        .in_ax(caught_out_ax),
-        .in_bx(caught_out_bx),
-        .in_ay(caught_out_ay),
-        .in_by(caught_out_by),
-        .in_delta(caught_out_delta),
-        .in_mx(caught_out_mx),
-        .in_my(caught_out_my),
-        .in_depth(caught_out_depth),
-        .in_depth_low(caught_out_depth_low),
-        .in_depth_high(caught_out_depth_high),
-        .in_attribute_0(caught_out_attribute_0),
-        .in_attribute_1(caught_out_attribute_1),
-        .in_attribute_2(caught_out_attribute_2),
-        .in_attribute_3(caught_out_attribute_3),
-        .in_attribute_4(caught_out_attribute_4),
-        .in_attribute_5(caught_out_attribute_5),
-        .in_attribute_6(caught_out_attribute_6),
-        .in_attribute_7(caught_out_attribute_7),
-        .in_attribute_8(caught_out_attribute_8),
-        .in_attribute_9(caught_out_attribute_9),
-        .in_attribute_10(caught_out_attribute_10),
-        .in_attribute_11(caught_out_attribute_11),
-        .in_attribute_12(caught_out_attribute_12),
-        .in_cardinal_0(caught_out_cardinal_0),
-        .in_left(caught_out_left),
-        .in_right(caught_out_right),
-        .in_top(caught_out_top),
-        .in_bottom(caught_out_bottom),
-        .in_tile(caught_out_tile),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_attribute_3(out_queue_out_attribute_3),
-        .out_attribute_4(out_queue_out_attribute_4),
-        .out_attribute_5(out_queue_out_attribute_5),
-        .out_attribute_6(out_queue_out_attribute_6),
-        .out_attribute_7(out_queue_out_attribute_7),
-        .out_attribute_8(out_queue_out_attribute_8),
-        .out_attribute_9(out_queue_out_attribute_9),
-        .out_attribute_10(out_queue_out_attribute_10),
-        .out_attribute_11(out_queue_out_attribute_11),
-        .out_attribute_12(out_queue_out_attribute_12),
-        .out_cardinal_0(out_queue_out_cardinal_0),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(caught_out_valid & out_queue_in_ready), .in_ready(out_queue_in_ready),
+        .in_data(caught_out_data),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     stream_half_buffer_w537 caught (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(close | (stage_valid & caught_in_ready)),
-        .in_ready(caught_in_ready),
-        .in_end(close),
-        .in_center_x({
-            stage_payload_520,
-            stage_payload_516,
-            stage_payload_512,
-            stage_payload_508,
-            stage_payload_504,
-            stage_payload_500
-        }),
-        .in_center_y({
-            stage_payload_496,
-            stage_payload_492,
-            stage_payload_488,
-            stage_payload_484,
-            stage_payload_480,
-            stage_payload_476
-        }),
-        .in_ax({
-            stage_payload_472,
-            stage_payload_468,
-            stage_payload_464,
-            stage_payload_460,
-            stage_payload_456,
-            stage_payload_452
-        }),
-        .in_bx({
-            stage_payload_448,
-            stage_payload_444,
-            stage_payload_440,
-            stage_payload_436,
-            stage_payload_432,
-            stage_payload_428
-        }),
-        .in_ay({
-            stage_payload_424,
-            stage_payload_420,
-            stage_payload_416,
-            stage_payload_412,
-            stage_payload_408,
-            stage_payload_404
-        }),
-        .in_by({
-            stage_payload_400,
-            stage_payload_396,
-            stage_payload_392,
-            stage_payload_388,
-            stage_payload_384,
-            stage_payload_380
-        }),
-        .in_delta({
-            stage_payload_376,
-            stage_payload_372,
-            stage_payload_368,
-            stage_payload_364,
-            stage_payload_360,
-            stage_payload_356
-        }),
-        .in_mx({
-            stage_payload_352,
-            stage_payload_348,
-            stage_payload_344,
-            stage_payload_340,
-            stage_payload_336,
-            stage_payload_332
-        }),
-        .in_my({
-            stage_payload_328,
-            stage_payload_324,
-            stage_payload_320,
-            stage_payload_316,
-            stage_payload_312,
-            stage_payload_308
-        }),
-        .in_depth({
-            stage_payload_304,
-            stage_payload_300,
-            stage_payload_296,
-            stage_payload_292,
-            stage_payload_288,
-            stage_payload_284
-        }),
-        .in_depth_low({
-            stage_payload_280,
-            stage_payload_276,
-            stage_payload_272,
-            stage_payload_268,
-            stage_payload_264,
-            stage_payload_260
-        }),
-        .in_depth_high({
-            stage_payload_256,
-            stage_payload_252,
-            stage_payload_248,
-            stage_payload_244,
-            stage_payload_240,
-            stage_payload_236
-        }),
-        .in_attribute_0({stage_payload_232, stage_payload_228, stage_payload_224, stage_payload_220}),
-        .in_attribute_1({stage_payload_216, stage_payload_212, stage_payload_208, stage_payload_204}),
-        .in_attribute_2({stage_payload_200, stage_payload_196, stage_payload_192, stage_payload_188}),
-        .in_attribute_3({stage_payload_184, stage_payload_180, stage_payload_176, stage_payload_172}),
-        .in_attribute_4({stage_payload_168, stage_payload_164, stage_payload_160, stage_payload_156}),
-        .in_attribute_5({stage_payload_152, stage_payload_148, stage_payload_144, stage_payload_140}),
-        .in_attribute_6({stage_payload_136, stage_payload_132, stage_payload_128, stage_payload_124}),
-        .in_attribute_7({stage_payload_120, stage_payload_116, stage_payload_112, stage_payload_108}),
-        .in_attribute_8({stage_payload_104, stage_payload_100, stage_payload_96, stage_payload_92}),
-        .in_attribute_9({stage_payload_88, stage_payload_84, stage_payload_80, stage_payload_76}),
-        .in_attribute_10({stage_payload_72, stage_payload_68, stage_payload_64, stage_payload_60}),
-        .in_attribute_11({stage_payload_56, stage_payload_52, stage_payload_48, stage_payload_44}),
-        .in_attribute_12({stage_payload_40, stage_payload_36, stage_payload_32, stage_payload_28}),
-        .in_cardinal_0({stage_payload_24, stage_payload_20, stage_payload_16, stage_payload_12}),
-        .in_left(stage_payload_8[3:1]),
-        .in_right({stage_payload_8[0], stage_payload_4[3:2]}),
-        .in_top({stage_payload_4[1:0], stage_payload_0[3]}),
-        .in_bottom(stage_payload_0[2:0]),
-        .in_tile(stage_tile),
-        .out_valid(caught_out_valid),
-        .out_ready(caught_out_ready),
-        .out_end(caught_out_end),
-        .out_center_x(caught_out_center_x),
-        .out_center_y(caught_out_center_y),
-        .out_ax(caught_out_ax),
-        .out_bx(caught_out_bx),
-        .out_ay(caught_out_ay),
-        .out_by(caught_out_by),
-        .out_delta(caught_out_delta),
-        .out_mx(caught_out_mx),
-        .out_my(caught_out_my),
-        .out_depth(caught_out_depth),
-        .out_depth_low(caught_out_depth_low),
-        .out_depth_high(caught_out_depth_high),
-        .out_attribute_0(caught_out_attribute_0),
-        .out_attribute_1(caught_out_attribute_1),
-        .out_attribute_2(caught_out_attribute_2),
-        .out_attribute_3(caught_out_attribute_3),
-        .out_attribute_4(caught_out_attribute_4),
-        .out_attribute_5(caught_out_attribute_5),
-        .out_attribute_6(caught_out_attribute_6),
-        .out_attribute_7(caught_out_attribute_7),
-        .out_attribute_8(caught_out_attribute_8),
-        .out_attribute_9(caught_out_attribute_9),
-        .out_attribute_10(caught_out_attribute_10),
-        .out_attribute_11(caught_out_attribute_11),
-        .out_attribute_12(caught_out_attribute_12),
-        .out_cardinal_0(caught_out_cardinal_0),
-        .out_left(caught_out_left),
-        .out_right(caught_out_right),
-        .out_top(caught_out_top),
-        .out_bottom(caught_out_bottom),
-        .out_tile(caught_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(close | (stage_valid & caught_in_ready)), .in_ready(caught_in_ready),
+        .in_data({close, stage_payload, stage_tile}),
+        .out_valid(caught_out_valid), .out_ready(out_queue_in_ready), .out_data(caught_out_data)
     );
 
     splat_heap heap (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(offer),
-        .in_ready(heap_in_ready),
-        .in_tile(in_queue_out_tile),
-        .in_pointer(free),
-        .out_valid(heap_out_valid),
-        .out_ready(heap_out_ready),
-        .out_tile(heap_out_tile),
+        .clk(clk), .rst(rst),
+        .in_valid(offer), .in_ready(heap_in_ready), .in_tile(in_queue_out_tile), .in_pointer(free),
+        .out_valid(heap_out_valid), .out_ready(advance), .out_tile(heap_out_tile),
         .out_pointer(heap_out_pointer),
         .empty(heap_empty)
     );
 
     stream_fifo_d4096_w12 returned (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(leaving),
-        .in_ready(returned_in_ready),
-        .in_pointer(heap_out_pointer),
-        .out_valid(returned_out_valid),
-        .out_ready(returned_out_ready),
-        .out_pointer(returned_out_pointer)
+        .clk(clk), .rst(rst),
+        .in_valid(leaving), .in_ready(returned_in_ready), .in_data(heap_out_pointer),
+        .out_valid(returned_out_valid), .out_ready(returned_out_ready), .out_data(returned_out_data)
     );
 
     always @(posedge clk) begin
@@ -9026,1727 +4852,14 @@ module splat_reorder (
             stage_valid <= 1'd0;
         end else begin
             free_valid <= free_valid ? ~insert : (~all_used | returned_out_valid);
-            if (~(free_valid | all_used)) begin
-                fresh <= fresh + 13'd1;
-            end
-            if (take_end | close) begin
-                draining <= take_end;
-            end
-            if (advance) begin
-                stage_valid <= leaving;
-            end
+            if (~(free_valid | all_used)) fresh <= fresh + 13'd1;
+            if (take_end | close) draining <= take_end;
+            if (advance) stage_valid <= leaving;
         end
     end
     always @(posedge clk) begin
-        if (~free_valid) begin
-            free <= all_used ? returned_out_pointer : fresh[11:0];
-        end
-        if (advance) begin
-            stage_tile <= heap_out_tile;
-        end
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_0[free] <= {in_queue_out_top[0], in_queue_out_bottom};
-        end
-        if (advance) begin
-            stage_payload_0 <= payloads_0[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_0 <= ~payloads_0[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_4[free] <= {in_queue_out_right[1:0], in_queue_out_top[2:1]};
-        end
-        if (advance) begin
-            stage_payload_4 <= payloads_4[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_4 <= ~payloads_4[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_8[free] <= {in_queue_out_left, in_queue_out_right[2]};
-        end
-        if (advance) begin
-            stage_payload_8 <= payloads_8[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_8 <= ~payloads_8[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_12[free] <= in_queue_out_cardinal_0[3:0];
-        end
-        if (advance) begin
-            stage_payload_12 <= payloads_12[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_12 <= ~payloads_12[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_16[free] <= in_queue_out_cardinal_0[7:4];
-        end
-        if (advance) begin
-            stage_payload_16 <= payloads_16[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_16 <= ~payloads_16[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_20[free] <= in_queue_out_cardinal_0[11:8];
-        end
-        if (advance) begin
-            stage_payload_20 <= payloads_20[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_20 <= ~payloads_20[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_24[free] <= in_queue_out_cardinal_0[15:12];
-        end
-        if (advance) begin
-            stage_payload_24 <= payloads_24[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_24 <= ~payloads_24[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_28[free] <= in_queue_out_attribute_12[3:0];
-        end
-        if (advance) begin
-            stage_payload_28 <= payloads_28[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_28 <= ~payloads_28[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_32[free] <= in_queue_out_attribute_12[7:4];
-        end
-        if (advance) begin
-            stage_payload_32 <= payloads_32[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_32 <= ~payloads_32[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_36[free] <= in_queue_out_attribute_12[11:8];
-        end
-        if (advance) begin
-            stage_payload_36 <= payloads_36[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_36 <= ~payloads_36[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_40[free] <= in_queue_out_attribute_12[15:12];
-        end
-        if (advance) begin
-            stage_payload_40 <= payloads_40[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_40 <= ~payloads_40[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_44[free] <= in_queue_out_attribute_11[3:0];
-        end
-        if (advance) begin
-            stage_payload_44 <= payloads_44[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_44 <= ~payloads_44[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_48[free] <= in_queue_out_attribute_11[7:4];
-        end
-        if (advance) begin
-            stage_payload_48 <= payloads_48[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_48 <= ~payloads_48[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_52[free] <= in_queue_out_attribute_11[11:8];
-        end
-        if (advance) begin
-            stage_payload_52 <= payloads_52[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_52 <= ~payloads_52[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_56[free] <= in_queue_out_attribute_11[15:12];
-        end
-        if (advance) begin
-            stage_payload_56 <= payloads_56[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_56 <= ~payloads_56[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_60[free] <= in_queue_out_attribute_10[3:0];
-        end
-        if (advance) begin
-            stage_payload_60 <= payloads_60[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_60 <= ~payloads_60[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_64[free] <= in_queue_out_attribute_10[7:4];
-        end
-        if (advance) begin
-            stage_payload_64 <= payloads_64[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_64 <= ~payloads_64[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_68[free] <= in_queue_out_attribute_10[11:8];
-        end
-        if (advance) begin
-            stage_payload_68 <= payloads_68[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_68 <= ~payloads_68[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_72[free] <= in_queue_out_attribute_10[15:12];
-        end
-        if (advance) begin
-            stage_payload_72 <= payloads_72[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_72 <= ~payloads_72[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_76[free] <= in_queue_out_attribute_9[3:0];
-        end
-        if (advance) begin
-            stage_payload_76 <= payloads_76[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_76 <= ~payloads_76[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_80[free] <= in_queue_out_attribute_9[7:4];
-        end
-        if (advance) begin
-            stage_payload_80 <= payloads_80[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_80 <= ~payloads_80[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_84[free] <= in_queue_out_attribute_9[11:8];
-        end
-        if (advance) begin
-            stage_payload_84 <= payloads_84[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_84 <= ~payloads_84[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_88[free] <= in_queue_out_attribute_9[15:12];
-        end
-        if (advance) begin
-            stage_payload_88 <= payloads_88[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_88 <= ~payloads_88[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_92[free] <= in_queue_out_attribute_8[3:0];
-        end
-        if (advance) begin
-            stage_payload_92 <= payloads_92[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_92 <= ~payloads_92[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_96[free] <= in_queue_out_attribute_8[7:4];
-        end
-        if (advance) begin
-            stage_payload_96 <= payloads_96[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_96 <= ~payloads_96[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_100[free] <= in_queue_out_attribute_8[11:8];
-        end
-        if (advance) begin
-            stage_payload_100 <= payloads_100[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_100 <= ~payloads_100[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_104[free] <= in_queue_out_attribute_8[15:12];
-        end
-        if (advance) begin
-            stage_payload_104 <= payloads_104[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_104 <= ~payloads_104[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_108[free] <= in_queue_out_attribute_7[3:0];
-        end
-        if (advance) begin
-            stage_payload_108 <= payloads_108[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_108 <= ~payloads_108[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_112[free] <= in_queue_out_attribute_7[7:4];
-        end
-        if (advance) begin
-            stage_payload_112 <= payloads_112[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_112 <= ~payloads_112[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_116[free] <= in_queue_out_attribute_7[11:8];
-        end
-        if (advance) begin
-            stage_payload_116 <= payloads_116[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_116 <= ~payloads_116[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_120[free] <= in_queue_out_attribute_7[15:12];
-        end
-        if (advance) begin
-            stage_payload_120 <= payloads_120[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_120 <= ~payloads_120[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_124[free] <= in_queue_out_attribute_6[3:0];
-        end
-        if (advance) begin
-            stage_payload_124 <= payloads_124[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_124 <= ~payloads_124[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_128[free] <= in_queue_out_attribute_6[7:4];
-        end
-        if (advance) begin
-            stage_payload_128 <= payloads_128[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_128 <= ~payloads_128[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_132[free] <= in_queue_out_attribute_6[11:8];
-        end
-        if (advance) begin
-            stage_payload_132 <= payloads_132[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_132 <= ~payloads_132[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_136[free] <= in_queue_out_attribute_6[15:12];
-        end
-        if (advance) begin
-            stage_payload_136 <= payloads_136[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_136 <= ~payloads_136[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_140[free] <= in_queue_out_attribute_5[3:0];
-        end
-        if (advance) begin
-            stage_payload_140 <= payloads_140[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_140 <= ~payloads_140[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_144[free] <= in_queue_out_attribute_5[7:4];
-        end
-        if (advance) begin
-            stage_payload_144 <= payloads_144[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_144 <= ~payloads_144[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_148[free] <= in_queue_out_attribute_5[11:8];
-        end
-        if (advance) begin
-            stage_payload_148 <= payloads_148[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_148 <= ~payloads_148[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_152[free] <= in_queue_out_attribute_5[15:12];
-        end
-        if (advance) begin
-            stage_payload_152 <= payloads_152[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_152 <= ~payloads_152[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_156[free] <= in_queue_out_attribute_4[3:0];
-        end
-        if (advance) begin
-            stage_payload_156 <= payloads_156[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_156 <= ~payloads_156[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_160[free] <= in_queue_out_attribute_4[7:4];
-        end
-        if (advance) begin
-            stage_payload_160 <= payloads_160[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_160 <= ~payloads_160[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_164[free] <= in_queue_out_attribute_4[11:8];
-        end
-        if (advance) begin
-            stage_payload_164 <= payloads_164[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_164 <= ~payloads_164[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_168[free] <= in_queue_out_attribute_4[15:12];
-        end
-        if (advance) begin
-            stage_payload_168 <= payloads_168[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_168 <= ~payloads_168[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_172[free] <= in_queue_out_attribute_3[3:0];
-        end
-        if (advance) begin
-            stage_payload_172 <= payloads_172[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_172 <= ~payloads_172[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_176[free] <= in_queue_out_attribute_3[7:4];
-        end
-        if (advance) begin
-            stage_payload_176 <= payloads_176[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_176 <= ~payloads_176[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_180[free] <= in_queue_out_attribute_3[11:8];
-        end
-        if (advance) begin
-            stage_payload_180 <= payloads_180[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_180 <= ~payloads_180[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_184[free] <= in_queue_out_attribute_3[15:12];
-        end
-        if (advance) begin
-            stage_payload_184 <= payloads_184[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_184 <= ~payloads_184[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_188[free] <= in_queue_out_attribute_2[3:0];
-        end
-        if (advance) begin
-            stage_payload_188 <= payloads_188[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_188 <= ~payloads_188[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_192[free] <= in_queue_out_attribute_2[7:4];
-        end
-        if (advance) begin
-            stage_payload_192 <= payloads_192[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_192 <= ~payloads_192[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_196[free] <= in_queue_out_attribute_2[11:8];
-        end
-        if (advance) begin
-            stage_payload_196 <= payloads_196[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_196 <= ~payloads_196[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_200[free] <= in_queue_out_attribute_2[15:12];
-        end
-        if (advance) begin
-            stage_payload_200 <= payloads_200[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_200 <= ~payloads_200[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_204[free] <= in_queue_out_attribute_1[3:0];
-        end
-        if (advance) begin
-            stage_payload_204 <= payloads_204[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_204 <= ~payloads_204[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_208[free] <= in_queue_out_attribute_1[7:4];
-        end
-        if (advance) begin
-            stage_payload_208 <= payloads_208[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_208 <= ~payloads_208[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_212[free] <= in_queue_out_attribute_1[11:8];
-        end
-        if (advance) begin
-            stage_payload_212 <= payloads_212[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_212 <= ~payloads_212[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_216[free] <= in_queue_out_attribute_1[15:12];
-        end
-        if (advance) begin
-            stage_payload_216 <= payloads_216[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_216 <= ~payloads_216[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_220[free] <= in_queue_out_attribute_0[3:0];
-        end
-        if (advance) begin
-            stage_payload_220 <= payloads_220[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_220 <= ~payloads_220[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_224[free] <= in_queue_out_attribute_0[7:4];
-        end
-        if (advance) begin
-            stage_payload_224 <= payloads_224[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_224 <= ~payloads_224[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_228[free] <= in_queue_out_attribute_0[11:8];
-        end
-        if (advance) begin
-            stage_payload_228 <= payloads_228[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_228 <= ~payloads_228[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_232[free] <= in_queue_out_attribute_0[15:12];
-        end
-        if (advance) begin
-            stage_payload_232 <= payloads_232[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_232 <= ~payloads_232[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_236[free] <= in_queue_out_depth_high[3:0];
-        end
-        if (advance) begin
-            stage_payload_236 <= payloads_236[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_236 <= ~payloads_236[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_240[free] <= in_queue_out_depth_high[7:4];
-        end
-        if (advance) begin
-            stage_payload_240 <= payloads_240[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_240 <= ~payloads_240[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_244[free] <= in_queue_out_depth_high[11:8];
-        end
-        if (advance) begin
-            stage_payload_244 <= payloads_244[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_244 <= ~payloads_244[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_248[free] <= in_queue_out_depth_high[15:12];
-        end
-        if (advance) begin
-            stage_payload_248 <= payloads_248[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_248 <= ~payloads_248[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_252[free] <= in_queue_out_depth_high[19:16];
-        end
-        if (advance) begin
-            stage_payload_252 <= payloads_252[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_252 <= ~payloads_252[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_256[free] <= in_queue_out_depth_high[23:20];
-        end
-        if (advance) begin
-            stage_payload_256 <= payloads_256[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_256 <= ~payloads_256[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_260[free] <= in_queue_out_depth_low[3:0];
-        end
-        if (advance) begin
-            stage_payload_260 <= payloads_260[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_260 <= ~payloads_260[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_264[free] <= in_queue_out_depth_low[7:4];
-        end
-        if (advance) begin
-            stage_payload_264 <= payloads_264[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_264 <= ~payloads_264[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_268[free] <= in_queue_out_depth_low[11:8];
-        end
-        if (advance) begin
-            stage_payload_268 <= payloads_268[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_268 <= ~payloads_268[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_272[free] <= in_queue_out_depth_low[15:12];
-        end
-        if (advance) begin
-            stage_payload_272 <= payloads_272[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_272 <= ~payloads_272[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_276[free] <= in_queue_out_depth_low[19:16];
-        end
-        if (advance) begin
-            stage_payload_276 <= payloads_276[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_276 <= ~payloads_276[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_280[free] <= in_queue_out_depth_low[23:20];
-        end
-        if (advance) begin
-            stage_payload_280 <= payloads_280[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_280 <= ~payloads_280[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_284[free] <= in_queue_out_depth[3:0];
-        end
-        if (advance) begin
-            stage_payload_284 <= payloads_284[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_284 <= ~payloads_284[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_288[free] <= in_queue_out_depth[7:4];
-        end
-        if (advance) begin
-            stage_payload_288 <= payloads_288[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_288 <= ~payloads_288[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_292[free] <= in_queue_out_depth[11:8];
-        end
-        if (advance) begin
-            stage_payload_292 <= payloads_292[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_292 <= ~payloads_292[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_296[free] <= in_queue_out_depth[15:12];
-        end
-        if (advance) begin
-            stage_payload_296 <= payloads_296[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_296 <= ~payloads_296[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_300[free] <= in_queue_out_depth[19:16];
-        end
-        if (advance) begin
-            stage_payload_300 <= payloads_300[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_300 <= ~payloads_300[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_304[free] <= in_queue_out_depth[23:20];
-        end
-        if (advance) begin
-            stage_payload_304 <= payloads_304[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_304 <= ~payloads_304[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_308[free] <= in_queue_out_my[3:0];
-        end
-        if (advance) begin
-            stage_payload_308 <= payloads_308[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_308 <= ~payloads_308[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_312[free] <= in_queue_out_my[7:4];
-        end
-        if (advance) begin
-            stage_payload_312 <= payloads_312[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_312 <= ~payloads_312[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_316[free] <= in_queue_out_my[11:8];
-        end
-        if (advance) begin
-            stage_payload_316 <= payloads_316[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_316 <= ~payloads_316[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_320[free] <= in_queue_out_my[15:12];
-        end
-        if (advance) begin
-            stage_payload_320 <= payloads_320[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_320 <= ~payloads_320[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_324[free] <= in_queue_out_my[19:16];
-        end
-        if (advance) begin
-            stage_payload_324 <= payloads_324[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_324 <= ~payloads_324[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_328[free] <= in_queue_out_my[23:20];
-        end
-        if (advance) begin
-            stage_payload_328 <= payloads_328[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_328 <= ~payloads_328[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_332[free] <= in_queue_out_mx[3:0];
-        end
-        if (advance) begin
-            stage_payload_332 <= payloads_332[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_332 <= ~payloads_332[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_336[free] <= in_queue_out_mx[7:4];
-        end
-        if (advance) begin
-            stage_payload_336 <= payloads_336[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_336 <= ~payloads_336[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_340[free] <= in_queue_out_mx[11:8];
-        end
-        if (advance) begin
-            stage_payload_340 <= payloads_340[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_340 <= ~payloads_340[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_344[free] <= in_queue_out_mx[15:12];
-        end
-        if (advance) begin
-            stage_payload_344 <= payloads_344[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_344 <= ~payloads_344[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_348[free] <= in_queue_out_mx[19:16];
-        end
-        if (advance) begin
-            stage_payload_348 <= payloads_348[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_348 <= ~payloads_348[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_352[free] <= in_queue_out_mx[23:20];
-        end
-        if (advance) begin
-            stage_payload_352 <= payloads_352[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_352 <= ~payloads_352[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_356[free] <= in_queue_out_delta[3:0];
-        end
-        if (advance) begin
-            stage_payload_356 <= payloads_356[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_356 <= ~payloads_356[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_360[free] <= in_queue_out_delta[7:4];
-        end
-        if (advance) begin
-            stage_payload_360 <= payloads_360[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_360 <= ~payloads_360[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_364[free] <= in_queue_out_delta[11:8];
-        end
-        if (advance) begin
-            stage_payload_364 <= payloads_364[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_364 <= ~payloads_364[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_368[free] <= in_queue_out_delta[15:12];
-        end
-        if (advance) begin
-            stage_payload_368 <= payloads_368[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_368 <= ~payloads_368[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_372[free] <= in_queue_out_delta[19:16];
-        end
-        if (advance) begin
-            stage_payload_372 <= payloads_372[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_372 <= ~payloads_372[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_376[free] <= in_queue_out_delta[23:20];
-        end
-        if (advance) begin
-            stage_payload_376 <= payloads_376[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_376 <= ~payloads_376[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_380[free] <= in_queue_out_by[3:0];
-        end
-        if (advance) begin
-            stage_payload_380 <= payloads_380[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_380 <= ~payloads_380[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_384[free] <= in_queue_out_by[7:4];
-        end
-        if (advance) begin
-            stage_payload_384 <= payloads_384[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_384 <= ~payloads_384[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_388[free] <= in_queue_out_by[11:8];
-        end
-        if (advance) begin
-            stage_payload_388 <= payloads_388[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_388 <= ~payloads_388[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_392[free] <= in_queue_out_by[15:12];
-        end
-        if (advance) begin
-            stage_payload_392 <= payloads_392[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_392 <= ~payloads_392[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_396[free] <= in_queue_out_by[19:16];
-        end
-        if (advance) begin
-            stage_payload_396 <= payloads_396[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_396 <= ~payloads_396[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_400[free] <= in_queue_out_by[23:20];
-        end
-        if (advance) begin
-            stage_payload_400 <= payloads_400[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_400 <= ~payloads_400[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_404[free] <= in_queue_out_ay[3:0];
-        end
-        if (advance) begin
-            stage_payload_404 <= payloads_404[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_404 <= ~payloads_404[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_408[free] <= in_queue_out_ay[7:4];
-        end
-        if (advance) begin
-            stage_payload_408 <= payloads_408[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_408 <= ~payloads_408[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_412[free] <= in_queue_out_ay[11:8];
-        end
-        if (advance) begin
-            stage_payload_412 <= payloads_412[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_412 <= ~payloads_412[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_416[free] <= in_queue_out_ay[15:12];
-        end
-        if (advance) begin
-            stage_payload_416 <= payloads_416[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_416 <= ~payloads_416[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_420[free] <= in_queue_out_ay[19:16];
-        end
-        if (advance) begin
-            stage_payload_420 <= payloads_420[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_420 <= ~payloads_420[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_424[free] <= in_queue_out_ay[23:20];
-        end
-        if (advance) begin
-            stage_payload_424 <= payloads_424[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_424 <= ~payloads_424[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_428[free] <= in_queue_out_bx[3:0];
-        end
-        if (advance) begin
-            stage_payload_428 <= payloads_428[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_428 <= ~payloads_428[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_432[free] <= in_queue_out_bx[7:4];
-        end
-        if (advance) begin
-            stage_payload_432 <= payloads_432[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_432 <= ~payloads_432[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_436[free] <= in_queue_out_bx[11:8];
-        end
-        if (advance) begin
-            stage_payload_436 <= payloads_436[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_436 <= ~payloads_436[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_440[free] <= in_queue_out_bx[15:12];
-        end
-        if (advance) begin
-            stage_payload_440 <= payloads_440[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_440 <= ~payloads_440[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_444[free] <= in_queue_out_bx[19:16];
-        end
-        if (advance) begin
-            stage_payload_444 <= payloads_444[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_444 <= ~payloads_444[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_448[free] <= in_queue_out_bx[23:20];
-        end
-        if (advance) begin
-            stage_payload_448 <= payloads_448[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_448 <= ~payloads_448[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_452[free] <= in_queue_out_ax[3:0];
-        end
-        if (advance) begin
-            stage_payload_452 <= payloads_452[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_452 <= ~payloads_452[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_456[free] <= in_queue_out_ax[7:4];
-        end
-        if (advance) begin
-            stage_payload_456 <= payloads_456[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_456 <= ~payloads_456[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_460[free] <= in_queue_out_ax[11:8];
-        end
-        if (advance) begin
-            stage_payload_460 <= payloads_460[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_460 <= ~payloads_460[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_464[free] <= in_queue_out_ax[15:12];
-        end
-        if (advance) begin
-            stage_payload_464 <= payloads_464[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_464 <= ~payloads_464[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_468[free] <= in_queue_out_ax[19:16];
-        end
-        if (advance) begin
-            stage_payload_468 <= payloads_468[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_468 <= ~payloads_468[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_472[free] <= in_queue_out_ax[23:20];
-        end
-        if (advance) begin
-            stage_payload_472 <= payloads_472[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_472 <= ~payloads_472[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_476[free] <= in_queue_out_center_y[3:0];
-        end
-        if (advance) begin
-            stage_payload_476 <= payloads_476[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_476 <= ~payloads_476[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_480[free] <= in_queue_out_center_y[7:4];
-        end
-        if (advance) begin
-            stage_payload_480 <= payloads_480[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_480 <= ~payloads_480[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_484[free] <= in_queue_out_center_y[11:8];
-        end
-        if (advance) begin
-            stage_payload_484 <= payloads_484[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_484 <= ~payloads_484[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_488[free] <= in_queue_out_center_y[15:12];
-        end
-        if (advance) begin
-            stage_payload_488 <= payloads_488[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_488 <= ~payloads_488[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_492[free] <= in_queue_out_center_y[19:16];
-        end
-        if (advance) begin
-            stage_payload_492 <= payloads_492[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_492 <= ~payloads_492[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_496[free] <= in_queue_out_center_y[23:20];
-        end
-        if (advance) begin
-            stage_payload_496 <= payloads_496[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_496 <= ~payloads_496[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_500[free] <= in_queue_out_center_x[3:0];
-        end
-        if (advance) begin
-            stage_payload_500 <= payloads_500[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_500 <= ~payloads_500[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_504[free] <= in_queue_out_center_x[7:4];
-        end
-        if (advance) begin
-            stage_payload_504 <= payloads_504[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_504 <= ~payloads_504[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_508[free] <= in_queue_out_center_x[11:8];
-        end
-        if (advance) begin
-            stage_payload_508 <= payloads_508[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_508 <= ~payloads_508[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_512[free] <= in_queue_out_center_x[15:12];
-        end
-        if (advance) begin
-            stage_payload_512 <= payloads_512[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_512 <= ~payloads_512[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_516[free] <= in_queue_out_center_x[19:16];
-        end
-        if (advance) begin
-            stage_payload_516 <= payloads_516[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_516 <= ~payloads_516[heap_out_pointer];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (offer) begin
-            payloads_520[free] <= in_queue_out_center_x[23:20];
-        end
-        if (advance) begin
-            stage_payload_520 <= payloads_520[heap_out_pointer];
-        end
-`ifdef RTL_ASSERT
-        if ((offer) && (advance) && (free) == (heap_out_pointer)) begin
-            stage_payload_520 <= ~payloads_520[heap_out_pointer];
-        end
-`endif
+        if (~free_valid) free <= all_used ? returned_out_data : fresh[11:0];
+        if (advance) stage_tile <= heap_out_tile;
     end
 
     wire _unused = &{1'b0, returned_in_ready};
@@ -10775,27 +4888,28 @@ module stream_fifo_d4096_w12 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [11:0] in_pointer,
+    input  wire [11:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [11:0] out_pointer
+    output wire [11:0] out_data
 );
-    (* no_rw_check *)
-    reg [11:0] entries [0:4095];
-    reg [12:0] held;
-    reg [12:0] waiting;
-    reg [11:0] write_address;
-    reg [11:0] read_address;
-    reg [11:0] item;
+    reg [12:0] held, waiting;
+    reg [11:0] write_address, read_address;
+    wire [11:0] item;
 
     wire has_room = ~held[12];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_pointer = item;
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(12), .DEPTH(4096)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -10807,27 +4921,10 @@ module stream_fifo_d4096_w12 (
         end else begin
             held <= (held + {12'd0, push}) - {12'd0, pop};
             waiting <= (waiting + {12'd0, push}) - {12'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 12'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 12'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 12'd1;
+            if (fetch) read_address <= read_address + 12'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= in_pointer;
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -10871,345 +4968,181 @@ module splat_heap (
     output wire [11:0] out_pointer,
     output wire empty
 );
-    reg ends;
-    reg lower;
+    reg ends, lower;
     reg [11:0] count;
     reg [15:0] arrival;
-    reg [11:0] alive_even;
-    reg [11:0] alive_odd;
-    reg occupied;
-    reg full;
-    reg fresh_epoch_blocked;
+    reg [11:0] alive_even, alive_odd;
+    reg occupied, full, fresh_epoch_blocked;
     reg [11:0] current;
-    reg sweep;
-    reg last_epoch;
+    reg sweep, last_epoch;
     reg [11:0] newcomer_tile;
 
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire [11:0] out_queue_out_tile;
-    wire [11:0] out_queue_out_pointer;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [23:0] out_queue_out_data;
     wire [40:0] stage_0_root;
-    wire stage_0_below_valid;
-    wire stage_0_below_hole;
-    wire stage_0_below_carry;
-    wire stage_0_below_right;
-    wire stage_0_below_left_exists;
-    wire stage_0_below_right_exists;
-    wire stage_0_below_follows;
+    wire stage_0_below_valid, stage_0_below_hole, stage_0_below_carry, stage_0_below_right;
+    wire stage_0_below_left_exists, stage_0_below_right_exists, stage_0_below_follows;
     wire [40:0] stage_0_below_entry;
     wire [28:0] stage_0_below_rival;
     wire [1:0] stage_0_below_row;
     wire [40:0] stage_2_rise_entry;
-    wire stage_2_rise_exists;
-    wire stage_2_rise_ahead;
-    wire stage_2_rise_right;
-    wire stage_2_rise_childless;
+    wire stage_2_rise_exists, stage_2_rise_ahead, stage_2_rise_right, stage_2_rise_childless;
     wire [1:0] stage_2_rise_node;
-    wire stage_2_below_valid;
-    wire stage_2_below_hole;
-    wire stage_2_below_carry;
-    wire stage_2_below_right;
-    wire stage_2_below_left_exists;
-    wire stage_2_below_right_exists;
-    wire stage_2_below_follows;
+    wire stage_2_below_valid, stage_2_below_hole, stage_2_below_carry, stage_2_below_right;
+    wire stage_2_below_left_exists, stage_2_below_right_exists, stage_2_below_follows;
     wire [40:0] stage_2_below_entry;
     wire [28:0] stage_2_below_rival;
     wire [3:0] stage_2_below_row;
     wire [40:0] stage_4_rise_entry;
-    wire stage_4_rise_exists;
-    wire stage_4_rise_ahead;
-    wire stage_4_rise_right;
-    wire stage_4_rise_childless;
+    wire stage_4_rise_exists, stage_4_rise_ahead, stage_4_rise_right, stage_4_rise_childless;
     wire [3:0] stage_4_rise_node;
-    wire stage_4_below_valid;
-    wire stage_4_below_hole;
-    wire stage_4_below_carry;
-    wire stage_4_below_right;
-    wire stage_4_below_left_exists;
-    wire stage_4_below_right_exists;
-    wire stage_4_below_follows;
+    wire stage_4_below_valid, stage_4_below_hole, stage_4_below_carry, stage_4_below_right;
+    wire stage_4_below_left_exists, stage_4_below_right_exists, stage_4_below_follows;
     wire [40:0] stage_4_below_entry;
     wire [28:0] stage_4_below_rival;
     wire [5:0] stage_4_below_row;
     wire [40:0] stage_6_rise_entry;
-    wire stage_6_rise_exists;
-    wire stage_6_rise_ahead;
-    wire stage_6_rise_right;
-    wire stage_6_rise_childless;
+    wire stage_6_rise_exists, stage_6_rise_ahead, stage_6_rise_right, stage_6_rise_childless;
     wire [5:0] stage_6_rise_node;
-    wire stage_6_below_valid;
-    wire stage_6_below_hole;
-    wire stage_6_below_carry;
-    wire stage_6_below_right;
-    wire stage_6_below_left_exists;
-    wire stage_6_below_right_exists;
-    wire stage_6_below_follows;
+    wire stage_6_below_valid, stage_6_below_hole, stage_6_below_carry, stage_6_below_right;
+    wire stage_6_below_left_exists, stage_6_below_right_exists, stage_6_below_follows;
     wire [40:0] stage_6_below_entry;
     wire [28:0] stage_6_below_rival;
     wire [7:0] stage_6_below_row;
     wire [40:0] stage_8_rise_entry;
-    wire stage_8_rise_exists;
-    wire stage_8_rise_ahead;
-    wire stage_8_rise_right;
-    wire stage_8_rise_childless;
+    wire stage_8_rise_exists, stage_8_rise_ahead, stage_8_rise_right, stage_8_rise_childless;
     wire [7:0] stage_8_rise_node;
-    wire stage_8_below_valid;
-    wire stage_8_below_hole;
-    wire stage_8_below_carry;
-    wire stage_8_below_right;
-    wire stage_8_below_left_exists;
-    wire stage_8_below_right_exists;
-    wire stage_8_below_follows;
+    wire stage_8_below_valid, stage_8_below_hole, stage_8_below_carry, stage_8_below_right;
+    wire stage_8_below_left_exists, stage_8_below_right_exists, stage_8_below_follows;
     wire [40:0] stage_8_below_entry;
     wire [28:0] stage_8_below_rival;
     wire [9:0] stage_8_below_row;
     wire [40:0] stage_10_rise_entry;
-    wire stage_10_rise_exists;
-    wire stage_10_rise_ahead;
-    wire stage_10_rise_right;
-    wire stage_10_rise_childless;
+    wire stage_10_rise_exists, stage_10_rise_ahead, stage_10_rise_right, stage_10_rise_childless;
     wire [9:0] stage_10_rise_node;
 
     wire begins = ends & ~lower;
     wire pop = begins & (occupied & out_queue_in_ready);
     wire ready = begins & ~fresh_epoch_blocked & (~full | pop);
-    assign in_ready = ready;
-    wire out_queue_out_ready = out_ready;
     wire push = ready & in_valid;
     wire newcomer_sweep = sweep ^ (newcomer_tile < current);
     wire term_1 = push & ~arrival[15];
     wire term_2 = push & arrival[15];
 
+    assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
-    assign out_tile = out_queue_out_tile;
-    assign out_pointer = out_queue_out_pointer;
+    assign {out_tile, out_pointer} = out_queue_out_data;
     assign empty = ~(|count | out_queue_out_valid);
 
     stream_skid_w24 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(pop),
-        .in_ready(out_queue_in_ready),
-        .in_tile(stage_0_root[39:28]),
-        .in_pointer(stage_0_root[11:0]),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_tile(out_queue_out_tile),
-        .out_pointer(out_queue_out_pointer)
+        .clk(clk), .rst(rst),
+        .in_valid(pop), .in_ready(out_queue_in_ready), .in_data({stage_0_root[39:28], stage_0_root[11:0]}),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     splat_heap_stage_level0 stage_0 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(push | pop),
-        .step_hole(pop),
-        .step_carry(push),
-        .step_right(1'd1),
-        .step_left_exists(1'd0),
-        .step_right_exists(occupied),
-        .step_follows(1'd1),
-        .step_entry({1'd0, in_tile, arrival, in_pointer}),
-        .step_rival(29'd0),
+        .step_valid(push | pop), .step_hole(pop), .step_carry(push), .step_right(1'd1),
+        .step_left_exists(1'd0), .step_right_exists(occupied), .step_follows(1'd1),
+        .step_entry({1'd0, in_tile, arrival, in_pointer}), .step_rival(29'd0),
         .newcomer_sweep(newcomer_sweep),
-        .below_rise_entry(stage_2_rise_entry),
-        .below_rise_exists(stage_2_rise_exists),
-        .below_rise_ahead(stage_2_rise_ahead),
-        .below_rise_right(stage_2_rise_right),
-        .below_rise_childless(stage_2_rise_childless),
-        .below_rise_node(stage_2_rise_node),
+        .below_rise_entry(stage_2_rise_entry), .below_rise_exists(stage_2_rise_exists),
+        .below_rise_ahead(stage_2_rise_ahead), .below_rise_right(stage_2_rise_right),
+        .below_rise_childless(stage_2_rise_childless), .below_rise_node(stage_2_rise_node),
         .root(stage_0_root),
-        .below_valid(stage_0_below_valid),
-        .below_hole(stage_0_below_hole),
-        .below_carry(stage_0_below_carry),
-        .below_right(stage_0_below_right),
-        .below_left_exists(stage_0_below_left_exists),
-        .below_right_exists(stage_0_below_right_exists),
-        .below_follows(stage_0_below_follows),
-        .below_entry(stage_0_below_entry),
-        .below_rival(stage_0_below_rival),
-        .below_row(stage_0_below_row)
+        .below_valid(stage_0_below_valid), .below_hole(stage_0_below_hole), .below_carry(stage_0_below_carry),
+        .below_right(stage_0_below_right), .below_left_exists(stage_0_below_left_exists),
+        .below_right_exists(stage_0_below_right_exists), .below_follows(stage_0_below_follows),
+        .below_entry(stage_0_below_entry), .below_rival(stage_0_below_rival), .below_row(stage_0_below_row)
     );
 
     splat_heap_stage_level2 stage_2 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_0_below_valid),
-        .step_hole(stage_0_below_hole),
-        .step_carry(stage_0_below_carry),
-        .step_right(stage_0_below_right),
-        .step_left_exists(stage_0_below_left_exists),
-        .step_right_exists(stage_0_below_right_exists),
-        .step_follows(stage_0_below_follows),
-        .step_entry(stage_0_below_entry),
-        .step_rival(stage_0_below_rival),
-        .step_row(stage_0_below_row),
-        .below_rise_entry(stage_4_rise_entry),
-        .below_rise_exists(stage_4_rise_exists),
-        .below_rise_ahead(stage_4_rise_ahead),
-        .below_rise_right(stage_4_rise_right),
-        .below_rise_childless(stage_4_rise_childless),
-        .below_rise_node(stage_4_rise_node),
-        .rise_entry(stage_2_rise_entry),
-        .rise_exists(stage_2_rise_exists),
-        .rise_ahead(stage_2_rise_ahead),
-        .rise_right(stage_2_rise_right),
-        .rise_childless(stage_2_rise_childless),
+        .step_valid(stage_0_below_valid), .step_hole(stage_0_below_hole), .step_carry(stage_0_below_carry),
+        .step_right(stage_0_below_right), .step_left_exists(stage_0_below_left_exists),
+        .step_right_exists(stage_0_below_right_exists), .step_follows(stage_0_below_follows),
+        .step_entry(stage_0_below_entry), .step_rival(stage_0_below_rival), .step_row(stage_0_below_row),
+        .below_rise_entry(stage_4_rise_entry), .below_rise_exists(stage_4_rise_exists),
+        .below_rise_ahead(stage_4_rise_ahead), .below_rise_right(stage_4_rise_right),
+        .below_rise_childless(stage_4_rise_childless), .below_rise_node(stage_4_rise_node),
+        .rise_entry(stage_2_rise_entry), .rise_exists(stage_2_rise_exists), .rise_ahead(stage_2_rise_ahead),
+        .rise_right(stage_2_rise_right), .rise_childless(stage_2_rise_childless),
         .rise_node(stage_2_rise_node),
-        .below_valid(stage_2_below_valid),
-        .below_hole(stage_2_below_hole),
-        .below_carry(stage_2_below_carry),
-        .below_right(stage_2_below_right),
-        .below_left_exists(stage_2_below_left_exists),
-        .below_right_exists(stage_2_below_right_exists),
-        .below_follows(stage_2_below_follows),
-        .below_entry(stage_2_below_entry),
-        .below_rival(stage_2_below_rival),
-        .below_row(stage_2_below_row)
+        .below_valid(stage_2_below_valid), .below_hole(stage_2_below_hole), .below_carry(stage_2_below_carry),
+        .below_right(stage_2_below_right), .below_left_exists(stage_2_below_left_exists),
+        .below_right_exists(stage_2_below_right_exists), .below_follows(stage_2_below_follows),
+        .below_entry(stage_2_below_entry), .below_rival(stage_2_below_rival), .below_row(stage_2_below_row)
     );
 
     splat_heap_stage_level4 stage_4 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_2_below_valid),
-        .step_hole(stage_2_below_hole),
-        .step_carry(stage_2_below_carry),
-        .step_right(stage_2_below_right),
-        .step_left_exists(stage_2_below_left_exists),
-        .step_right_exists(stage_2_below_right_exists),
-        .step_follows(stage_2_below_follows),
-        .step_entry(stage_2_below_entry),
-        .step_rival(stage_2_below_rival),
-        .step_row(stage_2_below_row),
-        .below_rise_entry(stage_6_rise_entry),
-        .below_rise_exists(stage_6_rise_exists),
-        .below_rise_ahead(stage_6_rise_ahead),
-        .below_rise_right(stage_6_rise_right),
-        .below_rise_childless(stage_6_rise_childless),
-        .below_rise_node(stage_6_rise_node),
-        .rise_entry(stage_4_rise_entry),
-        .rise_exists(stage_4_rise_exists),
-        .rise_ahead(stage_4_rise_ahead),
-        .rise_right(stage_4_rise_right),
-        .rise_childless(stage_4_rise_childless),
+        .step_valid(stage_2_below_valid), .step_hole(stage_2_below_hole), .step_carry(stage_2_below_carry),
+        .step_right(stage_2_below_right), .step_left_exists(stage_2_below_left_exists),
+        .step_right_exists(stage_2_below_right_exists), .step_follows(stage_2_below_follows),
+        .step_entry(stage_2_below_entry), .step_rival(stage_2_below_rival), .step_row(stage_2_below_row),
+        .below_rise_entry(stage_6_rise_entry), .below_rise_exists(stage_6_rise_exists),
+        .below_rise_ahead(stage_6_rise_ahead), .below_rise_right(stage_6_rise_right),
+        .below_rise_childless(stage_6_rise_childless), .below_rise_node(stage_6_rise_node),
+        .rise_entry(stage_4_rise_entry), .rise_exists(stage_4_rise_exists), .rise_ahead(stage_4_rise_ahead),
+        .rise_right(stage_4_rise_right), .rise_childless(stage_4_rise_childless),
         .rise_node(stage_4_rise_node),
-        .below_valid(stage_4_below_valid),
-        .below_hole(stage_4_below_hole),
-        .below_carry(stage_4_below_carry),
-        .below_right(stage_4_below_right),
-        .below_left_exists(stage_4_below_left_exists),
-        .below_right_exists(stage_4_below_right_exists),
-        .below_follows(stage_4_below_follows),
-        .below_entry(stage_4_below_entry),
-        .below_rival(stage_4_below_rival),
-        .below_row(stage_4_below_row)
+        .below_valid(stage_4_below_valid), .below_hole(stage_4_below_hole), .below_carry(stage_4_below_carry),
+        .below_right(stage_4_below_right), .below_left_exists(stage_4_below_left_exists),
+        .below_right_exists(stage_4_below_right_exists), .below_follows(stage_4_below_follows),
+        .below_entry(stage_4_below_entry), .below_rival(stage_4_below_rival), .below_row(stage_4_below_row)
     );
 
     splat_heap_stage_level6 stage_6 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_4_below_valid),
-        .step_hole(stage_4_below_hole),
-        .step_carry(stage_4_below_carry),
-        .step_right(stage_4_below_right),
-        .step_left_exists(stage_4_below_left_exists),
-        .step_right_exists(stage_4_below_right_exists),
-        .step_follows(stage_4_below_follows),
-        .step_entry(stage_4_below_entry),
-        .step_rival(stage_4_below_rival),
-        .step_row(stage_4_below_row),
-        .below_rise_entry(stage_8_rise_entry),
-        .below_rise_exists(stage_8_rise_exists),
-        .below_rise_ahead(stage_8_rise_ahead),
-        .below_rise_right(stage_8_rise_right),
-        .below_rise_childless(stage_8_rise_childless),
-        .below_rise_node(stage_8_rise_node),
-        .rise_entry(stage_6_rise_entry),
-        .rise_exists(stage_6_rise_exists),
-        .rise_ahead(stage_6_rise_ahead),
-        .rise_right(stage_6_rise_right),
-        .rise_childless(stage_6_rise_childless),
+        .step_valid(stage_4_below_valid), .step_hole(stage_4_below_hole), .step_carry(stage_4_below_carry),
+        .step_right(stage_4_below_right), .step_left_exists(stage_4_below_left_exists),
+        .step_right_exists(stage_4_below_right_exists), .step_follows(stage_4_below_follows),
+        .step_entry(stage_4_below_entry), .step_rival(stage_4_below_rival), .step_row(stage_4_below_row),
+        .below_rise_entry(stage_8_rise_entry), .below_rise_exists(stage_8_rise_exists),
+        .below_rise_ahead(stage_8_rise_ahead), .below_rise_right(stage_8_rise_right),
+        .below_rise_childless(stage_8_rise_childless), .below_rise_node(stage_8_rise_node),
+        .rise_entry(stage_6_rise_entry), .rise_exists(stage_6_rise_exists), .rise_ahead(stage_6_rise_ahead),
+        .rise_right(stage_6_rise_right), .rise_childless(stage_6_rise_childless),
         .rise_node(stage_6_rise_node),
-        .below_valid(stage_6_below_valid),
-        .below_hole(stage_6_below_hole),
-        .below_carry(stage_6_below_carry),
-        .below_right(stage_6_below_right),
-        .below_left_exists(stage_6_below_left_exists),
-        .below_right_exists(stage_6_below_right_exists),
-        .below_follows(stage_6_below_follows),
-        .below_entry(stage_6_below_entry),
-        .below_rival(stage_6_below_rival),
-        .below_row(stage_6_below_row)
+        .below_valid(stage_6_below_valid), .below_hole(stage_6_below_hole), .below_carry(stage_6_below_carry),
+        .below_right(stage_6_below_right), .below_left_exists(stage_6_below_left_exists),
+        .below_right_exists(stage_6_below_right_exists), .below_follows(stage_6_below_follows),
+        .below_entry(stage_6_below_entry), .below_rival(stage_6_below_rival), .below_row(stage_6_below_row)
     );
 
     splat_heap_stage_level8 stage_8 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_6_below_valid),
-        .step_hole(stage_6_below_hole),
-        .step_carry(stage_6_below_carry),
-        .step_right(stage_6_below_right),
-        .step_left_exists(stage_6_below_left_exists),
-        .step_right_exists(stage_6_below_right_exists),
-        .step_follows(stage_6_below_follows),
-        .step_entry(stage_6_below_entry),
-        .step_rival(stage_6_below_rival),
-        .step_row(stage_6_below_row),
-        .below_rise_entry(stage_10_rise_entry),
-        .below_rise_exists(stage_10_rise_exists),
-        .below_rise_ahead(stage_10_rise_ahead),
-        .below_rise_right(stage_10_rise_right),
-        .below_rise_childless(stage_10_rise_childless),
-        .below_rise_node(stage_10_rise_node),
-        .rise_entry(stage_8_rise_entry),
-        .rise_exists(stage_8_rise_exists),
-        .rise_ahead(stage_8_rise_ahead),
-        .rise_right(stage_8_rise_right),
-        .rise_childless(stage_8_rise_childless),
+        .step_valid(stage_6_below_valid), .step_hole(stage_6_below_hole), .step_carry(stage_6_below_carry),
+        .step_right(stage_6_below_right), .step_left_exists(stage_6_below_left_exists),
+        .step_right_exists(stage_6_below_right_exists), .step_follows(stage_6_below_follows),
+        .step_entry(stage_6_below_entry), .step_rival(stage_6_below_rival), .step_row(stage_6_below_row),
+        .below_rise_entry(stage_10_rise_entry), .below_rise_exists(stage_10_rise_exists),
+        .below_rise_ahead(stage_10_rise_ahead), .below_rise_right(stage_10_rise_right),
+        .below_rise_childless(stage_10_rise_childless), .below_rise_node(stage_10_rise_node),
+        .rise_entry(stage_8_rise_entry), .rise_exists(stage_8_rise_exists), .rise_ahead(stage_8_rise_ahead),
+        .rise_right(stage_8_rise_right), .rise_childless(stage_8_rise_childless),
         .rise_node(stage_8_rise_node),
-        .below_valid(stage_8_below_valid),
-        .below_hole(stage_8_below_hole),
-        .below_carry(stage_8_below_carry),
-        .below_right(stage_8_below_right),
-        .below_left_exists(stage_8_below_left_exists),
-        .below_right_exists(stage_8_below_right_exists),
-        .below_follows(stage_8_below_follows),
-        .below_entry(stage_8_below_entry),
-        .below_rival(stage_8_below_rival),
-        .below_row(stage_8_below_row)
+        .below_valid(stage_8_below_valid), .below_hole(stage_8_below_hole), .below_carry(stage_8_below_carry),
+        .below_right(stage_8_below_right), .below_left_exists(stage_8_below_left_exists),
+        .below_right_exists(stage_8_below_right_exists), .below_follows(stage_8_below_follows),
+        .below_entry(stage_8_below_entry), .below_rival(stage_8_below_rival), .below_row(stage_8_below_row)
     );
 
     splat_heap_stage_level10 stage_10 (
-        .clk(clk),
-        .rst(rst),
-        .sweep(sweep),
+        .clk(clk), .rst(rst), .sweep(sweep),
         .last_epoch(last_epoch),
-        .step_valid(stage_8_below_valid),
-        .step_hole(stage_8_below_hole),
-        .step_carry(stage_8_below_carry),
-        .step_right(stage_8_below_right),
-        .step_left_exists(stage_8_below_left_exists),
-        .step_right_exists(stage_8_below_right_exists),
-        .step_follows(stage_8_below_follows),
-        .step_entry(stage_8_below_entry),
-        .step_rival(stage_8_below_rival),
-        .step_row(stage_8_below_row),
-        .rise_entry(stage_10_rise_entry),
-        .rise_exists(stage_10_rise_exists),
-        .rise_ahead(stage_10_rise_ahead),
-        .rise_right(stage_10_rise_right),
-        .rise_childless(stage_10_rise_childless),
-        .rise_node(stage_10_rise_node)
+        .step_valid(stage_8_below_valid), .step_hole(stage_8_below_hole), .step_carry(stage_8_below_carry),
+        .step_right(stage_8_below_right), .step_left_exists(stage_8_below_left_exists),
+        .step_right_exists(stage_8_below_right_exists), .step_follows(stage_8_below_follows),
+        .step_entry(stage_8_below_entry), .step_rival(stage_8_below_rival), .step_row(stage_8_below_row),
+        .rise_entry(stage_10_rise_entry), .rise_exists(stage_10_rise_exists),
+        .rise_ahead(stage_10_rise_ahead), .rise_right(stage_10_rise_right),
+        .rise_childless(stage_10_rise_childless), .rise_node(stage_10_rise_node)
     );
 
     always @(posedge clk) begin
@@ -11230,15 +5163,9 @@ module splat_heap (
             occupied <= |count;
             full <= &count;
             fresh_epoch_blocked <= (arrival[14:0] == 15'd0) & (arrival[15] ? |alive_odd : |alive_even);
-            if (ends) begin
-                lower <= ~lower;
-            end
-            if (push ^ pop) begin
-                count <= push ? (count + 12'd1) : (count - 12'd1);
-            end
-            if (push) begin
-                arrival <= arrival + 16'd1;
-            end
+            if (ends) lower <= ~lower;
+            if (push ^ pop) count <= push ? (count + 12'd1) : (count - 12'd1);
+            if (push) arrival <= arrival + 16'd1;
             if (term_1 ^ (pop & ~stage_0_root[27])) begin
                 alive_even <= term_1 ? (alive_even + 12'd1) : (alive_even - 12'd1);
             end
@@ -11252,12 +5179,8 @@ module splat_heap (
         end
     end
     always @(posedge clk) begin
-        if (push) begin
-            last_epoch <= arrival[15];
-        end
-        if (ends) begin
-            newcomer_tile <= in_tile;
-        end
+        if (push) last_epoch <= arrival[15];
+        if (ends) newcomer_tile <= in_tile;
     end
 
     wire _unused = &{1'b0, stage_0_root[26:12]};
@@ -11289,115 +5212,82 @@ module splat_heap_stage_level10 (
     output wire rise_childless,
     output wire [9:0] rise_node
 );
-    (* no_rw_check *)
-    reg [43:0] left_even_nodes [0:1023];
-    (* no_rw_check *)
-    reg [43:0] left_odd_nodes [0:1023];
-    (* no_rw_check *)
-    reg [43:0] right_even_nodes [0:1023];
-    (* no_rw_check *)
-    reg [43:0] right_odd_nodes [0:1023];
-    reg ends;
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [28:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [40:0] compared_entry;
-    reg compared_right_below;
-    reg compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
-    reg settled_rival_mark;
+    reg compared_right_below, compared_left_count, settled_valid, settled_hole, settled_carry;
+    reg settled_existed, settled_ahead, settled_rival_exists, settled_rival_mark;
     reg [40:0] settled_entry;
-    reg settled_right_below;
-    reg settled_left_count;
+    reg settled_right_below, settled_left_count;
     reg [43:0] stored;
-    reg [10:0] row;
-    reg [10:0] row_before;
+    reg [10:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found;
-    reg before_rival_found;
-    reg left_exists_found;
-    reg right_exists_found;
-    reg left_full_found;
+    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
     reg rival_stays_found;
-    reg [11:0] last_row;
-    reg [11:0] last_row_before;
-    reg [43:0] left_even_shown;
+    reg [11:0] last_row, last_row_before;
+    wire [43:0] left_even_shown;
     reg [43:0] left_even_found;
-    reg [43:0] left_odd_shown;
+    wire [43:0] left_odd_shown;
     reg [43:0] left_odd_found;
-    reg [43:0] right_even_shown;
+    wire [43:0] right_even_shown;
     reg [43:0] right_even_found;
-    reg [43:0] right_odd_shown;
+    wire [43:0] right_odd_shown;
     reg [43:0] right_odd_found;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
     wire term_1 = compared_exists & ~rival_stays_found;
     wire term_2 = ~(left_exists_found | right_exists_found);
-    wire choice_3 = lower ? compared_hole : step_hole;
-    wire choice_4 = lower ? compared_follows : step_follows;
-    wire choice_5 = lower ? left_exists_found : step_left_exists;
-    wire choice_6 = lower ? right_exists_found : step_right_exists;
-    wire newer = choice_4 & settled_valid;
-    wire [11:0] choice_7 = lower ? last_row_before : {1'd0, row_before};
-    wire side = choice_7[0];
-    wire choice_8 = lower ? 1'd0 : compared_exists;
-    wire term_9 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_1);
-    wire is_first = settled_hole ? ((settled_carry | choice_8) & term_9) : settled_ahead;
+    wire [11:0] choice_3 = lower ? last_row_before : {1'd0, row_before};
+    wire side = choice_3[0];
+    wire term_4 = ends & (settled_valid & ~side);
+    wire [40:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
+    wire choice_5 = lower ? 1'd0 : compared_exists;
+    wire term_6 = ~settled_rival_exists | settled_ahead | (lower ? 1'd0 : term_1);
+    wire is_first = settled_hole ? ((settled_carry | choice_5) & term_6) : settled_ahead;
     wire first_side = side ^ ~is_first;
-    wire [43:0] choice_10 = row[0] ? left_odd_found : left_even_found;
-    wire [43:0] choice_11 = row[0] ? right_odd_found : right_even_found;
-    wire choice_12 = (choice_5 & choice_6) ? (newer ? first_side : (choice_10[2] ^ choice_11[2])) : choice_6;
-    wire goes_right = choice_3 ? choice_12 : lower ? left_full_found : step_right;
+    wire term_7 = settled_hole & ~settled_carry & choice_5;
+    wire choice_8 = lower ? 1'd0 : compared_right;
+    wire term_9 = settled_right_below & ~(term_7 & choice_8 & (lower ? 1'd0 : term_2));
+    wire term_10 = ~settled_hole & settled_existed;
+    wire term_11 = ~choice_8;
+    wire sum_12 = settled_left_count + ((term_7 & term_11) | (term_10 & term_11));
+    wire [43:0] node_to_store = {
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        term_9 | (term_10 & choice_8), sum_12
+    };
+    wire choice_13 = lower ? compared_hole : step_hole;
+    wire choice_14 = lower ? left_exists_found : step_left_exists;
+    wire choice_15 = lower ? right_exists_found : step_right_exists;
+    wire choice_16 = lower ? compared_follows : step_follows;
+    wire newer = choice_16 & settled_valid;
+    wire [43:0] choice_17 = row[0] ? left_odd_found : left_even_found;
+    wire [43:0] choice_18 = row[0] ? right_odd_found : right_even_found;
+    wire choice_19 = (choice_14 & choice_15) ? (newer ? first_side : (choice_17[2] ^ choice_18[2])) : choice_15;
+    wire goes_right = choice_13 ? choice_19 : lower ? left_full_found : step_right;
+    wire [11:0] next_row = {row, goes_right};
+    wire [10:0] choice_20 = lower ? {1'd0, step_row} : next_row[10:0];
+    wire term_21 = ends & (settled_valid & side);
     wire same_side = goes_right ^ ~side;
     wire [28:0] rival = compared_rival_stored ? stored[43:15] : compared_rival;
-    wire [40:0] choice_13 = ~goes_right ? choice_11[43:3] : choice_10[43:3];
-    wire term_14 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire [40:0] choice_22 = ~goes_right ? choice_18[43:3] : choice_17[43:3];
+    wire term_23 = carried_first & (before_rival_found | ~compared_rival_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[1] : compared_right_below;
     wire chosen_left_count = compared_chosen_stored ? stored[0] : compared_left_count;
-    wire [40:0] entry_to_store = (settled_hole & ~lower) ? first : settled_entry;
-    wire term_15 = settled_hole & ~settled_carry & choice_8;
-    wire choice_16 = lower ? 1'd0 : compared_right;
-    wire term_17 = settled_right_below & ~(term_15 & choice_16 & (lower ? 1'd0 : term_2));
-    wire term_18 = ~settled_hole & settled_existed;
-    wire term_19 = ~choice_16;
-    wire sum_20 = settled_left_count + ((term_15 & term_19) | (term_18 & term_19));
-    wire [43:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        term_17 | (term_18 & choice_16),
-        sum_20
-    };
-    wire [11:0] next_row = {row, goes_right};
-    wire [10:0] choice_21 = lower ? {1'd0, step_row} : next_row[10:0];
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[43:3] : compared_entry;
-    wire term_22 = compared_carried[40] == sweep;
-    wire [27:0] joined_23 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_24 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_22 : (joined_23 < joined_24);
-    wire term_25 = joined_23 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_22 : term_25;
-    wire [27:0] joined_26 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_26 < joined_24);
-    wire term_27 = ends & (settled_valid & ~side);
-    wire term_28 = ends & (settled_valid & side);
+    wire term_24 = compared_carried[40] == sweep;
+    wire [27:0] joined_25 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_26 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_24 : (joined_25 < joined_26);
+    wire term_27 = joined_25 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_24 : term_27;
+    wire [27:0] joined_28 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_28 < joined_26);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -11405,6 +5295,30 @@ module splat_heap_stage_level10 (
     assign rise_right = compared_right;
     assign rise_childless = term_2;
     assign rise_node = row_before[9:0];
+
+    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_even_nodes (
+        .clk(clk),
+        .write(term_4 & ~choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_20[10:1]), .read_data(left_even_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) left_odd_nodes (
+        .clk(clk),
+        .write(term_4 & choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_20[10:1]), .read_data(left_odd_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_even_nodes (
+        .clk(clk),
+        .write(term_21 & ~choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_20[10:1]), .read_data(right_even_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(44), .DEPTH(1024)) right_odd_nodes (
+        .clk(clk),
+        .write(term_21 & choice_3[1]), .write_address(choice_3[11:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_20[10:1]), .read_data(right_odd_shown)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -11423,33 +5337,33 @@ module splat_heap_stage_level10 (
     end
     always @(posedge clk) begin
         if (ends) begin
-            compared_hole <= choice_3;
+            compared_hole <= choice_13;
             compared_carry <= lower ? compared_carry : step_carry;
-            compared_follows <= choice_4 & same_side;
+            compared_follows <= choice_16 & same_side;
             compared_carried <= lower ? (carried_first ? chosen_entry_found : compared_carried) : step_entry;
-            compared_exists <= goes_right ? choice_6 : choice_5;
+            compared_exists <= goes_right ? choice_15 : choice_14;
             compared_right <= goes_right;
-            compared_was_first <= goes_right == choice_12;
+            compared_was_first <= goes_right == choice_19;
             compared_parent_rival <= lower ? rival : step_rival;
             compared_chosen_stored <= newer & same_side;
             compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_13[40:12];
-            compared_rival_exists <= goes_right ? choice_5 : choice_6;
-            compared_rival_mark <= ~goes_right ? choice_11[2] : choice_10[2];
-            compared_entry <= goes_right ? choice_11[43:3] : choice_10[43:3];
-            compared_right_below <= goes_right ? choice_11[1] : choice_10[1];
-            compared_left_count <= goes_right ? choice_11[0] : choice_10[0];
+            compared_rival <= choice_22[40:12];
+            compared_rival_exists <= goes_right ? choice_14 : choice_15;
+            compared_rival_mark <= ~goes_right ? choice_18[2] : choice_17[2];
+            compared_entry <= goes_right ? choice_18[43:3] : choice_17[43:3];
+            compared_right_below <= goes_right ? choice_18[1] : choice_17[1];
+            compared_left_count <= goes_right ? choice_18[0] : choice_17[0];
             settled_hole <= compared_hole;
             settled_carry <= compared_carry;
             settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_14);
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_23);
             settled_rival_exists <= compared_rival_exists;
             settled_rival_mark <= compared_rival_stored ? stored[2] : compared_rival_mark;
             settled_entry <= (carried_first ^ (compared_hole & ~lower)) ? compared_carried : chosen_entry_found;
             settled_right_below <= chosen_right_below & compared_exists;
             settled_left_count <= chosen_left_count & compared_exists;
             stored <= node_to_store;
-            row <= choice_21;
+            row <= choice_20;
             row_before <= row;
             last_row <= next_row;
             last_row_before <= last_row;
@@ -11466,52 +5380,8 @@ module splat_heap_stage_level10 (
         right_even_found <= right_even_shown;
         right_odd_found <= right_odd_shown;
     end
-    always @(posedge clk) begin
-        if (term_27 & ~choice_7[1]) begin
-            left_even_nodes[choice_7[11:2]] <= node_to_store;
-        end
-        left_even_shown <= left_even_nodes[choice_21[10:1]];
-`ifdef RTL_ASSERT
-        if ((term_27 & ~choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
-            left_even_shown <= ~left_even_nodes[choice_21[10:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_27 & choice_7[1]) begin
-            left_odd_nodes[choice_7[11:2]] <= node_to_store;
-        end
-        left_odd_shown <= left_odd_nodes[choice_21[10:1]];
-`ifdef RTL_ASSERT
-        if ((term_27 & choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
-            left_odd_shown <= ~left_odd_nodes[choice_21[10:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_28 & ~choice_7[1]) begin
-            right_even_nodes[choice_7[11:2]] <= node_to_store;
-        end
-        right_even_shown <= right_even_nodes[choice_21[10:1]];
-`ifdef RTL_ASSERT
-        if ((term_28 & ~choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
-            right_even_shown <= ~right_even_nodes[choice_21[10:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_28 & choice_7[1]) begin
-            right_odd_nodes[choice_7[11:2]] <= node_to_store;
-        end
-        right_odd_shown <= right_odd_nodes[choice_21[10:1]];
-`ifdef RTL_ASSERT
-        if ((term_28 & choice_7[1]) && (choice_7[11:2]) == (choice_21[10:1])) begin
-            right_odd_shown <= ~right_odd_nodes[choice_21[10:1]];
-        end
-`endif
-    end
 
-    wire _unused = &{1'b0, choice_13[11:0]};
+    wire _unused = &{1'b0, choice_22[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -11556,60 +5426,33 @@ module splat_heap_stage_level8 (
     output wire [28:0] below_rival,
     output wire [9:0] below_row
 );
-    (* no_rw_check *)
-    reg [45:0] left_even_nodes [0:255];
-    (* no_rw_check *)
-    reg [45:0] left_odd_nodes [0:255];
-    (* no_rw_check *)
-    reg [45:0] right_even_nodes [0:255];
-    (* no_rw_check *)
-    reg [45:0] right_odd_nodes [0:255];
-    reg ends;
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [28:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [2:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [40:0] settled_entry;
     reg settled_right_below;
     reg [2:0] settled_left_count;
     reg [45:0] stored;
-    reg [8:0] row;
-    reg [8:0] row_before;
+    reg [8:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found;
-    reg before_rival_found;
-    reg left_exists_found;
-    reg right_exists_found;
-    reg left_full_found;
+    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
     reg rival_stays_found;
-    reg [45:0] left_even_shown;
+    wire [45:0] left_even_shown;
     reg [45:0] left_even_found;
-    reg [45:0] left_odd_shown;
+    wire [45:0] left_odd_shown;
     reg [45:0] left_odd_found;
-    reg [45:0] right_even_shown;
+    wire [45:0] right_even_shown;
     reg [45:0] right_even_found;
-    reg [45:0] right_odd_shown;
+    wire [45:0] right_odd_shown;
     reg [45:0] right_odd_found;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
@@ -11635,37 +5478,35 @@ module splat_heap_stage_level8 (
     wire choice_14 = (choice_6 & choice_7) ? (newer ? first_side : (choice_12[4] ^ choice_13[4])) : choice_7;
     wire goes_right = choice_5 ? choice_14 : lower ? left_full_found : step_right;
     wire [9:0] next_row = {row, goes_right};
+    wire term_15 = ends & (settled_valid & ~side);
+    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
+    wire term_16 = settled_hole & ~settled_carry & choice_10;
+    wire choice_17 = lower ? below_rise_right : compared_right;
+    wire term_18 = term_16 & choice_17 & (lower ? below_rise_childless : term_2);
+    wire term_19 = ~settled_hole & settled_existed;
+    wire term_20 = ~choice_17;
+    wire term_21 = term_16 & term_20;
+    wire [2:0] sum_22 = settled_left_count + {{2{term_21}}, term_21 | (term_19 & term_20)};
+    wire [45:0] node_to_store = {
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_18) | (term_19 & choice_17), sum_22
+    };
+    wire [8:0] choice_23 = lower ? {1'd0, step_row} : next_row[8:0];
+    wire term_24 = ends & (settled_valid & side);
     wire same_side = goes_right ^ ~side;
-    wire [40:0] choice_15 = ~goes_right ? choice_13[45:5] : choice_12[45:5];
-    wire term_16 = carried_first & (before_rival_found | ~compared_rival_exists);
+    wire [40:0] choice_25 = ~goes_right ? choice_13[45:5] : choice_12[45:5];
+    wire term_26 = carried_first & (before_rival_found | ~compared_rival_exists);
     wire chosen_right_below = compared_chosen_stored ? stored[3] : compared_right_below;
     wire [2:0] chosen_left_count = compared_chosen_stored ? stored[2:0] : compared_left_count;
-    wire [40:0] entry_to_store = settled_hole ? (lower ? below_rise_entry : first) : settled_entry;
-    wire term_17 = settled_hole & ~settled_carry & choice_10;
-    wire choice_18 = lower ? below_rise_right : compared_right;
-    wire term_19 = term_17 & choice_18 & (lower ? below_rise_childless : term_2);
-    wire term_20 = ~settled_hole & settled_existed;
-    wire term_21 = ~choice_18;
-    wire term_22 = term_17 & term_21;
-    wire [2:0] sum_23 = settled_left_count + {{2{term_22}}, term_22 | (term_20 & term_21)};
-    wire [45:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_19) | (term_20 & choice_18),
-        sum_23
-    };
-    wire [8:0] choice_24 = lower ? {1'd0, step_row} : next_row[8:0];
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[45:5] : compared_entry;
-    wire term_25 = compared_carried[40] == sweep;
-    wire [27:0] joined_26 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
-    wire [27:0] joined_27 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
-    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_25 : (joined_26 < joined_27);
-    wire term_28 = joined_26 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
-    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_25 : term_28;
-    wire [27:0] joined_29 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
-    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_29 < joined_27);
-    wire term_30 = ends & (settled_valid & ~side);
-    wire term_31 = ends & (settled_valid & side);
+    wire term_27 = compared_carried[40] == sweep;
+    wire [27:0] joined_28 = {compared_carried[39:28], compared_carried[27] == last_epoch, compared_carried[26:12]};
+    wire [27:0] joined_29 = {chosen_entry[39:28], chosen_entry[27] == last_epoch, chosen_entry[26:12]};
+    wire before_chosen = (compared_carried[40] ^ chosen_entry[40]) ? term_27 : (joined_28 < joined_29);
+    wire term_30 = joined_28 < {rival[27:16], rival[15] == last_epoch, rival[14:0]};
+    wire before_rival = (compared_carried[40] ^ rival[28]) ? term_27 : term_30;
+    wire [27:0] joined_31 = {compared_parent_rival[27:16], compared_parent_rival[15] == last_epoch, compared_parent_rival[14:0]};
+    wire rival_stays = (compared_parent_rival[28] ^ chosen_entry[40]) ? (compared_parent_rival[28] == sweep) : (joined_31 < joined_29);
 
     assign rise_entry = first;
     assign rise_exists = compared_exists;
@@ -11683,6 +5524,30 @@ module splat_heap_stage_level8 (
     assign below_entry = choice_4;
     assign below_rival = rival;
     assign below_row = next_row;
+
+    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_even_nodes (
+        .clk(clk),
+        .write(term_15 & ~choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_23[8:1]), .read_data(left_even_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) left_odd_nodes (
+        .clk(clk),
+        .write(term_15 & choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_23[8:1]), .read_data(left_odd_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_even_nodes (
+        .clk(clk),
+        .write(term_24 & ~choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_23[8:1]), .read_data(right_even_shown)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(46), .DEPTH(256)) right_odd_nodes (
+        .clk(clk),
+        .write(term_24 & choice_9[1]), .write_address(choice_9[9:2]), .write_data(node_to_store),
+        .read(1'd1), .read_address(choice_23[8:1]), .read_data(right_odd_shown)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -11711,7 +5576,7 @@ module splat_heap_stage_level8 (
             compared_parent_rival <= lower ? rival : step_rival;
             compared_chosen_stored <= newer & same_side;
             compared_rival_stored <= newer & ~same_side;
-            compared_rival <= choice_15[40:12];
+            compared_rival <= choice_25[40:12];
             compared_rival_exists <= goes_right ? choice_6 : choice_7;
             compared_rival_mark <= ~goes_right ? choice_13[4] : choice_12[4];
             compared_entry <= goes_right ? choice_13[45:5] : choice_12[45:5];
@@ -11720,14 +5585,14 @@ module splat_heap_stage_level8 (
             settled_hole <= compared_hole;
             settled_carry <= compared_carry;
             settled_existed <= compared_exists;
-            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_16);
+            settled_ahead <= compared_hole ? (compared_carry & before_rival_found) : ((compared_exists & compared_was_first) | term_26);
             settled_rival_exists <= compared_rival_exists;
             settled_rival_mark <= compared_rival_stored ? stored[4] : compared_rival_mark;
             settled_entry <= first;
             settled_right_below <= chosen_right_below & compared_exists;
             settled_left_count <= chosen_left_count & {3{compared_exists}};
             stored <= node_to_store;
-            row <= choice_24;
+            row <= choice_23;
             row_before <= row;
         end
         chosen_entry_found <= chosen_entry;
@@ -11742,52 +5607,8 @@ module splat_heap_stage_level8 (
         right_even_found <= right_even_shown;
         right_odd_found <= right_odd_shown;
     end
-    always @(posedge clk) begin
-        if (term_30 & ~choice_9[1]) begin
-            left_even_nodes[choice_9[9:2]] <= node_to_store;
-        end
-        left_even_shown <= left_even_nodes[choice_24[8:1]];
-`ifdef RTL_ASSERT
-        if ((term_30 & ~choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
-            left_even_shown <= ~left_even_nodes[choice_24[8:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_30 & choice_9[1]) begin
-            left_odd_nodes[choice_9[9:2]] <= node_to_store;
-        end
-        left_odd_shown <= left_odd_nodes[choice_24[8:1]];
-`ifdef RTL_ASSERT
-        if ((term_30 & choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
-            left_odd_shown <= ~left_odd_nodes[choice_24[8:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_31 & ~choice_9[1]) begin
-            right_even_nodes[choice_9[9:2]] <= node_to_store;
-        end
-        right_even_shown <= right_even_nodes[choice_24[8:1]];
-`ifdef RTL_ASSERT
-        if ((term_31 & ~choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
-            right_even_shown <= ~right_even_nodes[choice_24[8:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_31 & choice_9[1]) begin
-            right_odd_nodes[choice_9[9:2]] <= node_to_store;
-        end
-        right_odd_shown <= right_odd_nodes[choice_24[8:1]];
-`ifdef RTL_ASSERT
-        if ((term_31 & choice_9[1]) && (choice_9[9:2]) == (choice_24[8:1])) begin
-            right_odd_shown <= ~right_odd_nodes[choice_24[8:1]];
-        end
-`endif
-    end
 
-    wire _unused = &{1'b0, choice_15[11:0]};
+    wire _unused = &{1'b0, choice_25[11:0]};
 endmodule
 
 // Two neighboring levels of the pipelined heap.
@@ -11836,47 +5657,27 @@ module splat_heap_stage_level6 (
     reg [47:0] left_nodes [0:127];
     (* ram_style = "distributed" *)
     reg [47:0] right_nodes [0:127];
-    reg ends;
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [28:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [4:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [40:0] settled_entry;
     reg settled_right_below;
     reg [4:0] settled_left_count;
     reg [47:0] stored;
-    reg [6:0] row;
-    reg [6:0] row_before;
+    reg [6:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found;
-    reg before_rival_found;
-    reg left_exists_found;
-    reg right_exists_found;
-    reg left_full_found;
+    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
     reg rival_stays_found;
-    reg [47:0] left_shown;
-    reg [47:0] right_shown;
+    reg [47:0] left_shown, right_shown;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
@@ -11913,10 +5714,8 @@ module splat_heap_stage_level6 (
     wire term_20 = term_15 & term_19;
     wire [4:0] sum_21 = settled_left_count + {{4{term_20}}, term_20 | (term_18 & term_19)};
     wire [47:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_17) | (term_18 & choice_16),
-        sum_21
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_17) | (term_18 & choice_16), sum_21
     };
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[47:7] : compared_entry;
     wire term_22 = compared_carried[40] == sweep;
@@ -12000,15 +5799,11 @@ module splat_heap_stage_level6 (
         rival_stays_found <= rival_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) begin
-            left_nodes[choice_9[7:1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & ~side)) left_nodes[choice_9[7:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) begin
-            right_nodes[choice_9[7:1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & side)) right_nodes[choice_9[7:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
@@ -12061,47 +5856,27 @@ module splat_heap_stage_level4 (
     reg [49:0] left_nodes [0:31];
     (* ram_style = "distributed" *)
     reg [49:0] right_nodes [0:31];
-    reg ends;
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [28:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [6:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [40:0] settled_entry;
     reg settled_right_below;
     reg [6:0] settled_left_count;
     reg [49:0] stored;
-    reg [4:0] row;
-    reg [4:0] row_before;
+    reg [4:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found;
-    reg before_rival_found;
-    reg left_exists_found;
-    reg right_exists_found;
-    reg left_full_found;
+    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
     reg rival_stays_found;
-    reg [49:0] left_shown;
-    reg [49:0] right_shown;
+    reg [49:0] left_shown, right_shown;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
@@ -12138,10 +5913,8 @@ module splat_heap_stage_level4 (
     wire term_20 = term_15 & term_19;
     wire [6:0] sum_21 = settled_left_count + {{6{term_20}}, term_20 | (term_18 & term_19)};
     wire [49:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_17) | (term_18 & choice_16),
-        sum_21
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_17) | (term_18 & choice_16), sum_21
     };
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[49:9] : compared_entry;
     wire term_22 = compared_carried[40] == sweep;
@@ -12225,15 +5998,11 @@ module splat_heap_stage_level4 (
         rival_stays_found <= rival_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) begin
-            left_nodes[choice_9[5:1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & ~side)) left_nodes[choice_9[5:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) begin
-            right_nodes[choice_9[5:1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & side)) right_nodes[choice_9[5:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
@@ -12286,47 +6055,27 @@ module splat_heap_stage_level2 (
     reg [51:0] left_nodes [0:7];
     (* ram_style = "distributed" *)
     reg [51:0] right_nodes [0:7];
-    reg ends;
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [28:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [8:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [40:0] settled_entry;
     reg settled_right_below;
     reg [8:0] settled_left_count;
     reg [51:0] stored;
-    reg [2:0] row;
-    reg [2:0] row_before;
+    reg [2:0] row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found;
-    reg before_rival_found;
-    reg left_exists_found;
-    reg right_exists_found;
-    reg left_full_found;
+    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
     reg rival_stays_found;
-    reg [51:0] left_shown;
-    reg [51:0] right_shown;
+    reg [51:0] left_shown, right_shown;
 
     wire carried_first = compared_carry & (~compared_exists | before_chosen_found);
     wire [40:0] first = carried_first ? compared_carried : chosen_entry_found;
@@ -12363,10 +6112,8 @@ module splat_heap_stage_level2 (
     wire term_20 = term_15 & term_19;
     wire [8:0] sum_21 = settled_left_count + {{8{term_20}}, term_20 | (term_18 & term_19)};
     wire [51:0] node_to_store = {
-        entry_to_store,
-        first_side ^ (settled_rival_exists & settled_rival_mark),
-        (settled_right_below & ~term_17) | (term_18 & choice_16),
-        sum_21
+        entry_to_store, first_side ^ (settled_rival_exists & settled_rival_mark),
+        (settled_right_below & ~term_17) | (term_18 & choice_16), sum_21
     };
     wire [40:0] chosen_entry = compared_chosen_stored ? stored[51:11] : compared_entry;
     wire term_22 = compared_carried[40] == sweep;
@@ -12450,15 +6197,11 @@ module splat_heap_stage_level2 (
         rival_stays_found <= rival_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) begin
-            left_nodes[choice_9[3:1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & ~side)) left_nodes[choice_9[3:1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) begin
-            right_nodes[choice_9[3:1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & side)) right_nodes[choice_9[3:1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
@@ -12506,47 +6249,27 @@ module splat_heap_stage_level0 (
     reg [53:0] left_nodes [0:1];
     (* ram_style = "distributed" *)
     reg [53:0] right_nodes [0:1];
-    reg ends;
-    reg lower;
-    reg compared_valid;
-    reg compared_hole;
-    reg compared_carry;
-    reg compared_follows;
+    reg ends, lower, compared_valid, compared_hole, compared_carry, compared_follows;
     reg [40:0] compared_carried;
-    reg compared_exists;
-    reg compared_right;
-    reg compared_was_first;
+    reg compared_exists, compared_right, compared_was_first;
     reg [28:0] compared_parent_rival;
-    reg compared_chosen_stored;
-    reg compared_rival_stored;
+    reg compared_chosen_stored, compared_rival_stored;
     reg [28:0] compared_rival;
-    reg compared_rival_exists;
-    reg compared_rival_mark;
+    reg compared_rival_exists, compared_rival_mark;
     reg [40:0] compared_entry;
     reg compared_right_below;
     reg [10:0] compared_left_count;
-    reg settled_valid;
-    reg settled_hole;
-    reg settled_carry;
-    reg settled_existed;
-    reg settled_ahead;
-    reg settled_rival_exists;
+    reg settled_valid, settled_hole, settled_carry, settled_existed, settled_ahead, settled_rival_exists;
     reg settled_rival_mark;
     reg [40:0] settled_entry;
     reg settled_right_below;
     reg [10:0] settled_left_count;
     reg [53:0] stored;
-    reg row;
-    reg row_before;
+    reg row, row_before;
     reg [40:0] chosen_entry_found;
-    reg before_chosen_found;
-    reg before_rival_found;
-    reg left_exists_found;
-    reg right_exists_found;
-    reg left_full_found;
+    reg before_chosen_found, before_rival_found, left_exists_found, right_exists_found, left_full_found;
     reg rival_stays_found;
-    reg [53:0] left_shown;
-    reg [53:0] right_shown;
+    reg [53:0] left_shown, right_shown;
 
     wire choice_1 = lower ? compared_follows : step_follows;
     wire newer = choice_1 & settled_valid;
@@ -12662,15 +6385,11 @@ module splat_heap_stage_level0 (
         rival_stays_found <= rival_stays;
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & ~side)) begin
-            left_nodes[choice_9[1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & ~side)) left_nodes[choice_9[1]] <= node_to_store;
         left_shown <= left_nodes[row];
     end
     always @(posedge clk) begin
-        if (ends & (settled_valid & side)) begin
-            right_nodes[choice_9[1]] <= node_to_store;
-        end
+        if (ends & (settled_valid & side)) right_nodes[choice_9[1]] <= node_to_store;
         right_shown <= right_nodes[row];
     end
 
@@ -12684,43 +6403,32 @@ module stream_skid_w24 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [11:0] in_tile,
-    input  wire [11:0] in_pointer,
+    input  wire [23:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [11:0] out_tile,
-    output wire [11:0] out_pointer
+    output wire [23:0] out_data
 );
     reg second_valid;
-    reg [23:0] head;
-    reg [23:0] second;
+    reg [23:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [23:0] in_item = {in_tile, in_pointer};
 
-    assign out_tile = head[23:12];
-    assign out_pointer = head[11:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -12811,82 +6519,20 @@ module splat_splitter (
     output wire [2:0] out_bottom,
     output wire [11:0] out_tile
 );
-    reg busy;
-    reg idle;
-    reg last;
-    reg splat_end;
-    reg [23:0] splat_center_x;
-    reg [23:0] splat_center_y;
-    reg [23:0] splat_ax;
-    reg [23:0] splat_bx;
-    reg [23:0] splat_ay;
-    reg [23:0] splat_by;
-    reg [23:0] splat_delta;
-    reg [23:0] splat_mx;
-    reg [23:0] splat_my;
-    reg [23:0] splat_depth;
-    reg [23:0] splat_depth_low;
-    reg [23:0] splat_depth_high;
-    reg [15:0] splat_attribute_0;
-    reg [15:0] splat_attribute_1;
-    reg [15:0] splat_attribute_2;
-    reg [15:0] splat_attribute_3;
-    reg [15:0] splat_attribute_4;
-    reg [15:0] splat_attribute_5;
-    reg [15:0] splat_attribute_6;
-    reg [15:0] splat_attribute_7;
-    reg [15:0] splat_attribute_8;
-    reg [15:0] splat_attribute_9;
-    reg [15:0] splat_attribute_10;
-    reg [15:0] splat_attribute_11;
-    reg [15:0] splat_attribute_12;
-    reg [15:0] splat_cardinal_0;
-    reg [8:0] splat_left;
-    reg [8:0] splat_right;
-    reg [8:0] splat_top;
-    reg [8:0] splat_bottom;
-    reg [5:0] column;
-    reg [5:0] row;
+    reg busy, idle, last, splat_end;
+    reg [23:0] splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta, splat_mx;
+    reg [23:0] splat_my, splat_depth, splat_depth_low, splat_depth_high;
+    reg [15:0] splat_attribute_0, splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4;
+    reg [15:0] splat_attribute_5, splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9;
+    reg [15:0] splat_attribute_10, splat_attribute_11, splat_attribute_12, splat_cardinal_0;
+    reg [8:0] splat_left, splat_right, splat_top, splat_bottom;
+    reg [5:0] column, row;
 
-    wire out_queue_in_ready;
-    wire out_queue_out_valid;
-    wire out_queue_out_end;
-    wire [23:0] out_queue_out_center_x;
-    wire [23:0] out_queue_out_center_y;
-    wire [23:0] out_queue_out_ax;
-    wire [23:0] out_queue_out_bx;
-    wire [23:0] out_queue_out_ay;
-    wire [23:0] out_queue_out_by;
-    wire [23:0] out_queue_out_delta;
-    wire [23:0] out_queue_out_mx;
-    wire [23:0] out_queue_out_my;
-    wire [23:0] out_queue_out_depth;
-    wire [23:0] out_queue_out_depth_low;
-    wire [23:0] out_queue_out_depth_high;
-    wire [15:0] out_queue_out_attribute_0;
-    wire [15:0] out_queue_out_attribute_1;
-    wire [15:0] out_queue_out_attribute_2;
-    wire [15:0] out_queue_out_attribute_3;
-    wire [15:0] out_queue_out_attribute_4;
-    wire [15:0] out_queue_out_attribute_5;
-    wire [15:0] out_queue_out_attribute_6;
-    wire [15:0] out_queue_out_attribute_7;
-    wire [15:0] out_queue_out_attribute_8;
-    wire [15:0] out_queue_out_attribute_9;
-    wire [15:0] out_queue_out_attribute_10;
-    wire [15:0] out_queue_out_attribute_11;
-    wire [15:0] out_queue_out_attribute_12;
-    wire [15:0] out_queue_out_cardinal_0;
-    wire [2:0] out_queue_out_left;
-    wire [2:0] out_queue_out_right;
-    wire [2:0] out_queue_out_top;
-    wire [2:0] out_queue_out_bottom;
-    wire [11:0] out_queue_out_tile;
+    wire out_queue_in_ready, out_queue_out_valid;
+    wire [536:0] out_queue_out_data;
 
     wire ready = out_queue_in_ready & idle;
-    assign in_ready = ready;
     wire right_most = column == splat_right[8:3];
-    wire out_queue_out_ready = out_ready;
     wire take = ready & in_valid;
     wire term_1 = {in_top[8:3], in_left[8:3]} == {in_bottom[8:3], in_right[8:3]};
     wire term_2 = in_end | term_1;
@@ -12894,111 +6540,30 @@ module splat_splitter (
     wire [5:0] choice_4 = right_most ? splat_left[8:3] : (column + 6'd1);
     wire term_5 = {choice_3, choice_4} == {splat_bottom[8:3], splat_right[8:3]};
 
+    assign in_ready = ready;
     assign out_valid = out_queue_out_valid;
-    assign out_end = out_queue_out_end;
-    assign out_center_x = out_queue_out_center_x;
-    assign out_center_y = out_queue_out_center_y;
-    assign out_ax = out_queue_out_ax;
-    assign out_bx = out_queue_out_bx;
-    assign out_ay = out_queue_out_ay;
-    assign out_by = out_queue_out_by;
-    assign out_delta = out_queue_out_delta;
-    assign out_mx = out_queue_out_mx;
-    assign out_my = out_queue_out_my;
-    assign out_depth = out_queue_out_depth;
-    assign out_depth_low = out_queue_out_depth_low;
-    assign out_depth_high = out_queue_out_depth_high;
-    assign out_attribute_0 = out_queue_out_attribute_0;
-    assign out_attribute_1 = out_queue_out_attribute_1;
-    assign out_attribute_2 = out_queue_out_attribute_2;
-    assign out_attribute_3 = out_queue_out_attribute_3;
-    assign out_attribute_4 = out_queue_out_attribute_4;
-    assign out_attribute_5 = out_queue_out_attribute_5;
-    assign out_attribute_6 = out_queue_out_attribute_6;
-    assign out_attribute_7 = out_queue_out_attribute_7;
-    assign out_attribute_8 = out_queue_out_attribute_8;
-    assign out_attribute_9 = out_queue_out_attribute_9;
-    assign out_attribute_10 = out_queue_out_attribute_10;
-    assign out_attribute_11 = out_queue_out_attribute_11;
-    assign out_attribute_12 = out_queue_out_attribute_12;
-    assign out_cardinal_0 = out_queue_out_cardinal_0;
-    assign out_left = out_queue_out_left;
-    assign out_right = out_queue_out_right;
-    assign out_top = out_queue_out_top;
-    assign out_bottom = out_queue_out_bottom;
-    assign out_tile = out_queue_out_tile;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
+        out_right, out_top, out_bottom, out_tile
+    } = out_queue_out_data;
 
     stream_half_buffer_w537 out_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(out_queue_in_ready & busy),
-        .in_ready(out_queue_in_ready),
-        .in_end(splat_end),
-        .in_center_x(splat_center_x),
-        .in_center_y(splat_center_y),
-        .in_ax(splat_ax),
-        .in_bx(splat_bx),
-        .in_ay(splat_ay),
-        .in_by(splat_by),
-        .in_delta(splat_delta),
-        .in_mx(splat_mx),
-        .in_my(splat_my),
-        .in_depth(splat_depth),
-        .in_depth_low(splat_depth_low),
-        .in_depth_high(splat_depth_high),
-        .in_attribute_0(splat_attribute_0),
-        .in_attribute_1(splat_attribute_1),
-        .in_attribute_2(splat_attribute_2),
-        .in_attribute_3(splat_attribute_3),
-        .in_attribute_4(splat_attribute_4),
-        .in_attribute_5(splat_attribute_5),
-        .in_attribute_6(splat_attribute_6),
-        .in_attribute_7(splat_attribute_7),
-        .in_attribute_8(splat_attribute_8),
-        .in_attribute_9(splat_attribute_9),
-        .in_attribute_10(splat_attribute_10),
-        .in_attribute_11(splat_attribute_11),
-        .in_attribute_12(splat_attribute_12),
-        .in_cardinal_0(splat_cardinal_0),
-        .in_left((column == splat_left[8:3]) ? splat_left[2:0] : 3'd0),
-        .in_right(right_most ? splat_right[2:0] : 3'd7),
-        .in_top((row == splat_top[8:3]) ? splat_top[2:0] : 3'd0),
-        .in_bottom((row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7),
-        .in_tile({row, column}),
-        .out_valid(out_queue_out_valid),
-        .out_ready(out_queue_out_ready),
-        .out_end(out_queue_out_end),
-        .out_center_x(out_queue_out_center_x),
-        .out_center_y(out_queue_out_center_y),
-        .out_ax(out_queue_out_ax),
-        .out_bx(out_queue_out_bx),
-        .out_ay(out_queue_out_ay),
-        .out_by(out_queue_out_by),
-        .out_delta(out_queue_out_delta),
-        .out_mx(out_queue_out_mx),
-        .out_my(out_queue_out_my),
-        .out_depth(out_queue_out_depth),
-        .out_depth_low(out_queue_out_depth_low),
-        .out_depth_high(out_queue_out_depth_high),
-        .out_attribute_0(out_queue_out_attribute_0),
-        .out_attribute_1(out_queue_out_attribute_1),
-        .out_attribute_2(out_queue_out_attribute_2),
-        .out_attribute_3(out_queue_out_attribute_3),
-        .out_attribute_4(out_queue_out_attribute_4),
-        .out_attribute_5(out_queue_out_attribute_5),
-        .out_attribute_6(out_queue_out_attribute_6),
-        .out_attribute_7(out_queue_out_attribute_7),
-        .out_attribute_8(out_queue_out_attribute_8),
-        .out_attribute_9(out_queue_out_attribute_9),
-        .out_attribute_10(out_queue_out_attribute_10),
-        .out_attribute_11(out_queue_out_attribute_11),
-        .out_attribute_12(out_queue_out_attribute_12),
-        .out_cardinal_0(out_queue_out_cardinal_0),
-        .out_left(out_queue_out_left),
-        .out_right(out_queue_out_right),
-        .out_top(out_queue_out_top),
-        .out_bottom(out_queue_out_bottom),
-        .out_tile(out_queue_out_tile)
+        .clk(clk), .rst(rst),
+        .in_valid(out_queue_in_ready & busy), .in_ready(out_queue_in_ready),
+        .in_data({
+            splat_end, splat_center_x, splat_center_y, splat_ax, splat_bx, splat_ay, splat_by, splat_delta,
+            splat_mx, splat_my, splat_depth, splat_depth_low, splat_depth_high, splat_attribute_0,
+            splat_attribute_1, splat_attribute_2, splat_attribute_3, splat_attribute_4, splat_attribute_5,
+            splat_attribute_6, splat_attribute_7, splat_attribute_8, splat_attribute_9, splat_attribute_10,
+            splat_attribute_11, splat_attribute_12, splat_cardinal_0,
+            (column == splat_left[8:3]) ? splat_left[2:0] : 3'd0, right_most ? splat_right[2:0] : 3'd7,
+            (row == splat_top[8:3]) ? splat_top[2:0] : 3'd0,
+            (row == splat_bottom[8:3]) ? splat_bottom[2:0] : 3'd7, row, column
+        }),
+        .out_valid(out_queue_out_valid), .out_ready(out_ready), .out_data(out_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -13059,72 +6624,10 @@ module stream_half_buffer_w537 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [2:0] in_left,
-    input  wire [2:0] in_right,
-    input  wire [2:0] in_top,
-    input  wire [2:0] in_bottom,
-    input  wire [11:0] in_tile,
+    input  wire [536:0] in_data,
     output wire out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [2:0] out_left,
-    output wire [2:0] out_right,
-    output wire [2:0] out_top,
-    output wire [2:0] out_bottom,
-    output wire [11:0] out_tile
+    output wire [536:0] out_data
 );
     reg full;
     reg [536:0] item;
@@ -13132,38 +6635,7 @@ module stream_half_buffer_w537 (
     assign in_ready = ~full;
 
     assign out_valid = full;
-    assign out_end = item[536];
-    assign out_center_x = item[535:512];
-    assign out_center_y = item[511:488];
-    assign out_ax = item[487:464];
-    assign out_bx = item[463:440];
-    assign out_ay = item[439:416];
-    assign out_by = item[415:392];
-    assign out_delta = item[391:368];
-    assign out_mx = item[367:344];
-    assign out_my = item[343:320];
-    assign out_depth = item[319:296];
-    assign out_depth_low = item[295:272];
-    assign out_depth_high = item[271:248];
-    assign out_attribute_0 = item[247:232];
-    assign out_attribute_1 = item[231:216];
-    assign out_attribute_2 = item[215:200];
-    assign out_attribute_3 = item[199:184];
-    assign out_attribute_4 = item[183:168];
-    assign out_attribute_5 = item[167:152];
-    assign out_attribute_6 = item[151:136];
-    assign out_attribute_7 = item[135:120];
-    assign out_attribute_8 = item[119:104];
-    assign out_attribute_9 = item[103:88];
-    assign out_attribute_10 = item[87:72];
-    assign out_attribute_11 = item[71:56];
-    assign out_attribute_12 = item[55:40];
-    assign out_cardinal_0 = item[39:24];
-    assign out_left = item[23:21];
-    assign out_right = item[20:18];
-    assign out_top = item[17:15];
-    assign out_bottom = item[14:12];
-    assign out_tile = item[11:0];
+    assign out_data = item;
 
     always @(posedge clk) begin
         if (rst) begin
@@ -13173,42 +6645,7 @@ module stream_half_buffer_w537 (
         end
     end
     always @(posedge clk) begin
-        if (in_ready) begin
-            item <= {
-                in_end,
-                in_center_x,
-                in_center_y,
-                in_ax,
-                in_bx,
-                in_ay,
-                in_by,
-                in_delta,
-                in_mx,
-                in_my,
-                in_depth,
-                in_depth_low,
-                in_depth_high,
-                in_attribute_0,
-                in_attribute_1,
-                in_attribute_2,
-                in_attribute_3,
-                in_attribute_4,
-                in_attribute_5,
-                in_attribute_6,
-                in_attribute_7,
-                in_attribute_8,
-                in_attribute_9,
-                in_attribute_10,
-                in_attribute_11,
-                in_attribute_12,
-                in_cardinal_0,
-                in_left,
-                in_right,
-                in_top,
-                in_bottom,
-                in_tile
-            };
-        end
+        if (in_ready) item <= in_data;
     end
 endmodule
 
@@ -13300,14 +6737,7 @@ module splat_setup (
     (* ram_style = "distributed" *)
     reg [95:0] delay_10_from_6 [0:8];
     reg [2:0] phase;
-    reg load_0;
-    reg load_1;
-    reg load_2;
-    reg load_3;
-    reg load_4;
-    reg load_5;
-    reg load_6;
-    reg load_7;
+    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7;
     reg [3:0] delay_17_from_0_pointer;
     reg [224:0] delay_17_from_0_out;
     reg [2:0] delay_6_from_1_pointer;
@@ -13320,260 +6750,68 @@ module splat_setup (
     reg [48:0] delay_9_from_6_out;
     reg [3:0] delay_10_from_6_pointer;
     reg [95:0] delay_10_from_6_out;
-    reg [23:0] recip_26_d1;
-    reg [23:0] reinterpret_27_d1;
-    reg [23:0] reinterpret_27_d2;
-    reg [23:0] reinterpret_27_d3;
-    reg [23:0] mul_28_d1;
-    reg [23:0] mul_28_d2;
-    reg [23:0] mul_28_d3;
-    reg [23:0] reinterpret_29_d1;
-    reg [23:0] reinterpret_29_d2;
-    reg [23:0] reinterpret_29_d3;
-    reg [23:0] mul_30_d1;
-    reg [23:0] mul_30_d2;
-    reg [23:0] mul_30_d3;
-    reg [23:0] add_33_d1;
-    reg [23:0] add_33_d2;
-    reg [23:0] add_33_d3;
-    reg [23:0] add_33_d4;
-    reg whole_d7;
-    reg whole_d8;
-    reg whole_d9;
-    reg whole_d10;
-    reg whole_d11;
-    reg [23:0] reinterpret_41_d1;
-    reg [23:0] reinterpret_41_d2;
-    reg [23:0] reinterpret_41_d3;
-    reg [23:0] mul_42_d1;
-    reg [23:0] reinterpret_43_d1;
-    reg [23:0] reinterpret_43_d2;
-    reg [23:0] reinterpret_43_d3;
-    reg [23:0] mul_44_d1;
-    reg [23:0] mul_48_d1;
-    reg [23:0] reinterpret_49_d1;
-    reg [23:0] reinterpret_49_d2;
-    reg [23:0] reinterpret_49_d3;
-    reg [23:0] mul_50_d1;
-    reg [23:0] mul_54_d1;
-    reg [23:0] add_57_d1;
-    reg [23:0] add_57_d2;
-    reg [23:0] add_57_d3;
-    reg [23:0] add_57_d4;
-    reg [23:0] add_57_d5;
-    reg [23:0] add_57_d6;
-    reg [23:0] add_57_d7;
-    reg [23:0] add_57_d8;
-    reg [23:0] add_57_d9;
-    reg [23:0] add_57_d10;
-    reg [23:0] add_57_d11;
-    reg [23:0] add_60_d1;
-    reg [23:0] add_60_d2;
-    reg [23:0] add_65_d1;
-    reg [23:0] mul_66_d1;
-    reg [23:0] add_70_d1;
-    reg [23:0] add_70_d2;
-    reg [23:0] add_70_d3;
-    reg [23:0] add_70_d4;
-    reg [23:0] add_75_d1;
-    reg [21:0] shr_93_d1;
-    reg [21:0] select_96_d1;
-    reg [21:0] min_97_d1;
-    reg [8:0] resize_101_d1;
-    reg [8:0] resize_102_d1;
+    reg [23:0] recip_26_d1, reinterpret_27_d1, reinterpret_27_d2, reinterpret_27_d3, mul_28_d1, mul_28_d2, mul_28_d3;
+    reg [23:0] reinterpret_29_d1, reinterpret_29_d2, reinterpret_29_d3, mul_30_d1, mul_30_d2, mul_30_d3, add_33_d1;
+    reg [23:0] add_33_d2, add_33_d3, add_33_d4;
+    reg whole_d7, whole_d8, whole_d9, whole_d10, whole_d11;
+    reg [23:0] reinterpret_41_d1, reinterpret_41_d2, reinterpret_41_d3, mul_42_d1, reinterpret_43_d1;
+    reg [23:0] reinterpret_43_d2, reinterpret_43_d3, mul_44_d1, mul_48_d1, reinterpret_49_d1, reinterpret_49_d2;
+    reg [23:0] reinterpret_49_d3, mul_50_d1, mul_54_d1, add_57_d1, add_57_d2, add_57_d3, add_57_d4, add_57_d5;
+    reg [23:0] add_57_d6, add_57_d7, add_57_d8, add_57_d9, add_57_d10, add_57_d11, add_60_d1, add_60_d2, add_65_d1;
+    reg [23:0] mul_66_d1, add_70_d1, add_70_d2, add_70_d3, add_70_d4, add_75_d1;
+    reg [21:0] shr_93_d1, select_96_d1, min_97_d1;
+    reg [8:0] resize_101_d1, resize_102_d1;
     reg lt_103_d1;
-    reg [23:0] reinterpret_106_d1;
-    reg [23:0] reinterpret_106_d2;
-    reg [23:0] reinterpret_106_d3;
-    reg [23:0] mul_107_d1;
-    reg [23:0] reinterpret_108_d1;
-    reg [23:0] reinterpret_108_d2;
-    reg [23:0] reinterpret_108_d3;
-    reg [23:0] mul_109_d1;
-    reg [23:0] mul_113_d1;
-    reg [23:0] reinterpret_114_d1;
-    reg [23:0] reinterpret_114_d2;
-    reg [23:0] reinterpret_114_d3;
-    reg [23:0] mul_115_d1;
-    reg [23:0] mul_119_d1;
-    reg [23:0] add_122_d1;
-    reg [23:0] add_122_d2;
-    reg [23:0] add_122_d3;
-    reg [23:0] add_122_d4;
-    reg [23:0] add_122_d5;
-    reg [23:0] add_122_d6;
-    reg [23:0] add_122_d7;
-    reg [23:0] add_122_d8;
-    reg [23:0] add_122_d9;
-    reg [23:0] add_122_d10;
-    reg [23:0] add_122_d11;
-    reg [23:0] add_125_d1;
-    reg [23:0] add_125_d2;
-    reg [23:0] add_130_d1;
-    reg [23:0] mul_131_d1;
-    reg [23:0] add_132_d1;
-    reg [23:0] add_135_d1;
-    reg [23:0] add_135_d2;
-    reg [23:0] add_135_d3;
-    reg [23:0] add_135_d4;
-    reg [23:0] neg_136_d1;
-    reg [23:0] min_140_d1;
-    reg [23:0] max_142_d1;
-    reg [21:0] shr_153_d1;
-    reg [21:0] select_154_d1;
-    reg [21:0] min_155_d1;
+    reg [23:0] reinterpret_106_d1, reinterpret_106_d2, reinterpret_106_d3, mul_107_d1, reinterpret_108_d1;
+    reg [23:0] reinterpret_108_d2, reinterpret_108_d3, mul_109_d1, mul_113_d1, reinterpret_114_d1;
+    reg [23:0] reinterpret_114_d2, reinterpret_114_d3, mul_115_d1, mul_119_d1, add_122_d1, add_122_d2, add_122_d3;
+    reg [23:0] add_122_d4, add_122_d5, add_122_d6, add_122_d7, add_122_d8, add_122_d9, add_122_d10, add_122_d11;
+    reg [23:0] add_125_d1, add_125_d2, add_130_d1, mul_131_d1, add_132_d1, add_135_d1, add_135_d2, add_135_d3;
+    reg [23:0] add_135_d4, neg_136_d1, min_140_d1, max_142_d1;
+    reg [21:0] shr_153_d1, select_154_d1, min_155_d1;
     reg [8:0] resize_159_d1;
     reg lt_160_d1;
     reg [23:0] mul_162_d1;
-    reg equal_171_d1;
-    reg lt_174_d1;
-    reg [23:0] mul_180_d1;
-    reg [23:0] neg_182_d1;
-    reg [23:0] mul_185_d6;
-    reg [23:0] add_187_d1;
-    reg [23:0] add_187_d2;
-    reg [23:0] add_187_d3;
-    reg [23:0] add_190_d1;
-    reg [23:0] add_190_d2;
-    reg [23:0] abs_191_d1;
-    reg [23:0] abs_191_d2;
-    reg [23:0] sqrt_192_d1;
-    reg [23:0] mul_194_d1;
-    reg [23:0] mul_194_d2;
-    reg [23:0] mul_194_d3;
-    reg [23:0] select_199_d1;
-    reg [23:0] select_199_d2;
-    reg [23:0] min_200_d1;
-    reg [23:0] select_201_d1;
-    reg le_206_d1;
-    reg le_206_d2;
-    reg le_206_d3;
-    reg le_206_d4;
-    reg and_207_d1;
-    reg [23:0] to_fixed_218_d1;
-    reg [23:0] to_fixed_218_d2;
-    reg [23:0] to_fixed_218_d3;
-    reg [23:0] to_fixed_218_d4;
-    reg [23:0] to_fixed_222_d1;
-    reg [23:0] max_224_d1;
-    reg [23:0] recip_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_b;
-    reg [23:0] mul_f24_ftz_unit_copy2_a;
-    reg [23:0] mul_f24_ftz_unit_copy2_b;
-    reg [23:0] mul_f24_ftz_unit_copy3_a;
-    reg [23:0] mul_f24_ftz_unit_copy3_b;
-    reg [23:0] mul_f24_ftz_unit_copy4_a;
-    reg [23:0] mul_f24_ftz_unit_copy4_b;
-    reg [23:0] mul_f24_ftz_unit_copy5_a;
-    reg [23:0] mul_f24_ftz_unit_copy5_b;
-    reg [23:0] mul_f24_ftz_unit_copy6_a;
-    reg [23:0] mul_f24_ftz_unit_copy6_b;
-    reg [23:0] add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b;
-    reg [23:0] add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b;
-    reg [23:0] add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b;
-    reg [23:0] add_f24_ftz_unit_copy4_a;
-    reg [23:0] add_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_copy5_a;
-    reg [23:0] add_f24_ftz_unit_copy5_b;
-    reg [23:0] sqrt_f24_ftz_unit_a;
-    reg [23:0] min_f24_ftz_unit_a;
-    reg [23:0] min_f24_ftz_unit_b;
-    reg [23:0] max_f24_ftz_unit_a;
-    reg [23:0] max_f24_ftz_unit_b;
-    reg [23:0] max_f24_ftz_unit_copy2_a;
-    reg [23:0] max_f24_ftz_unit_copy2_b;
-    reg [23:0] to_fixed_f24_ftz_u21q8_unit_a;
-    reg [23:0] le_f24_ftz_unit_a;
-    reg [23:0] le_f24_ftz_unit_b;
+    reg equal_171_d1, lt_174_d1;
+    reg [23:0] mul_180_d1, neg_182_d1, mul_185_d6, add_187_d1, add_187_d2, add_187_d3, add_190_d1, add_190_d2;
+    reg [23:0] abs_191_d1, abs_191_d2, sqrt_192_d1, mul_194_d1, mul_194_d2, mul_194_d3, select_199_d1, select_199_d2;
+    reg [23:0] min_200_d1, select_201_d1;
+    reg le_206_d1, le_206_d2, le_206_d3, le_206_d4, and_207_d1;
+    reg [23:0] to_fixed_218_d1, to_fixed_218_d2, to_fixed_218_d3, to_fixed_218_d4, to_fixed_222_d1, max_224_d1;
+    reg [23:0] recip_f24_ftz_unit_a, mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a;
+    reg [23:0] mul_f24_ftz_unit_copy2_b, mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b;
+    reg [23:0] mul_f24_ftz_unit_copy4_a, mul_f24_ftz_unit_copy4_b, mul_f24_ftz_unit_copy5_a;
+    reg [23:0] mul_f24_ftz_unit_copy5_b, mul_f24_ftz_unit_copy6_a, mul_f24_ftz_unit_copy6_b, add_f24_ftz_unit_a;
+    reg [23:0] add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a, add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a;
+    reg [23:0] add_f24_ftz_unit_copy3_b, add_f24_ftz_unit_copy4_a, add_f24_ftz_unit_copy4_b;
+    reg [23:0] add_f24_ftz_unit_copy5_a, add_f24_ftz_unit_copy5_b, sqrt_f24_ftz_unit_a, min_f24_ftz_unit_a;
+    reg [23:0] min_f24_ftz_unit_b, max_f24_ftz_unit_a, max_f24_ftz_unit_b, max_f24_ftz_unit_copy2_a;
+    reg [23:0] max_f24_ftz_unit_copy2_b, to_fixed_f24_ftz_u21q8_unit_a, le_f24_ftz_unit_a, le_f24_ftz_unit_b;
     reg [23:0] to_fixed_f24_ftz_u24q24_unit_a;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
+    reg [16:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire [23:0] queue_out_center_x;
-    wire [23:0] queue_out_center_y;
-    wire [23:0] queue_out_ax;
-    wire [23:0] queue_out_bx;
-    wire [23:0] queue_out_ay;
-    wire [23:0] queue_out_by;
-    wire [23:0] queue_out_delta;
-    wire [23:0] queue_out_mx;
-    wire [23:0] queue_out_my;
-    wire [23:0] queue_out_depth;
-    wire [23:0] queue_out_depth_low;
-    wire [23:0] queue_out_depth_high;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
-    wire [15:0] queue_out_attribute_3;
-    wire [15:0] queue_out_attribute_4;
-    wire [15:0] queue_out_attribute_5;
-    wire [15:0] queue_out_attribute_6;
-    wire [15:0] queue_out_attribute_7;
-    wire [15:0] queue_out_attribute_8;
-    wire [15:0] queue_out_attribute_9;
-    wire [15:0] queue_out_attribute_10;
-    wire [15:0] queue_out_attribute_11;
-    wire [15:0] queue_out_attribute_12;
-    wire [15:0] queue_out_cardinal_0;
-    wire [8:0] queue_out_left;
-    wire [8:0] queue_out_right;
-    wire [8:0] queue_out_top;
-    wire [8:0] queue_out_bottom;
-    wire [23:0] recip_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] mul_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_copy6_y;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [548:0] queue_out_data;
+    wire [23:0] recip_f24_ftz_unit_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
+    wire [23:0] mul_f24_ftz_unit_copy4_y, mul_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_copy6_y, add_f24_ftz_unit_y;
+    wire [23:0] add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
     wire [23:0] add_f24_ftz_unit_copy5_y;
     wire lt_f24_ftz_unit_y;
-    wire [23:0] sqrt_f24_ftz_unit_y;
-    wire [23:0] min_f24_ftz_unit_y;
-    wire [23:0] max_f24_ftz_unit_y;
-    wire [23:0] max_f24_ftz_unit_copy2_y;
+    wire [23:0] sqrt_f24_ftz_unit_y, min_f24_ftz_unit_y, max_f24_ftz_unit_y, max_f24_ftz_unit_copy2_y;
     wire [20:0] to_fixed_f24_ftz_u21q8_unit_y;
     wire le_f24_ftz_unit_y;
     wire [23:0] to_fixed_f24_ftz_u24q24_unit_y;
 
-    assign in_ready = load_0;
     wire and_208 = lt_160_d1 & and_207_d1;
     wire or_212 = delay_8_from_4_out[0] | delay_9_from_6_out[48];
     wire and_213 = and_208 & or_212;
     wire or_215 = delay_17_from_0_out[0] | and_213;
     wire term_1 = phase == 3'd4;
-    wire term_2 = valid_d17 & or_215 & term_1;
+    wire term_2 = in_flight[16] & or_215 & term_1;
     wire [23:0] select_216 = delay_8_from_4_out[0] ? 24'h7fc000 : delay_9_from_6_out[23:0];
-    wire queue_out_ready = out_ready;
     wire term_3 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
     wire advance_next = ~term_4;
     wire [21:0] add_92 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd130;
     wire [21:0] add_84 = {1'd0, to_fixed_f24_ftz_u21q8_unit_y} + 22'd126;
@@ -13668,283 +6906,127 @@ module splat_setup (
     wire xor_210 = scale_x[23] ^ scale_y[23];
     wire xor_211 = add_f24_ftz_unit_y[23] ^ xor_210;
 
+    assign in_ready = load_0;
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_center_x = queue_out_center_x;
-    assign out_center_y = queue_out_center_y;
-    assign out_ax = queue_out_ax;
-    assign out_bx = queue_out_bx;
-    assign out_ay = queue_out_ay;
-    assign out_by = queue_out_by;
-    assign out_delta = queue_out_delta;
-    assign out_mx = queue_out_mx;
-    assign out_my = queue_out_my;
-    assign out_depth = queue_out_depth;
-    assign out_depth_low = queue_out_depth_low;
-    assign out_depth_high = queue_out_depth_high;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
-    assign out_attribute_3 = queue_out_attribute_3;
-    assign out_attribute_4 = queue_out_attribute_4;
-    assign out_attribute_5 = queue_out_attribute_5;
-    assign out_attribute_6 = queue_out_attribute_6;
-    assign out_attribute_7 = queue_out_attribute_7;
-    assign out_attribute_8 = queue_out_attribute_8;
-    assign out_attribute_9 = queue_out_attribute_9;
-    assign out_attribute_10 = queue_out_attribute_10;
-    assign out_attribute_11 = queue_out_attribute_11;
-    assign out_attribute_12 = queue_out_attribute_12;
-    assign out_cardinal_0 = queue_out_cardinal_0;
-    assign out_left = queue_out_left;
-    assign out_right = queue_out_right;
-    assign out_top = queue_out_top;
-    assign out_bottom = queue_out_bottom;
+    assign {
+        out_end, out_center_x, out_center_y, out_ax, out_bx, out_ay, out_by, out_delta, out_mx, out_my,
+        out_depth, out_depth_low, out_depth_high, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0, out_left,
+        out_right, out_top, out_bottom
+    } = queue_out_data;
 
     stream_skid_w549 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_2),
-        .in_ready(queue_in_ready),
-        .in_end(delay_17_from_0_out[0]),
-        .in_center_x(add_57_d11),
-        .in_center_y(add_122_d11),
-        .in_ax(delay_10_from_6_out[23:0]),
-        .in_bx(delay_10_from_6_out[47:24]),
-        .in_ay(delay_10_from_6_out[71:48]),
-        .in_by(delay_10_from_6_out[95:72]),
-        .in_delta(select_216),
-        .in_mx(delay_9_from_6_out[47:24]),
-        .in_my(delay_8_from_4_out[24:1]),
-        .in_depth(to_fixed_218_d4),
-        .in_depth_low(to_fixed_222_d1),
-        .in_depth_high(to_fixed_f24_ftz_u24q24_unit_y),
-        .in_attribute_0(delay_17_from_0_out[16:1]),
-        .in_attribute_1(delay_17_from_0_out[32:17]),
-        .in_attribute_2(delay_17_from_0_out[48:33]),
-        .in_attribute_3(delay_17_from_0_out[64:49]),
-        .in_attribute_4(delay_17_from_0_out[80:65]),
-        .in_attribute_5(delay_17_from_0_out[96:81]),
-        .in_attribute_6(delay_17_from_0_out[112:97]),
-        .in_attribute_7(delay_17_from_0_out[128:113]),
-        .in_attribute_8(delay_17_from_0_out[144:129]),
-        .in_attribute_9(delay_17_from_0_out[160:145]),
-        .in_attribute_10(delay_17_from_0_out[176:161]),
-        .in_attribute_11(delay_17_from_0_out[192:177]),
-        .in_attribute_12(delay_17_from_0_out[208:193]),
-        .in_cardinal_0(delay_17_from_0_out[224:209]),
-        .in_left(resize_101_d1),
-        .in_right(resize_102_d1),
-        .in_top(select_154_d1[8:0]),
-        .in_bottom(resize_159_d1),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_center_x(queue_out_center_x),
-        .out_center_y(queue_out_center_y),
-        .out_ax(queue_out_ax),
-        .out_bx(queue_out_bx),
-        .out_ay(queue_out_ay),
-        .out_by(queue_out_by),
-        .out_delta(queue_out_delta),
-        .out_mx(queue_out_mx),
-        .out_my(queue_out_my),
-        .out_depth(queue_out_depth),
-        .out_depth_low(queue_out_depth_low),
-        .out_depth_high(queue_out_depth_high),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2),
-        .out_attribute_3(queue_out_attribute_3),
-        .out_attribute_4(queue_out_attribute_4),
-        .out_attribute_5(queue_out_attribute_5),
-        .out_attribute_6(queue_out_attribute_6),
-        .out_attribute_7(queue_out_attribute_7),
-        .out_attribute_8(queue_out_attribute_8),
-        .out_attribute_9(queue_out_attribute_9),
-        .out_attribute_10(queue_out_attribute_10),
-        .out_attribute_11(queue_out_attribute_11),
-        .out_attribute_12(queue_out_attribute_12),
-        .out_cardinal_0(queue_out_cardinal_0),
-        .out_left(queue_out_left),
-        .out_right(queue_out_right),
-        .out_top(queue_out_top),
-        .out_bottom(queue_out_bottom)
+        .clk(clk), .rst(rst),
+        .in_valid(term_2), .in_ready(queue_in_ready),
+        .in_data({
+            delay_17_from_0_out[0], add_57_d11, add_122_d11, delay_10_from_6_out[23:0],
+            delay_10_from_6_out[47:24], delay_10_from_6_out[71:48], delay_10_from_6_out[95:72], select_216,
+            delay_9_from_6_out[47:24], delay_8_from_4_out[24:1], to_fixed_218_d4, to_fixed_222_d1,
+            to_fixed_f24_ftz_u24q24_unit_y, delay_17_from_0_out[16:1], delay_17_from_0_out[32:17],
+            delay_17_from_0_out[48:33], delay_17_from_0_out[64:49], delay_17_from_0_out[80:65],
+            delay_17_from_0_out[96:81], delay_17_from_0_out[112:97], delay_17_from_0_out[128:113],
+            delay_17_from_0_out[144:129], delay_17_from_0_out[160:145], delay_17_from_0_out[176:161],
+            delay_17_from_0_out[192:177], delay_17_from_0_out[208:193], delay_17_from_0_out[224:209],
+            resize_101_d1, resize_102_d1, select_154_d1[8:0], resize_159_d1
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_recip recip_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(recip_f24_ftz_unit_a),
-        .y(recip_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(recip_f24_ftz_unit_a), .y(recip_f24_ftz_unit_y)
     );
 
     float_mul_s5_ff24ftz mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_a),
-        .b(mul_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s5_ff24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy2_a),
-        .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s5_ff24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_a),
-        .b(mul_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s5_ff24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy4_a),
-        .b(mul_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_mul_s5_ff24ftz mul_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy5_a),
-        .b(mul_f24_ftz_unit_copy5_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy5_a), .b(mul_f24_ftz_unit_copy5_b),
         .y(mul_f24_ftz_unit_copy5_y)
     );
 
     float_mul_s5_ff24ftz mul_f24_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy6_a),
-        .b(mul_f24_ftz_unit_copy6_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy6_a), .b(mul_f24_ftz_unit_copy6_b),
         .y(mul_f24_ftz_unit_copy6_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_a),
-        .b(add_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_a),
-        .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy3_a),
-        .b(add_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy4_a),
-        .b(add_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_a), .b(add_f24_ftz_unit_copy4_b),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy5_a),
-        .b(add_f24_ftz_unit_copy5_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy5_a), .b(add_f24_ftz_unit_copy5_b),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_lt lt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(24'h3d0000),
-        .b(add_f24_ftz_unit_y),
-        .y(lt_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(24'h3d0000), .b(add_f24_ftz_unit_y), .y(lt_f24_ftz_unit_y)
     );
 
     float_sqrt sqrt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(sqrt_f24_ftz_unit_a),
-        .y(sqrt_f24_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(sqrt_f24_ftz_unit_a), .y(sqrt_f24_ftz_unit_y)
     );
 
     float_min min_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(min_f24_ftz_unit_a),
-        .b(min_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(min_f24_ftz_unit_a), .b(min_f24_ftz_unit_b),
         .y(min_f24_ftz_unit_y)
     );
 
     float_max max_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(max_f24_ftz_unit_a),
-        .b(max_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_a), .b(max_f24_ftz_unit_b),
         .y(max_f24_ftz_unit_y)
     );
 
     float_max max_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(max_f24_ftz_unit_copy2_a),
-        .b(max_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(max_f24_ftz_unit_copy2_a), .b(max_f24_ftz_unit_copy2_b),
         .y(max_f24_ftz_unit_copy2_y)
     );
 
     float_to_fixed_w21_fraction8 to_fixed_f24_ftz_u21q8_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_u21q8_unit_a),
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u21q8_unit_a),
         .y(to_fixed_f24_ftz_u21q8_unit_y)
     );
 
     float_le le_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(le_f24_ftz_unit_a),
-        .b(le_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(le_f24_ftz_unit_a), .b(le_f24_ftz_unit_b),
         .y(le_f24_ftz_unit_y)
     );
 
     float_to_fixed_w24_fraction24 to_fixed_f24_ftz_u24q24_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(to_fixed_f24_ftz_u24q24_unit_a),
+        .clk(clk), .enable(queue_in_ready), .a(to_fixed_f24_ftz_u24q24_unit_a),
         .y(to_fixed_f24_ftz_u24q24_unit_y)
     );
 
@@ -13965,23 +7047,7 @@ module splat_setup (
             delay_5_from_5_pointer <= 2'd0;
             delay_9_from_6_pointer <= 3'd0;
             delay_10_from_6_pointer <= 4'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
+            in_flight <= 17'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -13994,23 +7060,7 @@ module splat_setup (
             load_7 <= advance_next & (phase_next == 3'd7);
             if (load_0) begin
                 delay_17_from_0_pointer <= (delay_17_from_0_pointer == 4'd15) ? (delay_17_from_0_pointer - 4'd15) : (delay_17_from_0_pointer + 4'd1);
-                valid_d1 <= in_valid;
-                valid_d2 <= valid_d1;
-                valid_d3 <= valid_d2;
-                valid_d4 <= valid_d3;
-                valid_d5 <= valid_d4;
-                valid_d6 <= valid_d5;
-                valid_d7 <= valid_d6;
-                valid_d8 <= valid_d7;
-                valid_d9 <= valid_d8;
-                valid_d10 <= valid_d9;
-                valid_d11 <= valid_d10;
-                valid_d12 <= valid_d11;
-                valid_d13 <= valid_d12;
-                valid_d14 <= valid_d13;
-                valid_d15 <= valid_d14;
-                valid_d16 <= valid_d15;
-                valid_d17 <= valid_d16;
+                in_flight <= {in_flight[15:0], in_valid};
             end
             if (load_1) begin
                 delay_6_from_1_pointer <= (delay_6_from_1_pointer == 3'd4) ? (delay_6_from_1_pointer - 3'd4) : (delay_6_from_1_pointer + 3'd1);
@@ -14220,66 +7270,36 @@ module splat_setup (
     always @(posedge clk) begin
         if (load_0) begin
             delay_17_from_0[delay_17_from_0_pointer] <= {
-                in_cardinal_0,
-                in_attribute_12,
-                in_attribute_11,
-                in_attribute_10,
-                in_attribute_9,
-                in_attribute_8,
-                in_attribute_7,
-                in_attribute_6,
-                in_attribute_5,
-                in_attribute_4,
-                in_attribute_3,
-                in_attribute_2,
-                in_attribute_1,
-                in_attribute_0,
-                in_end
+                in_cardinal_0, in_attribute_12, in_attribute_11, in_attribute_10, in_attribute_9, in_attribute_8,
+                in_attribute_7, in_attribute_6, in_attribute_5, in_attribute_4, in_attribute_3, in_attribute_2,
+                in_attribute_1, in_attribute_0, in_end
             };
         end
-        if (load_0) begin
-            delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
-        end
+        if (load_0) delay_17_from_0_out <= delay_17_from_0[delay_17_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (load_1) begin
-            delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
-        end
-        if (load_1) begin
-            delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
-        end
+        if (load_1) delay_6_from_1[delay_6_from_1_pointer] <= lt_f24_ftz_unit_y;
+        if (load_1) delay_6_from_1_out <= delay_6_from_1[delay_6_from_1_pointer];
     end
     always @(posedge clk) begin
-        if (load_4) begin
-            delay_8_from_4[delay_8_from_4_pointer] <= {add_f24_ftz_unit_copy4_y, edge_on};
-        end
-        if (load_4) begin
-            delay_8_from_4_out <= delay_8_from_4[delay_8_from_4_pointer];
-        end
+        if (load_4) delay_8_from_4[delay_8_from_4_pointer] <= {add_f24_ftz_unit_copy4_y, edge_on};
+        if (load_4) delay_8_from_4_out <= delay_8_from_4[delay_8_from_4_pointer];
     end
     always @(posedge clk) begin
-        if (load_5) begin
-            delay_5_from_5[delay_5_from_5_pointer] <= mul_f24_ftz_unit_copy6_y;
-        end
-        if (load_5) begin
-            delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
-        end
+        if (load_5) delay_5_from_5[delay_5_from_5_pointer] <= mul_f24_ftz_unit_copy6_y;
+        if (load_5) delay_5_from_5_out <= delay_5_from_5[delay_5_from_5_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_9_from_6[delay_9_from_6_pointer] <= {xor_211, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_y};
         end
-        if (load_6) begin
-            delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
-        end
+        if (load_6) delay_9_from_6_out <= delay_9_from_6[delay_9_from_6_pointer];
     end
     always @(posedge clk) begin
         if (load_6) begin
             delay_10_from_6[delay_10_from_6_pointer] <= {mul_119_d1, mul_113_d1, mul_54_d1, mul_48_d1};
         end
-        if (load_6) begin
-            delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
-        end
+        if (load_6) delay_10_from_6_out <= delay_10_from_6[delay_10_from_6_pointer];
     end
 
     wire _unused = &{1'b0, sub_100[21:9], sub_157[21:9]};
@@ -14364,7 +7384,6 @@ endmodule
 // integer = unsigned
 module float_to_fixed_w24_fraction24 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [23:0] y
@@ -14372,14 +7391,7 @@ module float_to_fixed_w24_fraction24 (
     reg [4:0] distance_s1;
     reg [15:0] significand_s1;
     reg [23:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h79a;
@@ -14405,7 +7417,7 @@ module float_to_fixed_w24_fraction24 (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], rst};
+    wire _unused = &{1'b0, difference_2[10:5]};
 endmodule
 
 // Whether one floating-point number is less than another or equal.
@@ -14413,15 +7425,12 @@ endmodule
 // format = f24-ftz
 module float_le (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  y
 );
-    reg unordered_s1;
-    reg both_zero_s1;
-    reg compared_s1;
+    reg unordered_s1, both_zero_s1, compared_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -14436,8 +7445,6 @@ module float_le (
             y <= (compared_s1 | both_zero_s1) & ~unordered_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating to fixed point.
@@ -14448,7 +7455,6 @@ endmodule
 // integer = unsigned
 module float_to_fixed_w21_fraction8 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [20:0] y
@@ -14456,14 +7462,7 @@ module float_to_fixed_w21_fraction8 (
     reg [4:0] distance_s1;
     reg [15:0] significand_s1;
     reg [20:0] magnitude_s2;
-    reg sign_s1;
-    reg sign_s2;
-    reg nan_s1;
-    reg nan_s2;
-    reg vanishes_s1;
-    reg vanishes_s2;
-    reg saturates_s1;
-    reg saturates_s2;
+    reg sign_s1, sign_s2, nan_s1, nan_s2, vanishes_s1, vanishes_s2, saturates_s1, saturates_s2;
 
     wire [7:0] a_field = a[22:15];
     wire [10:0] sum_1 = {3'd0, a_field} + 11'h78a;
@@ -14489,7 +7488,7 @@ module float_to_fixed_w21_fraction8 (
         end
     end
 
-    wire _unused = &{1'b0, difference_2[10:5], rst};
+    wire _unused = &{1'b0, difference_2[10:5]};
 endmodule
 
 // Greater of two floating-point numbers.
@@ -14497,17 +7496,13 @@ endmodule
 // format = f24-ftz
 module float_max (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg a_nan_s1;
-    reg b_nan_s1;
-    reg less_s1;
-    reg [23:0] a_s1;
-    reg [23:0] b_s1;
+    reg a_nan_s1, b_nan_s1, less_s1;
+    reg [23:0] a_s1, b_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -14522,8 +7517,6 @@ module float_max (
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & ~less_s1)) ? a_s1 : b_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Lesser of two floating-point numbers.
@@ -14531,17 +7524,13 @@ endmodule
 // format = f24-ftz
 module float_min (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg a_nan_s1;
-    reg b_nan_s1;
-    reg less_s1;
-    reg [23:0] a_s1;
-    reg [23:0] b_s1;
+    reg a_nan_s1, b_nan_s1, less_s1;
+    reg [23:0] a_s1, b_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -14556,8 +7545,6 @@ module float_min (
             y <= (a_nan_s1 & b_nan_s1) ? 24'h7fc000 : (b_nan_s1 | (~a_nan_s1 & less_s1)) ? a_s1 : b_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating-point square root, correctly rounded.
@@ -14565,7 +7552,6 @@ endmodule
 // format = f24-ftz
 module float_sqrt (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [23:0] y
@@ -14581,8 +7567,7 @@ module float_sqrt (
     reg [8:0] pending_s3;
     reg [5:0] remainder_s4;
     reg [4:0] root_s4;
-    reg [6:0] pending_s4;
-    reg [6:0] remainder_s5;
+    reg [6:0] pending_s4, remainder_s5;
     reg [5:0] root_s5;
     reg [4:0] pending_s5;
     reg [7:0] remainder_s6;
@@ -14609,89 +7594,16 @@ module float_sqrt (
     reg [15:0] root_s15;
     reg [17:0] remainder_s16;
     reg [16:0] root_s16;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
-    reg [9:0] exponent_s5;
-    reg [9:0] exponent_s6;
-    reg [9:0] exponent_s7;
-    reg [9:0] exponent_s8;
-    reg [9:0] exponent_s9;
-    reg [9:0] exponent_s10;
-    reg [9:0] exponent_s11;
-    reg [9:0] exponent_s12;
-    reg [9:0] exponent_s13;
-    reg [9:0] exponent_s14;
-    reg [9:0] exponent_s15;
-    reg [9:0] exponent_s16;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg sign_s6;
-    reg sign_s7;
-    reg sign_s8;
-    reg sign_s9;
-    reg sign_s10;
-    reg sign_s11;
-    reg sign_s12;
-    reg sign_s13;
-    reg sign_s14;
-    reg sign_s15;
-    reg sign_s16;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg nan_s6;
-    reg nan_s7;
-    reg nan_s8;
-    reg nan_s9;
-    reg nan_s10;
-    reg nan_s11;
-    reg nan_s12;
-    reg nan_s13;
-    reg nan_s14;
-    reg nan_s15;
-    reg nan_s16;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg infinite_s6;
-    reg infinite_s7;
-    reg infinite_s8;
-    reg infinite_s9;
-    reg infinite_s10;
-    reg infinite_s11;
-    reg infinite_s12;
-    reg infinite_s13;
-    reg infinite_s14;
-    reg infinite_s15;
-    reg infinite_s16;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-    reg zero_s6;
-    reg zero_s7;
-    reg zero_s8;
-    reg zero_s9;
-    reg zero_s10;
-    reg zero_s11;
-    reg zero_s12;
-    reg zero_s13;
-    reg zero_s14;
-    reg zero_s15;
-    reg zero_s16;
-    reg sign_s17;
-    reg nan_s17;
-    reg infinite_s17;
+    reg [9:0] exponent_s1, exponent_s2, exponent_s3, exponent_s4, exponent_s5, exponent_s6, exponent_s7;
+    reg [9:0] exponent_s8, exponent_s9, exponent_s10, exponent_s11, exponent_s12, exponent_s13, exponent_s14;
+    reg [9:0] exponent_s15, exponent_s16;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, sign_s5, sign_s6, sign_s7, sign_s8, sign_s9, sign_s10, sign_s11;
+    reg sign_s12, sign_s13, sign_s14, sign_s15, sign_s16, nan_s1, nan_s2, nan_s3, nan_s4, nan_s5, nan_s6;
+    reg nan_s7, nan_s8, nan_s9, nan_s10, nan_s11, nan_s12, nan_s13, nan_s14, nan_s15, nan_s16, infinite_s1;
+    reg infinite_s2, infinite_s3, infinite_s4, infinite_s5, infinite_s6, infinite_s7, infinite_s8;
+    reg infinite_s9, infinite_s10, infinite_s11, infinite_s12, infinite_s13, infinite_s14, infinite_s15;
+    reg infinite_s16, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5, zero_s6, zero_s7, zero_s8, zero_s9;
+    reg zero_s10, zero_s11, zero_s12, zero_s13, zero_s14, zero_s15, zero_s16, sign_s17, nan_s17, infinite_s17;
     reg zero_s17;
     reg [22:0] rounded_s17;
 
@@ -14853,26 +7765,10 @@ module float_sqrt (
     end
 
     wire _unused = &{
-        1'b0,
-        difference_10[9],
-        difference_11[10],
-        difference_12[11],
-        difference_13[12],
-        difference_14[13],
-        difference_15[14],
-        difference_16[15],
-        difference_17[16],
-        difference_18[17],
-        difference_19[18],
-        difference_4[3],
-        difference_5[4],
-        difference_6[5],
-        difference_7[6],
-        difference_8[7],
-        difference_9[8],
-        root_s16[16],
-        rst,
-        sum_20[0]
+        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
+        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
+        difference_4[3], difference_5[4], difference_6[5], difference_7[6], difference_8[7], difference_9[8],
+        root_s16[16], sum_20[0]
     };
 endmodule
 
@@ -14881,35 +7777,18 @@ endmodule
 // format = f24-ftz
 module float_mul_s5_ff24ftz (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg [15:0] left_s1;
-    reg [15:0] right_s1;
+    reg [15:0] left_s1, right_s1;
     reg [9:0] exponent_s1;
     reg [31:0] product_s2;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s2, exponent_s3;
     reg [17:0] significand_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg sign_s4;
-    reg nan_s4;
-    reg infinite_s4;
-    reg zero_s4;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, zero_s1;
+    reg zero_s2, zero_s3, sign_s4, nan_s4, infinite_s4, zero_s4;
     reg [22:0] rounded_s4;
 
     wire [7:0] a_field = a[22:15];
@@ -14957,7 +7836,7 @@ module float_mul_s5_ff24ftz (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s3[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Floating-point reciprocal, correctly rounded.
@@ -14965,7 +7844,6 @@ endmodule
 // format = f24-ftz
 module float_recip (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     output reg  [23:0] y
@@ -15016,109 +7894,23 @@ module float_recip (
     reg [14:0] quotient_s15;
     reg [15:0] divisor_s15;
     reg [16:0] remainder_s16;
-    reg [15:0] quotient_s16;
-    reg [15:0] divisor_s16;
-    reg [16:0] remainder_s17;
-    reg [16:0] quotient_s17;
+    reg [15:0] quotient_s16, divisor_s16;
+    reg [16:0] remainder_s17, quotient_s17;
     reg [15:0] divisor_s17;
     reg [16:0] remainder_s18;
     reg [17:0] quotient_s18;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
-    reg [9:0] exponent_s5;
-    reg [9:0] exponent_s6;
-    reg [9:0] exponent_s7;
-    reg [9:0] exponent_s8;
-    reg [9:0] exponent_s9;
-    reg [9:0] exponent_s10;
-    reg [9:0] exponent_s11;
-    reg [9:0] exponent_s12;
-    reg [9:0] exponent_s13;
-    reg [9:0] exponent_s14;
-    reg [9:0] exponent_s15;
-    reg [9:0] exponent_s16;
-    reg [9:0] exponent_s17;
-    reg [9:0] exponent_s18;
-    reg [9:0] exponent_s19;
+    reg [9:0] exponent_s1, exponent_s2, exponent_s3, exponent_s4, exponent_s5, exponent_s6, exponent_s7;
+    reg [9:0] exponent_s8, exponent_s9, exponent_s10, exponent_s11, exponent_s12, exponent_s13, exponent_s14;
+    reg [9:0] exponent_s15, exponent_s16, exponent_s17, exponent_s18, exponent_s19;
     reg [17:0] significand_s19;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg sign_s6;
-    reg sign_s7;
-    reg sign_s8;
-    reg sign_s9;
-    reg sign_s10;
-    reg sign_s11;
-    reg sign_s12;
-    reg sign_s13;
-    reg sign_s14;
-    reg sign_s15;
-    reg sign_s16;
-    reg sign_s17;
-    reg sign_s18;
-    reg sign_s19;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg nan_s6;
-    reg nan_s7;
-    reg nan_s8;
-    reg nan_s9;
-    reg nan_s10;
-    reg nan_s11;
-    reg nan_s12;
-    reg nan_s13;
-    reg nan_s14;
-    reg nan_s15;
-    reg nan_s16;
-    reg nan_s17;
-    reg nan_s18;
-    reg nan_s19;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg infinite_s6;
-    reg infinite_s7;
-    reg infinite_s8;
-    reg infinite_s9;
-    reg infinite_s10;
-    reg infinite_s11;
-    reg infinite_s12;
-    reg infinite_s13;
-    reg infinite_s14;
-    reg infinite_s15;
-    reg infinite_s16;
-    reg infinite_s17;
-    reg infinite_s18;
-    reg infinite_s19;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-    reg zero_s6;
-    reg zero_s7;
-    reg zero_s8;
-    reg zero_s9;
-    reg zero_s10;
-    reg zero_s11;
-    reg zero_s12;
-    reg zero_s13;
-    reg zero_s14;
-    reg zero_s15;
-    reg zero_s16;
-    reg zero_s17;
-    reg zero_s18;
-    reg zero_s19;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, sign_s5, sign_s6, sign_s7, sign_s8, sign_s9, sign_s10, sign_s11;
+    reg sign_s12, sign_s13, sign_s14, sign_s15, sign_s16, sign_s17, sign_s18, sign_s19, nan_s1, nan_s2;
+    reg nan_s3, nan_s4, nan_s5, nan_s6, nan_s7, nan_s8, nan_s9, nan_s10, nan_s11, nan_s12, nan_s13, nan_s14;
+    reg nan_s15, nan_s16, nan_s17, nan_s18, nan_s19, infinite_s1, infinite_s2, infinite_s3, infinite_s4;
+    reg infinite_s5, infinite_s6, infinite_s7, infinite_s8, infinite_s9, infinite_s10, infinite_s11;
+    reg infinite_s12, infinite_s13, infinite_s14, infinite_s15, infinite_s16, infinite_s17, infinite_s18;
+    reg infinite_s19, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5, zero_s6, zero_s7, zero_s8, zero_s9;
+    reg zero_s10, zero_s11, zero_s12, zero_s13, zero_s14, zero_s15, zero_s16, zero_s17, zero_s18, zero_s19;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -15322,27 +8114,10 @@ module float_recip (
     end
 
     wire _unused = &{
-        1'b0,
-        difference_11[16],
-        difference_13[16],
-        difference_15[16],
-        difference_17[16],
-        difference_19[16],
-        difference_2[16],
-        difference_21[16],
-        difference_23[16],
-        difference_25[16],
-        difference_27[16],
-        difference_29[16],
-        difference_3[16],
-        difference_31[16],
-        difference_33[16],
-        difference_35[16],
-        difference_5[16],
-        difference_7[16],
-        difference_9[16],
-        rst,
-        significand_s19[17]
+        1'b0, difference_11[16], difference_13[16], difference_15[16], difference_17[16], difference_19[16],
+        difference_2[16], difference_21[16], difference_23[16], difference_25[16], difference_27[16],
+        difference_29[16], difference_3[16], difference_31[16], difference_33[16], difference_35[16],
+        difference_5[16], difference_7[16], difference_9[16], significand_s19[17]
     };
 endmodule
 
@@ -15353,162 +8128,32 @@ module stream_skid_w549 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_ax,
-    input  wire [23:0] in_bx,
-    input  wire [23:0] in_ay,
-    input  wire [23:0] in_by,
-    input  wire [23:0] in_delta,
-    input  wire [23:0] in_mx,
-    input  wire [23:0] in_my,
-    input  wire [23:0] in_depth,
-    input  wire [23:0] in_depth_low,
-    input  wire [23:0] in_depth_high,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
-    input  wire [8:0] in_left,
-    input  wire [8:0] in_right,
-    input  wire [8:0] in_top,
-    input  wire [8:0] in_bottom,
+    input  wire [548:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_ax,
-    output wire [23:0] out_bx,
-    output wire [23:0] out_ay,
-    output wire [23:0] out_by,
-    output wire [23:0] out_delta,
-    output wire [23:0] out_mx,
-    output wire [23:0] out_my,
-    output wire [23:0] out_depth,
-    output wire [23:0] out_depth_low,
-    output wire [23:0] out_depth_high,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0,
-    output wire [8:0] out_left,
-    output wire [8:0] out_right,
-    output wire [8:0] out_top,
-    output wire [8:0] out_bottom
+    output wire [548:0] out_data
 );
     reg second_valid;
-    reg [548:0] head;
-    reg [548:0] second;
+    reg [548:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [548:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_ax,
-        in_bx,
-        in_ay,
-        in_by,
-        in_delta,
-        in_mx,
-        in_my,
-        in_depth,
-        in_depth_low,
-        in_depth_high,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0,
-        in_left,
-        in_right,
-        in_top,
-        in_bottom
-    };
 
-    assign out_end = head[548];
-    assign out_center_x = head[547:524];
-    assign out_center_y = head[523:500];
-    assign out_ax = head[499:476];
-    assign out_bx = head[475:452];
-    assign out_ay = head[451:428];
-    assign out_by = head[427:404];
-    assign out_delta = head[403:380];
-    assign out_mx = head[379:356];
-    assign out_my = head[355:332];
-    assign out_depth = head[331:308];
-    assign out_depth_low = head[307:284];
-    assign out_depth_high = head[283:260];
-    assign out_attribute_0 = head[259:244];
-    assign out_attribute_1 = head[243:228];
-    assign out_attribute_2 = head[227:212];
-    assign out_attribute_3 = head[211:196];
-    assign out_attribute_4 = head[195:180];
-    assign out_attribute_5 = head[179:164];
-    assign out_attribute_6 = head[163:148];
-    assign out_attribute_7 = head[147:132];
-    assign out_attribute_8 = head[131:116];
-    assign out_attribute_9 = head[115:100];
-    assign out_attribute_10 = head[99:84];
-    assign out_attribute_11 = head[83:68];
-    assign out_attribute_12 = head[67:52];
-    assign out_cardinal_0 = head[51:36];
-    assign out_left = head[35:27];
-    assign out_right = head[26:18];
-    assign out_top = head[17:9];
-    assign out_bottom = head[8:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -15600,192 +8245,58 @@ module splat_transform (
     output wire [15:0] out_cardinal_0
 );
     reg [2:0] phase;
-    reg load_0;
-    reg load_1;
-    reg load_2;
-    reg load_3;
-    reg load_4;
-    reg load_5;
-    reg load_6;
-    reg load_7;
-    reg end_d1;
-    reg end_d2;
-    reg end_d3;
-    reg end_d4;
-    reg [15:0] attribute_0_d1;
-    reg [15:0] attribute_1_d1;
-    reg [15:0] attribute_2_d1;
-    reg [15:0] attribute_3_d1;
-    reg [15:0] attribute_4_d1;
-    reg [15:0] attribute_5_d1;
-    reg [15:0] attribute_6_d1;
-    reg [15:0] attribute_7_d1;
-    reg [15:0] attribute_8_d1;
-    reg [15:0] attribute_9_d1;
-    reg [15:0] attribute_10_d1;
-    reg [15:0] attribute_11_d1;
-    reg [15:0] attribute_12_d1;
-    reg [15:0] cardinal_0_d1;
-    reg [15:0] cardinal_0_d2;
-    reg [15:0] cardinal_0_d3;
-    reg [15:0] cardinal_0_d4;
-    reg [23:0] reinterpret_37_d1;
-    reg [23:0] reinterpret_38_d1;
-    reg [23:0] reinterpret_39_d1;
-    reg [23:0] mul_48_d1;
-    reg [23:0] add_55_d1;
-    reg [23:0] add_56_d1;
-    reg [23:0] add_57_d1;
-    reg [23:0] reinterpret_58_d1;
-    reg [23:0] reinterpret_59_d1;
-    reg [23:0] reinterpret_60_d1;
-    reg [23:0] mul_64_d1;
-    reg [23:0] add_65_d1;
-    reg [23:0] mul_66_d1;
-    reg [23:0] mul_69_d1;
-    reg [23:0] add_70_d1;
-    reg [23:0] mul_74_d1;
-    reg [23:0] add_75_d1;
-    reg [23:0] reinterpret_76_d1;
-    reg [23:0] reinterpret_77_d1;
-    reg [23:0] reinterpret_78_d1;
-    reg [23:0] mul_79_d1;
-    reg [23:0] mul_82_d1;
-    reg [23:0] add_83_d1;
-    reg [23:0] add_86_d1;
-    reg [23:0] mul_87_d1;
-    reg [23:0] add_88_d1;
-    reg [23:0] mul_89_d1;
-    reg [23:0] add_91_d1;
-    reg [23:0] mul_92_d1;
-    reg [23:0] add_93_d1;
+    reg load_0, load_1, load_2, load_3, load_4, load_5, load_6, load_7, end_d1, end_d2, end_d3, end_d4;
+    reg [15:0] attribute_0_d1, attribute_1_d1, attribute_2_d1, attribute_3_d1, attribute_4_d1, attribute_5_d1;
+    reg [15:0] attribute_6_d1, attribute_7_d1, attribute_8_d1, attribute_9_d1, attribute_10_d1, attribute_11_d1;
+    reg [15:0] attribute_12_d1, cardinal_0_d1, cardinal_0_d2, cardinal_0_d3, cardinal_0_d4;
+    reg [23:0] reinterpret_37_d1, reinterpret_38_d1, reinterpret_39_d1, mul_48_d1, add_55_d1, add_56_d1, add_57_d1;
+    reg [23:0] reinterpret_58_d1, reinterpret_59_d1, reinterpret_60_d1, mul_64_d1, add_65_d1, mul_66_d1, mul_69_d1;
+    reg [23:0] add_70_d1, mul_74_d1, add_75_d1, reinterpret_76_d1, reinterpret_77_d1, reinterpret_78_d1, mul_79_d1;
+    reg [23:0] mul_82_d1, add_83_d1, add_86_d1, mul_87_d1, add_88_d1, mul_89_d1, add_91_d1, mul_92_d1, add_93_d1;
     reg equal_100_d1;
-    reg [15:0] select_106_d1;
-    reg [15:0] select_107_d1;
-    reg [15:0] select_107_d2;
-    reg [15:0] select_107_d3;
+    reg [15:0] select_106_d1, select_107_d1, select_107_d2, select_107_d3;
     reg equal_111_d1;
-    reg [15:0] select_114_d1;
-    reg [15:0] select_115_d1;
-    reg [15:0] select_115_d2;
-    reg [15:0] select_115_d3;
+    reg [15:0] select_114_d1, select_115_d1, select_115_d2, select_115_d3;
     reg equal_119_d1;
-    reg [15:0] select_122_d1;
-    reg [15:0] select_123_d1;
-    reg [15:0] select_123_d2;
-    reg [15:0] select_123_d3;
+    reg [15:0] select_122_d1, select_123_d1, select_123_d2, select_123_d3;
     reg equal_127_d1;
-    reg [15:0] select_130_d1;
-    reg [15:0] select_131_d1;
-    reg [15:0] select_131_d2;
-    reg [15:0] select_131_d3;
+    reg [15:0] select_130_d1, select_131_d1, select_131_d2, select_131_d3;
     reg equal_135_d1;
-    reg [15:0] select_138_d1;
-    reg [15:0] select_139_d1;
-    reg [15:0] select_139_d2;
-    reg [15:0] select_139_d3;
+    reg [15:0] select_138_d1, select_139_d1, select_139_d2, select_139_d3;
     reg equal_143_d1;
-    reg [15:0] select_146_d1;
-    reg [15:0] select_147_d1;
-    reg [15:0] select_147_d2;
-    reg [15:0] select_147_d3;
+    reg [15:0] select_146_d1, select_147_d1, select_147_d2, select_147_d3;
     reg equal_151_d1;
-    reg [15:0] select_154_d1;
-    reg [15:0] select_155_d1;
-    reg [15:0] select_155_d2;
-    reg [15:0] select_155_d3;
+    reg [15:0] select_154_d1, select_155_d1, select_155_d2, select_155_d3;
     reg equal_159_d1;
-    reg [15:0] select_162_d1;
-    reg [15:0] select_163_d1;
-    reg [15:0] select_163_d2;
-    reg [15:0] select_163_d3;
+    reg [15:0] select_162_d1, select_163_d1, select_163_d2, select_163_d3;
     reg equal_167_d1;
-    reg [15:0] select_170_d1;
-    reg [15:0] select_171_d1;
-    reg [15:0] select_171_d2;
-    reg [15:0] select_171_d3;
+    reg [15:0] select_170_d1, select_171_d1, select_171_d2, select_171_d3;
     reg equal_175_d1;
-    reg [15:0] select_178_d1;
-    reg [15:0] select_179_d1;
-    reg [15:0] select_179_d2;
-    reg [15:0] select_179_d3;
+    reg [15:0] select_178_d1, select_179_d1, select_179_d2, select_179_d3;
     reg equal_183_d1;
-    reg [15:0] select_186_d1;
-    reg [15:0] select_187_d1;
-    reg [15:0] select_187_d2;
-    reg [15:0] select_187_d3;
+    reg [15:0] select_186_d1, select_187_d1, select_187_d2, select_187_d3;
     reg equal_191_d1;
-    reg [15:0] select_194_d1;
-    reg [15:0] select_195_d1;
-    reg [15:0] select_195_d2;
-    reg [15:0] select_195_d3;
+    reg [15:0] select_194_d1, select_195_d1, select_195_d2, select_195_d3;
     reg equal_199_d1;
-    reg [15:0] select_202_d1;
-    reg [15:0] select_203_d1;
-    reg [15:0] select_203_d2;
-    reg [15:0] select_203_d3;
-    reg [23:0] mul_f24_ftz_unit_a;
-    reg [23:0] mul_f24_ftz_unit_b;
-    reg [23:0] mul_f24_ftz_unit_copy2_a;
-    reg [23:0] mul_f24_ftz_unit_copy2_b;
-    reg [23:0] mul_f24_ftz_unit_copy3_a;
-    reg [23:0] mul_f24_ftz_unit_copy3_b;
-    reg [23:0] mul_f24_ftz_unit_copy4_a;
-    reg [23:0] mul_f24_ftz_unit_copy4_b;
-    reg [23:0] add_f24_ftz_unit_a;
-    reg [23:0] add_f24_ftz_unit_b;
-    reg [23:0] add_f24_ftz_unit_copy2_a;
-    reg [23:0] add_f24_ftz_unit_copy2_b;
-    reg [23:0] add_f24_ftz_unit_copy3_a;
-    reg [23:0] add_f24_ftz_unit_copy3_b;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
+    reg [15:0] select_202_d1, select_203_d1, select_203_d2, select_203_d3;
+    reg [23:0] mul_f24_ftz_unit_a, mul_f24_ftz_unit_b, mul_f24_ftz_unit_copy2_a, mul_f24_ftz_unit_copy2_b;
+    reg [23:0] mul_f24_ftz_unit_copy3_a, mul_f24_ftz_unit_copy3_b, mul_f24_ftz_unit_copy4_a;
+    reg [23:0] mul_f24_ftz_unit_copy4_b, add_f24_ftz_unit_a, add_f24_ftz_unit_b, add_f24_ftz_unit_copy2_a;
+    reg [23:0] add_f24_ftz_unit_copy2_b, add_f24_ftz_unit_copy3_a, add_f24_ftz_unit_copy3_b;
+    reg [3:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_end;
-    wire [23:0] queue_out_center_x;
-    wire [23:0] queue_out_center_y;
-    wire [23:0] queue_out_center_z;
-    wire [23:0] queue_out_tangent1_x;
-    wire [23:0] queue_out_tangent1_y;
-    wire [23:0] queue_out_tangent1_z;
-    wire [23:0] queue_out_tangent2_x;
-    wire [23:0] queue_out_tangent2_y;
-    wire [23:0] queue_out_tangent2_z;
-    wire [15:0] queue_out_attribute_0;
-    wire [15:0] queue_out_attribute_1;
-    wire [15:0] queue_out_attribute_2;
-    wire [15:0] queue_out_attribute_3;
-    wire [15:0] queue_out_attribute_4;
-    wire [15:0] queue_out_attribute_5;
-    wire [15:0] queue_out_attribute_6;
-    wire [15:0] queue_out_attribute_7;
-    wire [15:0] queue_out_attribute_8;
-    wire [15:0] queue_out_attribute_9;
-    wire [15:0] queue_out_attribute_10;
-    wire [15:0] queue_out_attribute_11;
-    wire [15:0] queue_out_attribute_12;
-    wire [15:0] queue_out_cardinal_0;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
-    wire [23:0] mul_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [440:0] queue_out_data;
+    wire [23:0] mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y, mul_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y;
     wire lt_f24_ftz_unit_y;
 
-    assign in_ready = load_0;
     wire or_95 = end_d4 | lt_f24_ftz_unit_y;
     wire term_1 = phase == 3'd4;
-    wire term_2 = valid_d4 & or_95 & term_1;
-    wire queue_out_ready = out_ready;
+    wire term_2 = in_flight[3] & or_95 & term_1;
     wire term_3 = phase == 3'd7;
     wire [2:0] phase_next = queue_in_ready ? (term_3 ? (phase - 3'd7) : (phase + 3'd1)) : phase;
-    wire term_4 = queue_out_valid & ~queue_out_ready & (~queue_in_ready | term_2);
+    wire term_4 = queue_out_valid & ~out_ready & (~queue_in_ready | term_2);
     wire advance_next = ~term_4;
     wire equal_100 = in_attribute_0[14:10] == 5'd31;
     wire equal_102 = in_attribute_0[9:0] == 10'd0;
@@ -15863,158 +8374,64 @@ module splat_transform (
     wire [23:0] choice_26 = phase[0] ? mul_f24_ftz_unit_copy4_y : add_f24_ftz_unit_copy2_y;
     wire [23:0] choice_27 = phase[1] ? (phase[0] ? mul_74_d1 : mul_f24_ftz_unit_copy4_y) : choice_26;
 
+    assign in_ready = load_0;
     assign out_valid = queue_out_valid;
-    assign out_end = queue_out_end;
-    assign out_center_x = queue_out_center_x;
-    assign out_center_y = queue_out_center_y;
-    assign out_center_z = queue_out_center_z;
-    assign out_tangent1_x = queue_out_tangent1_x;
-    assign out_tangent1_y = queue_out_tangent1_y;
-    assign out_tangent1_z = queue_out_tangent1_z;
-    assign out_tangent2_x = queue_out_tangent2_x;
-    assign out_tangent2_y = queue_out_tangent2_y;
-    assign out_tangent2_z = queue_out_tangent2_z;
-    assign out_attribute_0 = queue_out_attribute_0;
-    assign out_attribute_1 = queue_out_attribute_1;
-    assign out_attribute_2 = queue_out_attribute_2;
-    assign out_attribute_3 = queue_out_attribute_3;
-    assign out_attribute_4 = queue_out_attribute_4;
-    assign out_attribute_5 = queue_out_attribute_5;
-    assign out_attribute_6 = queue_out_attribute_6;
-    assign out_attribute_7 = queue_out_attribute_7;
-    assign out_attribute_8 = queue_out_attribute_8;
-    assign out_attribute_9 = queue_out_attribute_9;
-    assign out_attribute_10 = queue_out_attribute_10;
-    assign out_attribute_11 = queue_out_attribute_11;
-    assign out_attribute_12 = queue_out_attribute_12;
-    assign out_cardinal_0 = queue_out_cardinal_0;
+    assign {
+        out_end, out_center_x, out_center_y, out_center_z, out_tangent1_x, out_tangent1_y, out_tangent1_z,
+        out_tangent2_x, out_tangent2_y, out_tangent2_z, out_attribute_0, out_attribute_1, out_attribute_2,
+        out_attribute_3, out_attribute_4, out_attribute_5, out_attribute_6, out_attribute_7, out_attribute_8,
+        out_attribute_9, out_attribute_10, out_attribute_11, out_attribute_12, out_cardinal_0
+    } = queue_out_data;
 
     stream_skid_w441 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_2),
-        .in_ready(queue_in_ready),
-        .in_end(end_d4),
-        .in_center_x(add_55_d1),
-        .in_center_y(add_56_d1),
-        .in_center_z(add_57_d1),
-        .in_tangent1_x(add_65_d1),
-        .in_tangent1_y(add_70_d1),
-        .in_tangent1_z(add_75_d1),
-        .in_tangent2_x(add_83_d1),
-        .in_tangent2_y(add_88_d1),
-        .in_tangent2_z(add_93_d1),
-        .in_attribute_0(select_107_d3),
-        .in_attribute_1(select_115_d3),
-        .in_attribute_2(select_123_d3),
-        .in_attribute_3(select_131_d3),
-        .in_attribute_4(select_139_d3),
-        .in_attribute_5(select_147_d3),
-        .in_attribute_6(select_155_d3),
-        .in_attribute_7(select_163_d3),
-        .in_attribute_8(select_171_d3),
-        .in_attribute_9(select_179_d3),
-        .in_attribute_10(select_187_d3),
-        .in_attribute_11(select_195_d3),
-        .in_attribute_12(select_203_d3),
-        .in_cardinal_0(cardinal_0_d4),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_end(queue_out_end),
-        .out_center_x(queue_out_center_x),
-        .out_center_y(queue_out_center_y),
-        .out_center_z(queue_out_center_z),
-        .out_tangent1_x(queue_out_tangent1_x),
-        .out_tangent1_y(queue_out_tangent1_y),
-        .out_tangent1_z(queue_out_tangent1_z),
-        .out_tangent2_x(queue_out_tangent2_x),
-        .out_tangent2_y(queue_out_tangent2_y),
-        .out_tangent2_z(queue_out_tangent2_z),
-        .out_attribute_0(queue_out_attribute_0),
-        .out_attribute_1(queue_out_attribute_1),
-        .out_attribute_2(queue_out_attribute_2),
-        .out_attribute_3(queue_out_attribute_3),
-        .out_attribute_4(queue_out_attribute_4),
-        .out_attribute_5(queue_out_attribute_5),
-        .out_attribute_6(queue_out_attribute_6),
-        .out_attribute_7(queue_out_attribute_7),
-        .out_attribute_8(queue_out_attribute_8),
-        .out_attribute_9(queue_out_attribute_9),
-        .out_attribute_10(queue_out_attribute_10),
-        .out_attribute_11(queue_out_attribute_11),
-        .out_attribute_12(queue_out_attribute_12),
-        .out_cardinal_0(queue_out_cardinal_0)
+        .clk(clk), .rst(rst),
+        .in_valid(term_2), .in_ready(queue_in_ready),
+        .in_data({
+            end_d4, add_55_d1, add_56_d1, add_57_d1, add_65_d1, add_70_d1, add_75_d1, add_83_d1, add_88_d1,
+            add_93_d1, select_107_d3, select_115_d3, select_123_d3, select_131_d3, select_139_d3, select_147_d3,
+            select_155_d3, select_163_d3, select_171_d3, select_179_d3, select_187_d3, select_195_d3,
+            select_203_d3, cardinal_0_d4
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_a),
-        .b(mul_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_a), .b(mul_f24_ftz_unit_b),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy2_a),
-        .b(mul_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy2_a), .b(mul_f24_ftz_unit_copy2_b),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy3_a),
-        .b(mul_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy3_a), .b(mul_f24_ftz_unit_copy3_b),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
     float_mul_s4_ff24ftz mul_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_copy4_a),
-        .b(mul_f24_ftz_unit_copy4_b),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_copy4_a), .b(mul_f24_ftz_unit_copy4_b),
         .y(mul_f24_ftz_unit_copy4_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_a),
-        .b(add_f24_ftz_unit_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_a), .b(add_f24_ftz_unit_b),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_a),
-        .b(add_f24_ftz_unit_copy2_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_a), .b(add_f24_ftz_unit_copy2_b),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add_s6_ff24ftz add_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy3_a),
-        .b(add_f24_ftz_unit_copy3_b),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_a), .b(add_f24_ftz_unit_copy3_b),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_lt lt_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(near_plane),
-        .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(near_plane), .b(add_f24_ftz_unit_copy2_y),
         .y(lt_f24_ftz_unit_y)
     );
 
@@ -16029,10 +8446,7 @@ module splat_transform (
             load_5 <= 1'd0;
             load_6 <= 1'd0;
             load_7 <= 1'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
+            in_flight <= 4'd0;
         end else begin
             phase <= phase_next;
             load_0 <= advance_next & (phase_next == 3'd0);
@@ -16043,12 +8457,7 @@ module splat_transform (
             load_5 <= advance_next & (phase_next == 3'd5);
             load_6 <= advance_next & (phase_next == 3'd6);
             load_7 <= advance_next & (phase_next == 3'd7);
-            if (load_0) begin
-                valid_d1 <= in_valid;
-                valid_d2 <= valid_d1;
-                valid_d3 <= valid_d2;
-                valid_d4 <= valid_d3;
-            end
+            if (load_0) in_flight <= {in_flight[2:0], in_valid};
         end
     end
     always @(posedge clk) begin
@@ -16131,9 +8540,7 @@ module splat_transform (
             mul_87_d1 <= mul_f24_ftz_unit_copy2_y;
             mul_92_d1 <= mul_f24_ftz_unit_copy3_y;
         end
-        if (load_5) begin
-            add_65_d1 <= add_f24_ftz_unit_copy2_y;
-        end
+        if (load_5) add_65_d1 <= add_f24_ftz_unit_copy2_y;
         if (load_6) begin
             add_70_d1 <= add_f24_ftz_unit_copy2_y;
             add_75_d1 <= add_f24_ftz_unit_copy3_y;
@@ -16279,15 +8686,12 @@ endmodule
 // format = f24-ftz
 module float_lt (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  y
 );
-    reg unordered_s1;
-    reg both_zero_s1;
-    reg compared_s1;
+    reg unordered_s1, both_zero_s1, compared_s1;
 
     wire [14:0] term_1 = a[14:0] & {15{|a[22:15]}};
     wire [14:0] term_2 = b[14:0] & {15{|b[22:15]}};
@@ -16302,8 +8706,6 @@ module float_lt (
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating-point sum.
@@ -16311,46 +8713,22 @@ endmodule
 // format = f24-ftz
 module float_add_s6_ff24ftz (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
     reg [9:0] distance_s1;
-    reg [15:0] large_s1;
-    reg [15:0] small_s1;
-    reg [15:0] large_s2;
+    reg [15:0] large_s1, small_s1, large_s2;
     reg [18:0] aligned_s2;
-    reg subtract_s1;
-    reg subtract_s2;
+    reg subtract_s1, subtract_s2;
     reg [19:0] sum_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg subtract_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, subtract_s3;
     reg [19:0] value_s4;
     reg [4:0] zeros_s4;
-    reg [9:0] limit_s1;
-    reg [9:0] limit_s2;
-    reg [9:0] limit_s3;
-    reg [9:0] limit_s4;
-    reg [9:0] exponent_s5;
+    reg [9:0] limit_s1, limit_s2, limit_s3, limit_s4, exponent_s5;
     reg [17:0] significand_s5;
-    reg sign_s4;
-    reg sign_s5;
-    reg nan_s4;
-    reg nan_s5;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg zero_s4;
-    reg zero_s5;
+    reg sign_s4, sign_s5, nan_s4, nan_s5, infinite_s4, infinite_s5, zero_s4, zero_s5;
 
     wire swap = a[22:0] < b[22:0];
     wire [7:0] b_field = b[22:15];
@@ -16433,7 +8811,7 @@ module float_add_s6_ff24ftz (
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], rst, significand_s5[17], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_12[0]};
 endmodule
 
 // Floating-point product.
@@ -16441,31 +8819,18 @@ endmodule
 // format = f24-ftz
 module float_mul_s4_ff24ftz (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg [15:0] left_s1;
-    reg [15:0] right_s1;
+    reg [15:0] left_s1, right_s1;
     reg [9:0] exponent_s1;
     reg [31:0] product_s2;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s2, exponent_s3;
     reg [17:0] significand_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, zero_s1;
+    reg zero_s2, zero_s3;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -16508,7 +8873,7 @@ module float_mul_s4_ff24ftz (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s3[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Queue of two in registers.
@@ -16518,134 +8883,32 @@ module stream_skid_w441 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_end,
-    input  wire [23:0] in_center_x,
-    input  wire [23:0] in_center_y,
-    input  wire [23:0] in_center_z,
-    input  wire [23:0] in_tangent1_x,
-    input  wire [23:0] in_tangent1_y,
-    input  wire [23:0] in_tangent1_z,
-    input  wire [23:0] in_tangent2_x,
-    input  wire [23:0] in_tangent2_y,
-    input  wire [23:0] in_tangent2_z,
-    input  wire [15:0] in_attribute_0,
-    input  wire [15:0] in_attribute_1,
-    input  wire [15:0] in_attribute_2,
-    input  wire [15:0] in_attribute_3,
-    input  wire [15:0] in_attribute_4,
-    input  wire [15:0] in_attribute_5,
-    input  wire [15:0] in_attribute_6,
-    input  wire [15:0] in_attribute_7,
-    input  wire [15:0] in_attribute_8,
-    input  wire [15:0] in_attribute_9,
-    input  wire [15:0] in_attribute_10,
-    input  wire [15:0] in_attribute_11,
-    input  wire [15:0] in_attribute_12,
-    input  wire [15:0] in_cardinal_0,
+    input  wire [440:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_end,
-    output wire [23:0] out_center_x,
-    output wire [23:0] out_center_y,
-    output wire [23:0] out_center_z,
-    output wire [23:0] out_tangent1_x,
-    output wire [23:0] out_tangent1_y,
-    output wire [23:0] out_tangent1_z,
-    output wire [23:0] out_tangent2_x,
-    output wire [23:0] out_tangent2_y,
-    output wire [23:0] out_tangent2_z,
-    output wire [15:0] out_attribute_0,
-    output wire [15:0] out_attribute_1,
-    output wire [15:0] out_attribute_2,
-    output wire [15:0] out_attribute_3,
-    output wire [15:0] out_attribute_4,
-    output wire [15:0] out_attribute_5,
-    output wire [15:0] out_attribute_6,
-    output wire [15:0] out_attribute_7,
-    output wire [15:0] out_attribute_8,
-    output wire [15:0] out_attribute_9,
-    output wire [15:0] out_attribute_10,
-    output wire [15:0] out_attribute_11,
-    output wire [15:0] out_attribute_12,
-    output wire [15:0] out_cardinal_0
+    output wire [440:0] out_data
 );
     reg second_valid;
-    reg [440:0] head;
-    reg [440:0] second;
+    reg [440:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [440:0] in_item = {
-        in_end,
-        in_center_x,
-        in_center_y,
-        in_center_z,
-        in_tangent1_x,
-        in_tangent1_y,
-        in_tangent1_z,
-        in_tangent2_x,
-        in_tangent2_y,
-        in_tangent2_z,
-        in_attribute_0,
-        in_attribute_1,
-        in_attribute_2,
-        in_attribute_3,
-        in_attribute_4,
-        in_attribute_5,
-        in_attribute_6,
-        in_attribute_7,
-        in_attribute_8,
-        in_attribute_9,
-        in_attribute_10,
-        in_attribute_11,
-        in_attribute_12,
-        in_cardinal_0
-    };
 
-    assign out_end = head[440];
-    assign out_center_x = head[439:416];
-    assign out_center_y = head[415:392];
-    assign out_center_z = head[391:368];
-    assign out_tangent1_x = head[367:344];
-    assign out_tangent1_y = head[343:320];
-    assign out_tangent1_z = head[319:296];
-    assign out_tangent2_x = head[295:272];
-    assign out_tangent2_y = head[271:248];
-    assign out_tangent2_z = head[247:224];
-    assign out_attribute_0 = head[223:208];
-    assign out_attribute_1 = head[207:192];
-    assign out_attribute_2 = head[191:176];
-    assign out_attribute_3 = head[175:160];
-    assign out_attribute_4 = head[159:144];
-    assign out_attribute_5 = head[143:128];
-    assign out_attribute_6 = head[127:112];
-    assign out_attribute_7 = head[111:96];
-    assign out_attribute_8 = head[95:80];
-    assign out_attribute_9 = head[79:64];
-    assign out_attribute_10 = head[63:48];
-    assign out_attribute_11 = head[47:32];
-    assign out_attribute_12 = head[31:16];
-    assign out_cardinal_0 = head[15:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -16662,4 +8925,38 @@ module stream_skid_w441 (
         end
     end
 `endif
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is anything: with assertions, the old one inverted.
+module memory_1w1r_unordered #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            (* no_rw_check *)
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+`ifdef RTL_ASSERT
+                if (read && write && read_address == write_address) read_word <= ~words[read_address];
+`endif
+            end
+        end
+    endgenerate
 endmodule

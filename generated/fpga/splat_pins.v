@@ -11,155 +11,68 @@ module splat_pins (
     reg drive_uniform_valid;
     reg [4:0] drive_uniform_address;
     reg [31:0] drive_uniform_data;
-    reg drive_splat_valid;
-    reg catch_splat_ready;
-    reg drive_splat_end;
-    reg [31:0] drive_splat_center_x;
-    reg [31:0] drive_splat_center_y;
-    reg [31:0] drive_splat_center_z;
-    reg [31:0] drive_splat_tangent1_x;
-    reg [31:0] drive_splat_tangent1_y;
-    reg [31:0] drive_splat_tangent1_z;
-    reg [31:0] drive_splat_tangent2_x;
-    reg [31:0] drive_splat_tangent2_y;
+    reg drive_splat_valid, catch_splat_ready, drive_splat_end;
+    reg [31:0] drive_splat_center_x, drive_splat_center_y, drive_splat_center_z, drive_splat_tangent1_x;
+    reg [31:0] drive_splat_tangent1_y, drive_splat_tangent1_z, drive_splat_tangent2_x, drive_splat_tangent2_y;
     reg [31:0] drive_splat_tangent2_z;
-    reg [15:0] drive_splat_attribute_0;
-    reg [15:0] drive_splat_attribute_1;
-    reg [15:0] drive_splat_attribute_2;
-    reg [15:0] drive_splat_attribute_3;
-    reg [15:0] drive_splat_attribute_4;
-    reg [15:0] drive_splat_attribute_5;
-    reg [15:0] drive_splat_attribute_6;
-    reg [15:0] drive_splat_attribute_7;
-    reg [15:0] drive_splat_attribute_8;
-    reg [15:0] drive_splat_attribute_9;
-    reg [15:0] drive_splat_attribute_10;
-    reg [15:0] drive_splat_attribute_11;
-    reg [15:0] drive_splat_attribute_12;
-    reg [15:0] drive_splat_cardinal_0;
-    reg catch_read_valid;
-    reg drive_read_ready;
+    reg [15:0] drive_splat_attribute_0, drive_splat_attribute_1, drive_splat_attribute_2, drive_splat_attribute_3;
+    reg [15:0] drive_splat_attribute_4, drive_splat_attribute_5, drive_splat_attribute_6, drive_splat_attribute_7;
+    reg [15:0] drive_splat_attribute_8, drive_splat_attribute_9, drive_splat_attribute_10, drive_splat_attribute_11;
+    reg [15:0] drive_splat_attribute_12, drive_splat_cardinal_0;
+    reg catch_read_valid, drive_read_ready;
     reg [11:0] catch_read_tile;
-    reg drive_data_valid;
-    reg catch_data_ready;
+    reg drive_data_valid, catch_data_ready;
     reg [27:0] drive_data_weight;
     reg [51:0] drive_data_depth;
-    reg [15:0] drive_data_peak;
-    reg [15:0] drive_data_attribute_0;
-    reg [15:0] drive_data_attribute_1;
-    reg [15:0] drive_data_attribute_2;
-    reg [15:0] drive_data_attribute_3;
-    reg [15:0] drive_data_attribute_4;
-    reg [15:0] drive_data_attribute_5;
-    reg [15:0] drive_data_attribute_6;
-    reg [15:0] drive_data_attribute_7;
-    reg [15:0] drive_data_attribute_8;
-    reg [15:0] drive_data_attribute_9;
-    reg [15:0] drive_data_attribute_10;
-    reg [15:0] drive_data_attribute_11;
-    reg [15:0] drive_data_attribute_12;
-    reg [15:0] drive_data_cardinal_0;
-    reg catch_write_valid;
-    reg drive_write_ready;
+    reg [15:0] drive_data_peak, drive_data_attribute_0, drive_data_attribute_1, drive_data_attribute_2;
+    reg [15:0] drive_data_attribute_3, drive_data_attribute_4, drive_data_attribute_5, drive_data_attribute_6;
+    reg [15:0] drive_data_attribute_7, drive_data_attribute_8, drive_data_attribute_9, drive_data_attribute_10;
+    reg [15:0] drive_data_attribute_11, drive_data_attribute_12, drive_data_cardinal_0;
+    reg catch_write_valid, drive_write_ready;
     reg [11:0] catch_write_tile;
     reg [5:0] catch_write_pixel;
     reg [27:0] catch_write_weight;
     reg [51:0] catch_write_depth;
-    reg [15:0] catch_write_peak;
-    reg [15:0] catch_write_attribute_0;
-    reg [15:0] catch_write_attribute_1;
-    reg [15:0] catch_write_attribute_2;
-    reg [15:0] catch_write_attribute_3;
-    reg [15:0] catch_write_attribute_4;
-    reg [15:0] catch_write_attribute_5;
-    reg [15:0] catch_write_attribute_6;
-    reg [15:0] catch_write_attribute_7;
-    reg [15:0] catch_write_attribute_8;
-    reg [15:0] catch_write_attribute_9;
-    reg [15:0] catch_write_attribute_10;
-    reg [15:0] catch_write_attribute_11;
-    reg [15:0] catch_write_attribute_12;
-    reg [15:0] catch_write_cardinal_0;
-    reg catch_fragment_valid;
-    reg drive_fragment_ready;
-    reg catch_fragment_end;
-    reg [8:0] catch_fragment_column;
-    reg [8:0] catch_fragment_row;
+    reg [15:0] catch_write_peak, catch_write_attribute_0, catch_write_attribute_1, catch_write_attribute_2;
+    reg [15:0] catch_write_attribute_3, catch_write_attribute_4, catch_write_attribute_5, catch_write_attribute_6;
+    reg [15:0] catch_write_attribute_7, catch_write_attribute_8, catch_write_attribute_9, catch_write_attribute_10;
+    reg [15:0] catch_write_attribute_11, catch_write_attribute_12, catch_write_cardinal_0;
+    reg catch_fragment_valid, drive_fragment_ready, catch_fragment_end;
+    reg [8:0] catch_fragment_column, catch_fragment_row;
     reg [31:0] catch_fragment_depth;
-    reg [15:0] catch_fragment_attribute_0;
-    reg [15:0] catch_fragment_attribute_1;
-    reg [15:0] catch_fragment_attribute_2;
-    reg [15:0] catch_fragment_attribute_3;
-    reg [15:0] catch_fragment_attribute_4;
-    reg [15:0] catch_fragment_attribute_5;
-    reg [15:0] catch_fragment_attribute_6;
-    reg [15:0] catch_fragment_attribute_7;
-    reg [15:0] catch_fragment_attribute_8;
-    reg [15:0] catch_fragment_attribute_9;
-    reg [15:0] catch_fragment_attribute_10;
-    reg [15:0] catch_fragment_attribute_11;
-    reg [15:0] catch_fragment_attribute_12;
-    reg [15:0] catch_fragment_cardinal_0;
-    reg catch_event_sample;
-    reg catch_event_starved;
-    reg catch_event_blocked;
-    reg catch_event_accumulate;
-    reg catch_event_hazard;
-    reg catch_event_slot_wait;
+    reg [15:0] catch_fragment_attribute_0, catch_fragment_attribute_1, catch_fragment_attribute_2;
+    reg [15:0] catch_fragment_attribute_3, catch_fragment_attribute_4, catch_fragment_attribute_5;
+    reg [15:0] catch_fragment_attribute_6, catch_fragment_attribute_7, catch_fragment_attribute_8;
+    reg [15:0] catch_fragment_attribute_9, catch_fragment_attribute_10, catch_fragment_attribute_11;
+    reg [15:0] catch_fragment_attribute_12, catch_fragment_cardinal_0;
+    reg catch_event_sample, catch_event_starved, catch_event_blocked, catch_event_accumulate;
+    reg catch_event_hazard, catch_event_slot_wait;
     reg [159:0] fold_0;
     reg [39:0] fold_1;
     reg [9:0] fold_2;
     reg [2:0] fold_3;
     reg fold_4;
 
-    wire unit_splat_ready;
-    wire unit_read_valid;
+    wire unit_splat_ready, unit_read_valid;
     wire [11:0] unit_read_tile;
-    wire unit_data_ready;
-    wire unit_write_valid;
+    wire unit_data_ready, unit_write_valid;
     wire [11:0] unit_write_tile;
     wire [5:0] unit_write_pixel;
     wire [27:0] unit_write_weight;
     wire [51:0] unit_write_depth;
-    wire [15:0] unit_write_peak;
-    wire [15:0] unit_write_attribute_0;
-    wire [15:0] unit_write_attribute_1;
-    wire [15:0] unit_write_attribute_2;
-    wire [15:0] unit_write_attribute_3;
-    wire [15:0] unit_write_attribute_4;
-    wire [15:0] unit_write_attribute_5;
-    wire [15:0] unit_write_attribute_6;
-    wire [15:0] unit_write_attribute_7;
-    wire [15:0] unit_write_attribute_8;
-    wire [15:0] unit_write_attribute_9;
-    wire [15:0] unit_write_attribute_10;
-    wire [15:0] unit_write_attribute_11;
-    wire [15:0] unit_write_attribute_12;
-    wire [15:0] unit_write_cardinal_0;
-    wire unit_fragment_valid;
-    wire unit_fragment_end;
-    wire [8:0] unit_fragment_column;
-    wire [8:0] unit_fragment_row;
+    wire [15:0] unit_write_peak, unit_write_attribute_0, unit_write_attribute_1, unit_write_attribute_2;
+    wire [15:0] unit_write_attribute_3, unit_write_attribute_4, unit_write_attribute_5, unit_write_attribute_6;
+    wire [15:0] unit_write_attribute_7, unit_write_attribute_8, unit_write_attribute_9, unit_write_attribute_10;
+    wire [15:0] unit_write_attribute_11, unit_write_attribute_12, unit_write_cardinal_0;
+    wire unit_fragment_valid, unit_fragment_end;
+    wire [8:0] unit_fragment_column, unit_fragment_row;
     wire [31:0] unit_fragment_depth;
-    wire [15:0] unit_fragment_attribute_0;
-    wire [15:0] unit_fragment_attribute_1;
-    wire [15:0] unit_fragment_attribute_2;
-    wire [15:0] unit_fragment_attribute_3;
-    wire [15:0] unit_fragment_attribute_4;
-    wire [15:0] unit_fragment_attribute_5;
-    wire [15:0] unit_fragment_attribute_6;
-    wire [15:0] unit_fragment_attribute_7;
-    wire [15:0] unit_fragment_attribute_8;
-    wire [15:0] unit_fragment_attribute_9;
-    wire [15:0] unit_fragment_attribute_10;
-    wire [15:0] unit_fragment_attribute_11;
-    wire [15:0] unit_fragment_attribute_12;
-    wire [15:0] unit_fragment_cardinal_0;
-    wire unit_event_sample;
-    wire unit_event_starved;
-    wire unit_event_blocked;
-    wire unit_event_accumulate;
-    wire unit_event_hazard;
+    wire [15:0] unit_fragment_attribute_0, unit_fragment_attribute_1, unit_fragment_attribute_2;
+    wire [15:0] unit_fragment_attribute_3, unit_fragment_attribute_4, unit_fragment_attribute_5;
+    wire [15:0] unit_fragment_attribute_6, unit_fragment_attribute_7, unit_fragment_attribute_8;
+    wire [15:0] unit_fragment_attribute_9, unit_fragment_attribute_10, unit_fragment_attribute_11;
+    wire [15:0] unit_fragment_attribute_12, unit_fragment_cardinal_0;
+    wire unit_event_sample, unit_event_starved, unit_event_blocked, unit_event_accumulate, unit_event_hazard;
     wire unit_event_slot_wait;
 
     wire term_1 = drive_fragment_ready ^ catch_event_slot_wait ^ catch_event_hazard;
@@ -403,106 +316,56 @@ module splat_pins (
     assign serial_out = fold_4;
 
     splat_top unit (
-        .clk(clk),
-        .rst(rst),
-        .uniform_valid(drive_uniform_valid),
-        .uniform_address(drive_uniform_address),
+        .clk(clk), .rst(rst),
+        .uniform_valid(drive_uniform_valid), .uniform_address(drive_uniform_address),
         .uniform_data(drive_uniform_data),
-        .splat_valid(drive_splat_valid),
-        .splat_ready(unit_splat_ready),
-        .splat_end(drive_splat_end),
-        .splat_center_x(drive_splat_center_x),
-        .splat_center_y(drive_splat_center_y),
-        .splat_center_z(drive_splat_center_z),
-        .splat_tangent1_x(drive_splat_tangent1_x),
-        .splat_tangent1_y(drive_splat_tangent1_y),
-        .splat_tangent1_z(drive_splat_tangent1_z),
-        .splat_tangent2_x(drive_splat_tangent2_x),
-        .splat_tangent2_y(drive_splat_tangent2_y),
-        .splat_tangent2_z(drive_splat_tangent2_z),
-        .splat_attribute_0(drive_splat_attribute_0),
-        .splat_attribute_1(drive_splat_attribute_1),
-        .splat_attribute_2(drive_splat_attribute_2),
-        .splat_attribute_3(drive_splat_attribute_3),
-        .splat_attribute_4(drive_splat_attribute_4),
-        .splat_attribute_5(drive_splat_attribute_5),
-        .splat_attribute_6(drive_splat_attribute_6),
-        .splat_attribute_7(drive_splat_attribute_7),
-        .splat_attribute_8(drive_splat_attribute_8),
-        .splat_attribute_9(drive_splat_attribute_9),
-        .splat_attribute_10(drive_splat_attribute_10),
-        .splat_attribute_11(drive_splat_attribute_11),
-        .splat_attribute_12(drive_splat_attribute_12),
+        .splat_valid(drive_splat_valid), .splat_ready(unit_splat_ready), .splat_end(drive_splat_end),
+        .splat_center_x(drive_splat_center_x), .splat_center_y(drive_splat_center_y),
+        .splat_center_z(drive_splat_center_z), .splat_tangent1_x(drive_splat_tangent1_x),
+        .splat_tangent1_y(drive_splat_tangent1_y), .splat_tangent1_z(drive_splat_tangent1_z),
+        .splat_tangent2_x(drive_splat_tangent2_x), .splat_tangent2_y(drive_splat_tangent2_y),
+        .splat_tangent2_z(drive_splat_tangent2_z), .splat_attribute_0(drive_splat_attribute_0),
+        .splat_attribute_1(drive_splat_attribute_1), .splat_attribute_2(drive_splat_attribute_2),
+        .splat_attribute_3(drive_splat_attribute_3), .splat_attribute_4(drive_splat_attribute_4),
+        .splat_attribute_5(drive_splat_attribute_5), .splat_attribute_6(drive_splat_attribute_6),
+        .splat_attribute_7(drive_splat_attribute_7), .splat_attribute_8(drive_splat_attribute_8),
+        .splat_attribute_9(drive_splat_attribute_9), .splat_attribute_10(drive_splat_attribute_10),
+        .splat_attribute_11(drive_splat_attribute_11), .splat_attribute_12(drive_splat_attribute_12),
         .splat_cardinal_0(drive_splat_cardinal_0),
-        .read_valid(unit_read_valid),
-        .read_ready(drive_read_ready),
-        .read_tile(unit_read_tile),
-        .data_valid(drive_data_valid),
-        .data_ready(unit_data_ready),
-        .data_weight(drive_data_weight),
-        .data_depth(drive_data_depth),
-        .data_peak(drive_data_peak),
-        .data_attribute_0(drive_data_attribute_0),
-        .data_attribute_1(drive_data_attribute_1),
-        .data_attribute_2(drive_data_attribute_2),
-        .data_attribute_3(drive_data_attribute_3),
-        .data_attribute_4(drive_data_attribute_4),
-        .data_attribute_5(drive_data_attribute_5),
-        .data_attribute_6(drive_data_attribute_6),
-        .data_attribute_7(drive_data_attribute_7),
-        .data_attribute_8(drive_data_attribute_8),
-        .data_attribute_9(drive_data_attribute_9),
-        .data_attribute_10(drive_data_attribute_10),
-        .data_attribute_11(drive_data_attribute_11),
-        .data_attribute_12(drive_data_attribute_12),
+        .read_valid(unit_read_valid), .read_ready(drive_read_ready), .read_tile(unit_read_tile),
+        .data_valid(drive_data_valid), .data_ready(unit_data_ready), .data_weight(drive_data_weight),
+        .data_depth(drive_data_depth), .data_peak(drive_data_peak), .data_attribute_0(drive_data_attribute_0),
+        .data_attribute_1(drive_data_attribute_1), .data_attribute_2(drive_data_attribute_2),
+        .data_attribute_3(drive_data_attribute_3), .data_attribute_4(drive_data_attribute_4),
+        .data_attribute_5(drive_data_attribute_5), .data_attribute_6(drive_data_attribute_6),
+        .data_attribute_7(drive_data_attribute_7), .data_attribute_8(drive_data_attribute_8),
+        .data_attribute_9(drive_data_attribute_9), .data_attribute_10(drive_data_attribute_10),
+        .data_attribute_11(drive_data_attribute_11), .data_attribute_12(drive_data_attribute_12),
         .data_cardinal_0(drive_data_cardinal_0),
-        .write_valid(unit_write_valid),
-        .write_ready(drive_write_ready),
-        .write_tile(unit_write_tile),
-        .write_pixel(unit_write_pixel),
-        .write_weight(unit_write_weight),
-        .write_depth(unit_write_depth),
-        .write_peak(unit_write_peak),
-        .write_attribute_0(unit_write_attribute_0),
-        .write_attribute_1(unit_write_attribute_1),
-        .write_attribute_2(unit_write_attribute_2),
-        .write_attribute_3(unit_write_attribute_3),
-        .write_attribute_4(unit_write_attribute_4),
-        .write_attribute_5(unit_write_attribute_5),
-        .write_attribute_6(unit_write_attribute_6),
-        .write_attribute_7(unit_write_attribute_7),
-        .write_attribute_8(unit_write_attribute_8),
-        .write_attribute_9(unit_write_attribute_9),
-        .write_attribute_10(unit_write_attribute_10),
-        .write_attribute_11(unit_write_attribute_11),
-        .write_attribute_12(unit_write_attribute_12),
+        .write_valid(unit_write_valid), .write_ready(drive_write_ready), .write_tile(unit_write_tile),
+        .write_pixel(unit_write_pixel), .write_weight(unit_write_weight), .write_depth(unit_write_depth),
+        .write_peak(unit_write_peak), .write_attribute_0(unit_write_attribute_0),
+        .write_attribute_1(unit_write_attribute_1), .write_attribute_2(unit_write_attribute_2),
+        .write_attribute_3(unit_write_attribute_3), .write_attribute_4(unit_write_attribute_4),
+        .write_attribute_5(unit_write_attribute_5), .write_attribute_6(unit_write_attribute_6),
+        .write_attribute_7(unit_write_attribute_7), .write_attribute_8(unit_write_attribute_8),
+        .write_attribute_9(unit_write_attribute_9), .write_attribute_10(unit_write_attribute_10),
+        .write_attribute_11(unit_write_attribute_11), .write_attribute_12(unit_write_attribute_12),
         .write_cardinal_0(unit_write_cardinal_0),
-        .fragment_valid(unit_fragment_valid),
-        .fragment_ready(drive_fragment_ready),
-        .fragment_end(unit_fragment_end),
-        .fragment_column(unit_fragment_column),
-        .fragment_row(unit_fragment_row),
-        .fragment_depth(unit_fragment_depth),
-        .fragment_attribute_0(unit_fragment_attribute_0),
-        .fragment_attribute_1(unit_fragment_attribute_1),
-        .fragment_attribute_2(unit_fragment_attribute_2),
-        .fragment_attribute_3(unit_fragment_attribute_3),
-        .fragment_attribute_4(unit_fragment_attribute_4),
-        .fragment_attribute_5(unit_fragment_attribute_5),
-        .fragment_attribute_6(unit_fragment_attribute_6),
-        .fragment_attribute_7(unit_fragment_attribute_7),
-        .fragment_attribute_8(unit_fragment_attribute_8),
-        .fragment_attribute_9(unit_fragment_attribute_9),
+        .fragment_valid(unit_fragment_valid), .fragment_ready(drive_fragment_ready),
+        .fragment_end(unit_fragment_end), .fragment_column(unit_fragment_column),
+        .fragment_row(unit_fragment_row), .fragment_depth(unit_fragment_depth),
+        .fragment_attribute_0(unit_fragment_attribute_0), .fragment_attribute_1(unit_fragment_attribute_1),
+        .fragment_attribute_2(unit_fragment_attribute_2), .fragment_attribute_3(unit_fragment_attribute_3),
+        .fragment_attribute_4(unit_fragment_attribute_4), .fragment_attribute_5(unit_fragment_attribute_5),
+        .fragment_attribute_6(unit_fragment_attribute_6), .fragment_attribute_7(unit_fragment_attribute_7),
+        .fragment_attribute_8(unit_fragment_attribute_8), .fragment_attribute_9(unit_fragment_attribute_9),
         .fragment_attribute_10(unit_fragment_attribute_10),
         .fragment_attribute_11(unit_fragment_attribute_11),
-        .fragment_attribute_12(unit_fragment_attribute_12),
-        .fragment_cardinal_0(unit_fragment_cardinal_0),
-        .event_sample(unit_event_sample),
-        .event_starved(unit_event_starved),
-        .event_blocked(unit_event_blocked),
-        .event_accumulate(unit_event_accumulate),
-        .event_hazard(unit_event_hazard),
-        .event_slot_wait(unit_event_slot_wait)
+        .fragment_attribute_12(unit_fragment_attribute_12), .fragment_cardinal_0(unit_fragment_cardinal_0),
+        .event_sample(unit_event_sample), .event_starved(unit_event_starved),
+        .event_blocked(unit_event_blocked), .event_accumulate(unit_event_accumulate),
+        .event_hazard(unit_event_hazard), .event_slot_wait(unit_event_slot_wait)
     );
 
     always @(posedge clk) begin
@@ -605,192 +468,62 @@ module splat_pins (
         catch_event_hazard <= unit_event_hazard;
         catch_event_slot_wait <= unit_event_slot_wait;
         fold_0 <= {
-            term_1 ^ catch_event_accumulate,
-            term_2 ^ catch_fragment_cardinal_0[0],
-            term_4,
-            term_6,
-            term_8,
-            term_10,
-            term_12,
-            term_14,
-            term_16,
-            term_18,
-            term_20,
-            term_22,
-            term_24,
-            term_26,
-            term_28,
-            term_30,
-            term_32,
-            term_34,
-            term_36,
-            term_38,
-            term_40,
-            term_42,
-            term_44,
-            term_46,
-            term_48,
-            term_50,
-            term_52,
-            term_54,
-            term_56,
-            term_58,
-            term_60,
-            term_62,
-            term_64,
-            term_66,
-            term_68,
-            term_70,
-            term_72,
-            term_74,
-            term_76,
-            term_78,
-            term_80,
-            term_82,
-            term_84,
-            term_86,
-            term_88,
-            term_90,
-            term_92,
-            term_94,
-            term_96,
-            term_98,
-            term_100,
-            term_102,
-            term_104,
-            term_106,
-            term_108,
-            term_110,
-            term_112,
-            term_114,
-            term_115 ^ catch_fragment_depth[4],
-            term_116 ^ catch_fragment_depth[8],
-            term_117 ^ catch_fragment_depth[12],
-            term_118 ^ catch_fragment_depth[16],
-            term_119 ^ catch_fragment_depth[20],
-            term_120 ^ catch_fragment_depth[24],
-            term_121 ^ catch_fragment_depth[28],
-            term_122 ^ catch_fragment_row[0],
-            term_123 ^ catch_fragment_row[4],
-            term_124 ^ catch_fragment_row[8],
-            term_125 ^ catch_fragment_column[3],
-            term_126 ^ catch_fragment_column[7],
-            term_127 ^ catch_write_cardinal_0[0],
-            term_128 ^ catch_write_cardinal_0[4],
-            term_129 ^ catch_write_cardinal_0[8],
-            term_130 ^ catch_write_cardinal_0[12],
-            term_131 ^ catch_write_attribute_12[0],
-            term_133,
-            term_135,
-            term_137,
-            term_139,
-            term_141,
-            term_143,
-            term_145,
-            term_147,
-            term_149,
-            term_151,
-            term_153,
-            term_155,
-            term_156 ^ catch_write_attribute_9[4],
-            term_157 ^ catch_write_attribute_9[8],
-            term_158 ^ catch_write_attribute_9[12],
-            term_160,
-            term_161 ^ catch_write_attribute_8[4],
-            term_162 ^ catch_write_attribute_8[8],
-            term_163 ^ catch_write_attribute_8[12],
-            term_165,
-            term_166 ^ catch_write_attribute_7[4],
-            term_167 ^ catch_write_attribute_7[8],
-            term_168 ^ catch_write_attribute_7[12],
-            term_170,
-            term_171 ^ catch_write_attribute_6[4],
-            term_172 ^ catch_write_attribute_6[8],
-            term_173 ^ catch_write_attribute_6[12],
-            term_175,
-            term_176 ^ catch_write_attribute_5[4],
-            term_177 ^ catch_write_attribute_5[8],
-            term_178 ^ catch_write_attribute_5[12],
-            term_180,
-            term_181 ^ catch_write_attribute_4[4],
-            term_182 ^ catch_write_attribute_4[8],
-            term_183 ^ catch_write_attribute_4[12],
-            term_185,
-            term_186 ^ catch_write_attribute_3[4],
-            term_187 ^ catch_write_attribute_3[8],
-            term_188 ^ catch_write_attribute_3[12],
-            term_190,
-            term_191 ^ catch_write_attribute_2[4],
-            term_192 ^ catch_write_attribute_2[8],
-            term_193 ^ catch_write_attribute_2[12],
-            term_195,
-            term_196 ^ catch_write_attribute_1[4],
-            term_197 ^ catch_write_attribute_1[8],
-            term_198 ^ catch_write_attribute_1[12],
-            term_200,
-            term_201 ^ catch_write_attribute_0[4],
-            term_202 ^ catch_write_attribute_0[8],
-            term_203 ^ catch_write_attribute_0[12],
-            term_205,
-            term_206 ^ catch_write_peak[4],
-            term_207 ^ catch_write_peak[8],
-            term_208 ^ catch_write_peak[12],
-            term_209 ^ catch_write_depth[0],
-            term_210 ^ catch_write_depth[4],
-            term_211 ^ catch_write_depth[8],
-            term_212 ^ catch_write_depth[12],
-            term_213 ^ catch_write_depth[16],
-            term_214 ^ catch_write_depth[20],
-            term_215 ^ catch_write_depth[24],
-            term_216 ^ catch_write_depth[28],
-            term_217 ^ catch_write_depth[32],
-            term_218 ^ catch_write_depth[36],
-            term_219 ^ catch_write_depth[40],
-            term_220 ^ catch_write_depth[44],
-            term_221 ^ catch_write_depth[48],
-            term_222 ^ catch_write_weight[0],
-            term_223 ^ catch_write_weight[4],
-            term_224 ^ catch_write_weight[8],
-            term_225 ^ catch_write_weight[12],
-            term_226 ^ catch_write_weight[16],
-            term_227 ^ catch_write_weight[20],
-            term_228 ^ catch_write_weight[24],
-            term_229 ^ catch_write_pixel[0],
-            term_230 ^ catch_write_pixel[4],
-            term_231 ^ catch_write_tile[2],
-            term_232 ^ catch_write_tile[6],
-            term_233 ^ catch_write_tile[10],
-            term_234 ^ catch_read_tile[0],
-            term_235 ^ catch_read_tile[4],
-            term_236 ^ catch_read_tile[8],
-            term_237 ^ catch_read_valid,
-            catch_splat_ready
+            term_1 ^ catch_event_accumulate, term_2 ^ catch_fragment_cardinal_0[0], term_4, term_6, term_8,
+            term_10, term_12, term_14, term_16, term_18, term_20, term_22, term_24, term_26, term_28, term_30,
+            term_32, term_34, term_36, term_38, term_40, term_42, term_44, term_46, term_48, term_50, term_52,
+            term_54, term_56, term_58, term_60, term_62, term_64, term_66, term_68, term_70, term_72, term_74,
+            term_76, term_78, term_80, term_82, term_84, term_86, term_88, term_90, term_92, term_94, term_96,
+            term_98, term_100, term_102, term_104, term_106, term_108, term_110, term_112, term_114,
+            term_115 ^ catch_fragment_depth[4], term_116 ^ catch_fragment_depth[8],
+            term_117 ^ catch_fragment_depth[12], term_118 ^ catch_fragment_depth[16],
+            term_119 ^ catch_fragment_depth[20], term_120 ^ catch_fragment_depth[24],
+            term_121 ^ catch_fragment_depth[28], term_122 ^ catch_fragment_row[0],
+            term_123 ^ catch_fragment_row[4], term_124 ^ catch_fragment_row[8],
+            term_125 ^ catch_fragment_column[3], term_126 ^ catch_fragment_column[7],
+            term_127 ^ catch_write_cardinal_0[0], term_128 ^ catch_write_cardinal_0[4],
+            term_129 ^ catch_write_cardinal_0[8], term_130 ^ catch_write_cardinal_0[12],
+            term_131 ^ catch_write_attribute_12[0], term_133, term_135, term_137, term_139, term_141, term_143,
+            term_145, term_147, term_149, term_151, term_153, term_155, term_156 ^ catch_write_attribute_9[4],
+            term_157 ^ catch_write_attribute_9[8], term_158 ^ catch_write_attribute_9[12], term_160,
+            term_161 ^ catch_write_attribute_8[4], term_162 ^ catch_write_attribute_8[8],
+            term_163 ^ catch_write_attribute_8[12], term_165, term_166 ^ catch_write_attribute_7[4],
+            term_167 ^ catch_write_attribute_7[8], term_168 ^ catch_write_attribute_7[12], term_170,
+            term_171 ^ catch_write_attribute_6[4], term_172 ^ catch_write_attribute_6[8],
+            term_173 ^ catch_write_attribute_6[12], term_175, term_176 ^ catch_write_attribute_5[4],
+            term_177 ^ catch_write_attribute_5[8], term_178 ^ catch_write_attribute_5[12], term_180,
+            term_181 ^ catch_write_attribute_4[4], term_182 ^ catch_write_attribute_4[8],
+            term_183 ^ catch_write_attribute_4[12], term_185, term_186 ^ catch_write_attribute_3[4],
+            term_187 ^ catch_write_attribute_3[8], term_188 ^ catch_write_attribute_3[12], term_190,
+            term_191 ^ catch_write_attribute_2[4], term_192 ^ catch_write_attribute_2[8],
+            term_193 ^ catch_write_attribute_2[12], term_195, term_196 ^ catch_write_attribute_1[4],
+            term_197 ^ catch_write_attribute_1[8], term_198 ^ catch_write_attribute_1[12], term_200,
+            term_201 ^ catch_write_attribute_0[4], term_202 ^ catch_write_attribute_0[8],
+            term_203 ^ catch_write_attribute_0[12], term_205, term_206 ^ catch_write_peak[4],
+            term_207 ^ catch_write_peak[8], term_208 ^ catch_write_peak[12], term_209 ^ catch_write_depth[0],
+            term_210 ^ catch_write_depth[4], term_211 ^ catch_write_depth[8], term_212 ^ catch_write_depth[12],
+            term_213 ^ catch_write_depth[16], term_214 ^ catch_write_depth[20], term_215 ^ catch_write_depth[24],
+            term_216 ^ catch_write_depth[28], term_217 ^ catch_write_depth[32], term_218 ^ catch_write_depth[36],
+            term_219 ^ catch_write_depth[40], term_220 ^ catch_write_depth[44], term_221 ^ catch_write_depth[48],
+            term_222 ^ catch_write_weight[0], term_223 ^ catch_write_weight[4], term_224 ^ catch_write_weight[8],
+            term_225 ^ catch_write_weight[12], term_226 ^ catch_write_weight[16],
+            term_227 ^ catch_write_weight[20], term_228 ^ catch_write_weight[24], term_229 ^ catch_write_pixel[0],
+            term_230 ^ catch_write_pixel[4], term_231 ^ catch_write_tile[2], term_232 ^ catch_write_tile[6],
+            term_233 ^ catch_write_tile[10], term_234 ^ catch_read_tile[0], term_235 ^ catch_read_tile[4],
+            term_236 ^ catch_read_tile[8], term_237 ^ catch_read_valid, catch_splat_ready
         };
         fold_1 <= {
-            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3],
-            fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
-            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11],
-            fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
-            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19],
-            fold_0[20] ^ fold_0[21] ^ fold_0[22] ^ fold_0[23],
-            fold_0[24] ^ fold_0[25] ^ fold_0[26] ^ fold_0[27],
-            fold_0[28] ^ fold_0[29] ^ fold_0[30] ^ fold_0[31],
-            fold_0[32] ^ fold_0[33] ^ fold_0[34] ^ fold_0[35],
-            fold_0[36] ^ fold_0[37] ^ fold_0[38] ^ fold_0[39],
-            fold_0[40] ^ fold_0[41] ^ fold_0[42] ^ fold_0[43],
-            fold_0[44] ^ fold_0[45] ^ fold_0[46] ^ fold_0[47],
-            fold_0[48] ^ fold_0[49] ^ fold_0[50] ^ fold_0[51],
-            fold_0[52] ^ fold_0[53] ^ fold_0[54] ^ fold_0[55],
-            fold_0[56] ^ fold_0[57] ^ fold_0[58] ^ fold_0[59],
-            fold_0[60] ^ fold_0[61] ^ fold_0[62] ^ fold_0[63],
-            fold_0[64] ^ fold_0[65] ^ fold_0[66] ^ fold_0[67],
-            fold_0[68] ^ fold_0[69] ^ fold_0[70] ^ fold_0[71],
-            fold_0[72] ^ fold_0[73] ^ fold_0[74] ^ fold_0[75],
-            fold_0[76] ^ fold_0[77] ^ fold_0[78] ^ fold_0[79],
-            fold_0[80] ^ fold_0[81] ^ fold_0[82] ^ fold_0[83],
-            fold_0[84] ^ fold_0[85] ^ fold_0[86] ^ fold_0[87],
-            fold_0[88] ^ fold_0[89] ^ fold_0[90] ^ fold_0[91],
-            fold_0[92] ^ fold_0[93] ^ fold_0[94] ^ fold_0[95],
+            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
+            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11], fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
+            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19], fold_0[20] ^ fold_0[21] ^ fold_0[22] ^ fold_0[23],
+            fold_0[24] ^ fold_0[25] ^ fold_0[26] ^ fold_0[27], fold_0[28] ^ fold_0[29] ^ fold_0[30] ^ fold_0[31],
+            fold_0[32] ^ fold_0[33] ^ fold_0[34] ^ fold_0[35], fold_0[36] ^ fold_0[37] ^ fold_0[38] ^ fold_0[39],
+            fold_0[40] ^ fold_0[41] ^ fold_0[42] ^ fold_0[43], fold_0[44] ^ fold_0[45] ^ fold_0[46] ^ fold_0[47],
+            fold_0[48] ^ fold_0[49] ^ fold_0[50] ^ fold_0[51], fold_0[52] ^ fold_0[53] ^ fold_0[54] ^ fold_0[55],
+            fold_0[56] ^ fold_0[57] ^ fold_0[58] ^ fold_0[59], fold_0[60] ^ fold_0[61] ^ fold_0[62] ^ fold_0[63],
+            fold_0[64] ^ fold_0[65] ^ fold_0[66] ^ fold_0[67], fold_0[68] ^ fold_0[69] ^ fold_0[70] ^ fold_0[71],
+            fold_0[72] ^ fold_0[73] ^ fold_0[74] ^ fold_0[75], fold_0[76] ^ fold_0[77] ^ fold_0[78] ^ fold_0[79],
+            fold_0[80] ^ fold_0[81] ^ fold_0[82] ^ fold_0[83], fold_0[84] ^ fold_0[85] ^ fold_0[86] ^ fold_0[87],
+            fold_0[88] ^ fold_0[89] ^ fold_0[90] ^ fold_0[91], fold_0[92] ^ fold_0[93] ^ fold_0[94] ^ fold_0[95],
             fold_0[96] ^ fold_0[97] ^ fold_0[98] ^ fold_0[99],
             fold_0[100] ^ fold_0[101] ^ fold_0[102] ^ fold_0[103],
             fold_0[104] ^ fold_0[105] ^ fold_0[106] ^ fold_0[107],
@@ -809,20 +542,14 @@ module splat_pins (
             fold_0[156] ^ fold_0[157] ^ fold_0[158] ^ fold_0[159]
         };
         fold_2 <= {
-            fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3],
-            fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],
-            fold_1[8] ^ fold_1[9] ^ fold_1[10] ^ fold_1[11],
-            fold_1[12] ^ fold_1[13] ^ fold_1[14] ^ fold_1[15],
-            fold_1[16] ^ fold_1[17] ^ fold_1[18] ^ fold_1[19],
-            fold_1[20] ^ fold_1[21] ^ fold_1[22] ^ fold_1[23],
-            fold_1[24] ^ fold_1[25] ^ fold_1[26] ^ fold_1[27],
-            fold_1[28] ^ fold_1[29] ^ fold_1[30] ^ fold_1[31],
-            fold_1[32] ^ fold_1[33] ^ fold_1[34] ^ fold_1[35],
-            fold_1[36] ^ fold_1[37] ^ fold_1[38] ^ fold_1[39]
+            fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3], fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],
+            fold_1[8] ^ fold_1[9] ^ fold_1[10] ^ fold_1[11], fold_1[12] ^ fold_1[13] ^ fold_1[14] ^ fold_1[15],
+            fold_1[16] ^ fold_1[17] ^ fold_1[18] ^ fold_1[19], fold_1[20] ^ fold_1[21] ^ fold_1[22] ^ fold_1[23],
+            fold_1[24] ^ fold_1[25] ^ fold_1[26] ^ fold_1[27], fold_1[28] ^ fold_1[29] ^ fold_1[30] ^ fold_1[31],
+            fold_1[32] ^ fold_1[33] ^ fold_1[34] ^ fold_1[35], fold_1[36] ^ fold_1[37] ^ fold_1[38] ^ fold_1[39]
         };
         fold_3 <= {
-            fold_2[0] ^ fold_2[1] ^ fold_2[2] ^ fold_2[3],
-            fold_2[4] ^ fold_2[5] ^ fold_2[6] ^ fold_2[7],
+            fold_2[0] ^ fold_2[1] ^ fold_2[2] ^ fold_2[3], fold_2[4] ^ fold_2[5] ^ fold_2[6] ^ fold_2[7],
             fold_2[8] ^ fold_2[9]
         };
         fold_4 <= fold_3[0] ^ fold_3[1] ^ fold_3[2];

@@ -59,15 +59,11 @@ module search_top (
     output wire event_point_hit,
     output wire event_point_miss
 );
-    wire threads_query_ready;
-    wire threads_start_valid;
+    wire threads_query_ready, threads_start_valid;
     wire [3:0] threads_start_thread;
     wire [23:0] threads_start_number;
     wire [5:0] threads_start_k;
-    wire [31:0] threads_start_radius2;
-    wire [31:0] threads_start_x;
-    wire [31:0] threads_start_y;
-    wire [31:0] threads_start_z;
+    wire [31:0] threads_start_radius2, threads_start_x, threads_start_y, threads_start_z;
     wire threads_descend_valid;
     wire [3:0] threads_descend_thread;
     wire [14:0] threads_descend_node;
@@ -75,14 +71,10 @@ module search_top (
     wire [3:0] threads_pop_thread;
     wire threads_finish_valid;
     wire [3:0] threads_finish_thread;
-    wire threads_event_thread_wait;
-    wire traversal_descend_ready;
-    wire traversal_resume_ready;
-    wire traversal_leaf_valid;
+    wire threads_event_thread_wait, traversal_descend_ready, traversal_resume_ready, traversal_leaf_valid;
     wire [3:0] traversal_leaf_thread;
     wire [13:0] traversal_leaf_leaf;
-    wire traversal_event_node;
-    wire traversal_push_valid;
+    wire traversal_event_node, traversal_push_valid;
     wire [3:0] traversal_push_thread;
     wire [14:0] traversal_push_node;
     wire [31:0] traversal_push_distance2;
@@ -91,58 +83,41 @@ module search_top (
     wire stack_top_empty;
     wire [14:0] stack_top_node;
     wire [31:0] stack_top_distance2;
-    wire recursion_in_ready;
-    wire recursion_resume_valid;
+    wire recursion_in_ready, recursion_resume_valid;
     wire [3:0] recursion_resume_thread;
     wire [14:0] recursion_resume_node;
     wire recursion_pop_valid;
     wire [3:0] recursion_pop_thread;
     wire recursion_empty_valid;
     wire [3:0] recursion_empty_thread;
-    wire recursion_event_pop;
-    wire leaf_leaf_ready;
-    wire leaf_fetch_valid;
+    wire recursion_event_pop, leaf_leaf_ready, leaf_fetch_valid;
     wire [3:0] leaf_fetch_thread;
     wire [21:0] leaf_fetch_address;
     wire [2:0] leaf_fetch_beats;
-    wire leaf_beat_ready;
-    wire leaf_candidates_valid;
+    wire leaf_beat_ready, leaf_candidates_valid;
     wire [3:0] leaf_candidates_thread;
     wire [21:0] leaf_candidates_address;
     wire leaf_candidates_last;
-    wire [31:0] leaf_candidates_distance0;
-    wire [31:0] leaf_candidates_distance1;
-    wire [31:0] leaf_candidates_distance2;
+    wire [31:0] leaf_candidates_distance0, leaf_candidates_distance1, leaf_candidates_distance2;
     wire [31:0] leaf_candidates_distance3;
-    wire sieve_candidates_ready;
-    wire sieve_kept_valid;
+    wire sieve_candidates_ready, sieve_kept_valid;
     wire [3:0] sieve_kept_thread;
     wire [21:0] sieve_kept_address;
     wire sieve_kept_last;
-    wire [31:0] sieve_kept_distance0;
-    wire [31:0] sieve_kept_distance1;
-    wire [31:0] sieve_kept_distance2;
-    wire [31:0] sieve_kept_distance3;
+    wire [31:0] sieve_kept_distance0, sieve_kept_distance1, sieve_kept_distance2, sieve_kept_distance3;
     wire sieve_skipped_valid;
     wire [3:0] sieve_skipped_thread;
-    wire queue_candidates_ready;
-    wire queue_finish_ready;
-    wire queue_radius_valid;
+    wire queue_candidates_ready, queue_finish_ready, queue_radius_valid;
     wire [3:0] queue_radius_thread;
     wire [31:0] queue_radius_radius2;
-    wire queue_event_insert;
-    wire queue_released_valid;
+    wire queue_event_insert, queue_released_valid;
     wire [3:0] queue_released_thread;
     wire queue_result_valid;
     wire [23:0] queue_result_number;
-    wire queue_result_last;
-    wire queue_result_found;
+    wire queue_result_last, queue_result_found;
     wire [23:0] queue_result_index;
     wire [31:0] queue_result_distance2;
-    wire queue_event_beat;
-    wire queue_event_insert_wait;
-    wire point_cache_fetch_ready;
-    wire point_cache_miss_valid;
+    wire queue_event_beat, queue_event_insert_wait, point_cache_fetch_ready, point_cache_miss_valid;
     wire [3:0] point_cache_miss_thread;
     wire [21:0] point_cache_miss_address;
     wire [2:0] point_cache_miss_beats;
@@ -150,40 +125,17 @@ module search_top (
     wire [3:0] point_cache_beat_thread;
     wire [21:0] point_cache_beat_address;
     wire point_cache_beat_last;
-    wire [31:0] point_cache_beat_x0;
-    wire [31:0] point_cache_beat_y0;
-    wire [31:0] point_cache_beat_z0;
-    wire [31:0] point_cache_beat_x1;
-    wire [31:0] point_cache_beat_y1;
-    wire [31:0] point_cache_beat_z1;
-    wire [31:0] point_cache_beat_x2;
-    wire [31:0] point_cache_beat_y2;
-    wire [31:0] point_cache_beat_z2;
-    wire [31:0] point_cache_beat_x3;
-    wire [31:0] point_cache_beat_y3;
-    wire [31:0] point_cache_beat_z3;
-    wire point_cache_fill_ready;
-    wire point_cache_event_point_hit;
-    wire point_cache_event_point_miss;
+    wire [31:0] point_cache_beat_x0, point_cache_beat_y0, point_cache_beat_z0, point_cache_beat_x1;
+    wire [31:0] point_cache_beat_y1, point_cache_beat_z1, point_cache_beat_x2, point_cache_beat_y2;
+    wire [31:0] point_cache_beat_z2, point_cache_beat_x3, point_cache_beat_y3, point_cache_beat_z3;
+    wire point_cache_fill_ready, point_cache_event_point_hit, point_cache_event_point_miss;
 
     assign query_ready = threads_query_ready;
-    assign beat_ready = point_cache_fill_ready;
-    wire threads_descend_ready = traversal_descend_ready;
-    wire threads_pop_ready = recursion_in_ready;
-    wire threads_finish_ready = queue_finish_ready;
-    wire traversal_leaf_ready = leaf_leaf_ready;
-    wire recursion_resume_ready = traversal_resume_ready;
-    wire leaf_fetch_ready = point_cache_fetch_ready;
-    wire leaf_candidates_ready = sieve_candidates_ready;
-    wire sieve_kept_ready = queue_candidates_ready;
-    wire queue_result_ready = result_ready;
-    wire point_cache_miss_ready = fetch_ready;
-    wire point_cache_beat_ready = leaf_beat_ready;
-
     assign fetch_valid = point_cache_miss_valid;
     assign fetch_thread = point_cache_miss_thread;
     assign fetch_address = point_cache_miss_address;
     assign fetch_beats = point_cache_miss_beats;
+    assign beat_ready = point_cache_fill_ready;
     assign result_valid = queue_result_valid;
     assign result_number = queue_result_number;
     assign result_last = queue_result_last;
@@ -200,313 +152,155 @@ module search_top (
     assign event_point_miss = point_cache_event_point_miss;
 
     search_threads threads (
-        .clk(clk),
-        .rst(rst),
-        .query_valid(query_valid),
-        .query_ready(threads_query_ready),
-        .query_number(query_number),
-        .query_k(query_k),
-        .query_radius2(query_radius2),
-        .query_x(query_x),
-        .query_y(query_y),
+        .clk(clk), .rst(rst),
+        .query_valid(query_valid), .query_ready(threads_query_ready), .query_number(query_number),
+        .query_k(query_k), .query_radius2(query_radius2), .query_x(query_x), .query_y(query_y),
         .query_z(query_z),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .descend_valid(threads_descend_valid),
-        .descend_ready(threads_descend_ready),
-        .descend_thread(threads_descend_thread),
-        .descend_node(threads_descend_node),
-        .pop_valid(threads_pop_valid),
-        .pop_ready(threads_pop_ready),
-        .pop_thread(threads_pop_thread),
-        .finish_valid(threads_finish_valid),
-        .finish_ready(threads_finish_ready),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
+        .descend_thread(threads_descend_thread), .descend_node(threads_descend_node),
+        .pop_valid(threads_pop_valid), .pop_ready(recursion_in_ready), .pop_thread(threads_pop_thread),
+        .finish_valid(threads_finish_valid), .finish_ready(queue_finish_ready),
         .finish_thread(threads_finish_thread),
-        .reached_valid(traversal_reached_valid),
-        .reached_thread(traversal_reached_thread),
-        .leaf_done_valid(queue_radius_valid),
-        .leaf_done_thread(queue_radius_thread),
-        .skipped_valid(sieve_skipped_valid),
-        .skipped_thread(sieve_skipped_thread),
-        .empty_valid(recursion_empty_valid),
-        .empty_thread(recursion_empty_thread),
-        .released_valid(queue_released_valid),
-        .released_thread(queue_released_thread),
+        .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread),
+        .leaf_done_valid(queue_radius_valid), .leaf_done_thread(queue_radius_thread),
+        .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread),
+        .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
+        .released_valid(queue_released_valid), .released_thread(queue_released_thread),
         .event_thread_wait(threads_event_thread_wait)
     );
 
     search_traversal traversal (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .descend_valid(threads_descend_valid),
-        .descend_ready(traversal_descend_ready),
-        .descend_thread(threads_descend_thread),
-        .descend_node(threads_descend_node),
-        .resume_valid(recursion_resume_valid),
-        .resume_ready(traversal_resume_ready),
-        .resume_thread(recursion_resume_thread),
-        .resume_node(recursion_resume_node),
-        .leaf_valid(traversal_leaf_valid),
-        .leaf_ready(traversal_leaf_ready),
-        .leaf_thread(traversal_leaf_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
+        .descend_thread(threads_descend_thread), .descend_node(threads_descend_node),
+        .resume_valid(recursion_resume_valid), .resume_ready(traversal_resume_ready),
+        .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
+        .leaf_valid(traversal_leaf_valid), .leaf_ready(leaf_leaf_ready), .leaf_thread(traversal_leaf_thread),
         .leaf_leaf(traversal_leaf_leaf),
-        .tree_valid(tree_valid),
-        .tree_is_leaf(tree_is_leaf),
-        .tree_address(tree_address),
-        .tree_split(tree_split),
-        .tree_dimension(tree_dimension),
-        .tree_internal_leaf(tree_internal_leaf),
-        .tree_begin(tree_begin),
-        .tree_beats(tree_beats),
+        .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf), .tree_address(tree_address),
+        .tree_split(tree_split), .tree_dimension(tree_dimension), .tree_internal_leaf(tree_internal_leaf),
+        .tree_begin(tree_begin), .tree_beats(tree_beats),
         .event_node(traversal_event_node),
-        .push_valid(traversal_push_valid),
-        .push_thread(traversal_push_thread),
-        .push_node(traversal_push_node),
-        .push_distance2(traversal_push_distance2),
-        .reached_valid(traversal_reached_valid),
-        .reached_thread(traversal_reached_thread)
+        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
+        .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread)
     );
 
     search_stack stack (
-        .clk(clk),
-        .rst(rst),
-        .push_valid(traversal_push_valid),
-        .push_thread(traversal_push_thread),
-        .push_node(traversal_push_node),
-        .push_distance2(traversal_push_distance2),
-        .pop_valid(recursion_pop_valid),
-        .pop_thread(recursion_pop_thread),
-        .top_empty(stack_top_empty),
-        .top_node(stack_top_node),
-        .top_distance2(stack_top_distance2)
+        .clk(clk), .rst(rst),
+        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
+        .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
+        .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2)
     );
 
     search_recursion recursion (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .in_valid(threads_pop_valid),
-        .in_ready(recursion_in_ready),
-        .in_thread(threads_pop_thread),
-        .top_empty(stack_top_empty),
-        .top_node(stack_top_node),
-        .top_distance2(stack_top_distance2),
-        .resume_valid(recursion_resume_valid),
-        .resume_ready(recursion_resume_ready),
-        .resume_thread(recursion_resume_thread),
-        .resume_node(recursion_resume_node),
-        .pop_valid(recursion_pop_valid),
-        .pop_thread(recursion_pop_thread),
-        .empty_valid(recursion_empty_valid),
-        .empty_thread(recursion_empty_thread),
+        .in_valid(threads_pop_valid), .in_ready(recursion_in_ready), .in_thread(threads_pop_thread),
+        .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2),
+        .resume_valid(recursion_resume_valid), .resume_ready(traversal_resume_ready),
+        .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
+        .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
+        .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
         .event_pop(recursion_event_pop)
     );
 
     search_leaf leaf (
-        .clk(clk),
-        .rst(rst),
-        .tree_valid(tree_valid),
-        .tree_is_leaf(tree_is_leaf),
-        .tree_address(tree_address),
-        .tree_split(tree_split),
-        .tree_dimension(tree_dimension),
-        .tree_internal_leaf(tree_internal_leaf),
-        .tree_begin(tree_begin),
-        .tree_beats(tree_beats),
-        .leaf_valid(traversal_leaf_valid),
-        .leaf_ready(leaf_leaf_ready),
-        .leaf_thread(traversal_leaf_thread),
+        .clk(clk), .rst(rst),
+        .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf), .tree_address(tree_address),
+        .tree_split(tree_split), .tree_dimension(tree_dimension), .tree_internal_leaf(tree_internal_leaf),
+        .tree_begin(tree_begin), .tree_beats(tree_beats),
+        .leaf_valid(traversal_leaf_valid), .leaf_ready(leaf_leaf_ready), .leaf_thread(traversal_leaf_thread),
         .leaf_leaf(traversal_leaf_leaf),
-        .fetch_valid(leaf_fetch_valid),
-        .fetch_ready(leaf_fetch_ready),
-        .fetch_thread(leaf_fetch_thread),
-        .fetch_address(leaf_fetch_address),
-        .fetch_beats(leaf_fetch_beats),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .beat_valid(point_cache_beat_valid),
-        .beat_ready(leaf_beat_ready),
-        .beat_thread(point_cache_beat_thread),
-        .beat_address(point_cache_beat_address),
-        .beat_last(point_cache_beat_last),
-        .beat_x0(point_cache_beat_x0),
-        .beat_y0(point_cache_beat_y0),
-        .beat_z0(point_cache_beat_z0),
-        .beat_x1(point_cache_beat_x1),
-        .beat_y1(point_cache_beat_y1),
-        .beat_z1(point_cache_beat_z1),
-        .beat_x2(point_cache_beat_x2),
-        .beat_y2(point_cache_beat_y2),
-        .beat_z2(point_cache_beat_z2),
-        .beat_x3(point_cache_beat_x3),
-        .beat_y3(point_cache_beat_y3),
+        .fetch_valid(leaf_fetch_valid), .fetch_ready(point_cache_fetch_ready),
+        .fetch_thread(leaf_fetch_thread), .fetch_address(leaf_fetch_address), .fetch_beats(leaf_fetch_beats),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .beat_valid(point_cache_beat_valid), .beat_ready(leaf_beat_ready),
+        .beat_thread(point_cache_beat_thread), .beat_address(point_cache_beat_address),
+        .beat_last(point_cache_beat_last), .beat_x0(point_cache_beat_x0), .beat_y0(point_cache_beat_y0),
+        .beat_z0(point_cache_beat_z0), .beat_x1(point_cache_beat_x1), .beat_y1(point_cache_beat_y1),
+        .beat_z1(point_cache_beat_z1), .beat_x2(point_cache_beat_x2), .beat_y2(point_cache_beat_y2),
+        .beat_z2(point_cache_beat_z2), .beat_x3(point_cache_beat_x3), .beat_y3(point_cache_beat_y3),
         .beat_z3(point_cache_beat_z3),
-        .candidates_valid(leaf_candidates_valid),
-        .candidates_ready(leaf_candidates_ready),
-        .candidates_thread(leaf_candidates_thread),
-        .candidates_address(leaf_candidates_address),
-        .candidates_last(leaf_candidates_last),
-        .candidates_distance0(leaf_candidates_distance0),
-        .candidates_distance1(leaf_candidates_distance1),
-        .candidates_distance2(leaf_candidates_distance2),
+        .candidates_valid(leaf_candidates_valid), .candidates_ready(sieve_candidates_ready),
+        .candidates_thread(leaf_candidates_thread), .candidates_address(leaf_candidates_address),
+        .candidates_last(leaf_candidates_last), .candidates_distance0(leaf_candidates_distance0),
+        .candidates_distance1(leaf_candidates_distance1), .candidates_distance2(leaf_candidates_distance2),
         .candidates_distance3(leaf_candidates_distance3)
     );
 
     search_sieve sieve (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .candidates_valid(leaf_candidates_valid),
-        .candidates_ready(sieve_candidates_ready),
-        .candidates_thread(leaf_candidates_thread),
-        .candidates_address(leaf_candidates_address),
-        .candidates_last(leaf_candidates_last),
-        .candidates_distance0(leaf_candidates_distance0),
-        .candidates_distance1(leaf_candidates_distance1),
-        .candidates_distance2(leaf_candidates_distance2),
+        .candidates_valid(leaf_candidates_valid), .candidates_ready(sieve_candidates_ready),
+        .candidates_thread(leaf_candidates_thread), .candidates_address(leaf_candidates_address),
+        .candidates_last(leaf_candidates_last), .candidates_distance0(leaf_candidates_distance0),
+        .candidates_distance1(leaf_candidates_distance1), .candidates_distance2(leaf_candidates_distance2),
         .candidates_distance3(leaf_candidates_distance3),
-        .kept_valid(sieve_kept_valid),
-        .kept_ready(sieve_kept_ready),
-        .kept_thread(sieve_kept_thread),
-        .kept_address(sieve_kept_address),
-        .kept_last(sieve_kept_last),
-        .kept_distance0(sieve_kept_distance0),
-        .kept_distance1(sieve_kept_distance1),
-        .kept_distance2(sieve_kept_distance2),
+        .kept_valid(sieve_kept_valid), .kept_ready(queue_candidates_ready), .kept_thread(sieve_kept_thread),
+        .kept_address(sieve_kept_address), .kept_last(sieve_kept_last), .kept_distance0(sieve_kept_distance0),
+        .kept_distance1(sieve_kept_distance1), .kept_distance2(sieve_kept_distance2),
         .kept_distance3(sieve_kept_distance3),
-        .skipped_valid(sieve_skipped_valid),
-        .skipped_thread(sieve_skipped_thread)
+        .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread)
     );
 
     search_queue queue (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .candidates_valid(sieve_kept_valid),
-        .candidates_ready(queue_candidates_ready),
-        .candidates_thread(sieve_kept_thread),
-        .candidates_address(sieve_kept_address),
-        .candidates_last(sieve_kept_last),
-        .candidates_distance0(sieve_kept_distance0),
-        .candidates_distance1(sieve_kept_distance1),
-        .candidates_distance2(sieve_kept_distance2),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .candidates_valid(sieve_kept_valid), .candidates_ready(queue_candidates_ready),
+        .candidates_thread(sieve_kept_thread), .candidates_address(sieve_kept_address),
+        .candidates_last(sieve_kept_last), .candidates_distance0(sieve_kept_distance0),
+        .candidates_distance1(sieve_kept_distance1), .candidates_distance2(sieve_kept_distance2),
         .candidates_distance3(sieve_kept_distance3),
-        .finish_valid(threads_finish_valid),
-        .finish_ready(queue_finish_ready),
+        .finish_valid(threads_finish_valid), .finish_ready(queue_finish_ready),
         .finish_thread(threads_finish_thread),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
         .event_insert(queue_event_insert),
-        .released_valid(queue_released_valid),
-        .released_thread(queue_released_thread),
-        .result_valid(queue_result_valid),
-        .result_ready(queue_result_ready),
-        .result_number(queue_result_number),
-        .result_last(queue_result_last),
-        .result_found(queue_result_found),
-        .result_index(queue_result_index),
+        .released_valid(queue_released_valid), .released_thread(queue_released_thread),
+        .result_valid(queue_result_valid), .result_ready(result_ready), .result_number(queue_result_number),
+        .result_last(queue_result_last), .result_found(queue_result_found), .result_index(queue_result_index),
         .result_distance2(queue_result_distance2),
-        .event_beat(queue_event_beat),
-        .event_insert_wait(queue_event_insert_wait)
+        .event_beat(queue_event_beat), .event_insert_wait(queue_event_insert_wait)
     );
 
     search_point_cache point_cache (
-        .clk(clk),
-        .rst(rst),
-        .fetch_valid(leaf_fetch_valid),
-        .fetch_ready(point_cache_fetch_ready),
-        .fetch_thread(leaf_fetch_thread),
-        .fetch_address(leaf_fetch_address),
-        .fetch_beats(leaf_fetch_beats),
-        .miss_valid(point_cache_miss_valid),
-        .miss_ready(point_cache_miss_ready),
-        .miss_thread(point_cache_miss_thread),
-        .miss_address(point_cache_miss_address),
-        .miss_beats(point_cache_miss_beats),
-        .beat_valid(point_cache_beat_valid),
-        .beat_ready(point_cache_beat_ready),
-        .beat_thread(point_cache_beat_thread),
-        .beat_address(point_cache_beat_address),
-        .beat_last(point_cache_beat_last),
-        .beat_x0(point_cache_beat_x0),
-        .beat_y0(point_cache_beat_y0),
-        .beat_z0(point_cache_beat_z0),
-        .beat_x1(point_cache_beat_x1),
-        .beat_y1(point_cache_beat_y1),
-        .beat_z1(point_cache_beat_z1),
-        .beat_x2(point_cache_beat_x2),
-        .beat_y2(point_cache_beat_y2),
-        .beat_z2(point_cache_beat_z2),
-        .beat_x3(point_cache_beat_x3),
-        .beat_y3(point_cache_beat_y3),
+        .clk(clk), .rst(rst),
+        .fetch_valid(leaf_fetch_valid), .fetch_ready(point_cache_fetch_ready),
+        .fetch_thread(leaf_fetch_thread), .fetch_address(leaf_fetch_address), .fetch_beats(leaf_fetch_beats),
+        .miss_valid(point_cache_miss_valid), .miss_ready(fetch_ready), .miss_thread(point_cache_miss_thread),
+        .miss_address(point_cache_miss_address), .miss_beats(point_cache_miss_beats),
+        .beat_valid(point_cache_beat_valid), .beat_ready(leaf_beat_ready),
+        .beat_thread(point_cache_beat_thread), .beat_address(point_cache_beat_address),
+        .beat_last(point_cache_beat_last), .beat_x0(point_cache_beat_x0), .beat_y0(point_cache_beat_y0),
+        .beat_z0(point_cache_beat_z0), .beat_x1(point_cache_beat_x1), .beat_y1(point_cache_beat_y1),
+        .beat_z1(point_cache_beat_z1), .beat_x2(point_cache_beat_x2), .beat_y2(point_cache_beat_y2),
+        .beat_z2(point_cache_beat_z2), .beat_x3(point_cache_beat_x3), .beat_y3(point_cache_beat_y3),
         .beat_z3(point_cache_beat_z3),
-        .fill_valid(beat_valid),
-        .fill_ready(point_cache_fill_ready),
-        .fill_thread(beat_thread),
-        .fill_address(beat_address),
-        .fill_last(beat_last),
-        .fill_x0(beat_x0),
-        .fill_y0(beat_y0),
-        .fill_z0(beat_z0),
-        .fill_x1(beat_x1),
-        .fill_y1(beat_y1),
-        .fill_z1(beat_z1),
-        .fill_x2(beat_x2),
-        .fill_y2(beat_y2),
-        .fill_z2(beat_z2),
-        .fill_x3(beat_x3),
-        .fill_y3(beat_y3),
-        .fill_z3(beat_z3),
-        .event_point_hit(point_cache_event_point_hit),
-        .event_point_miss(point_cache_event_point_miss)
+        .fill_valid(beat_valid), .fill_ready(point_cache_fill_ready), .fill_thread(beat_thread),
+        .fill_address(beat_address), .fill_last(beat_last), .fill_x0(beat_x0), .fill_y0(beat_y0),
+        .fill_z0(beat_z0), .fill_x1(beat_x1), .fill_y1(beat_y1), .fill_z1(beat_z1), .fill_x2(beat_x2),
+        .fill_y2(beat_y2), .fill_z2(beat_z2), .fill_x3(beat_x3), .fill_y3(beat_y3), .fill_z3(beat_z3),
+        .event_point_hit(point_cache_event_point_hit), .event_point_miss(point_cache_event_point_miss)
     );
 endmodule
 
@@ -563,14 +357,10 @@ module search_point_cache (
     output reg  event_point_hit,
     output reg  event_point_miss
 );
-    (* no_rw_check *)
-    reg [383:0] points [0:255];
-    reg [21:0] tags [0:63];
     reg fill_under_way;
     reg [5:0] fill_slot_before;
     reg [2:0] fill_count;
-    reg fill_kept_before;
-    reg l_valid;
+    reg fill_kept_before, l_valid;
     reg [3:0] l_thread;
     reg [21:0] l_address;
     reg [2:0] l_beats;
@@ -581,100 +371,51 @@ module search_point_cache (
     reg [2:0] run_beats;
     reg [5:0] run_slot;
     reg [63:0] present;
-    reg [21:0] tag;
+    wire [21:0] tag;
     reg [2:0] run_count;
-    reg [383:0] read;
-    reg r_valid;
-    reg r_read;
+    wire [383:0] read;
+    reg r_valid, r_read;
     reg [3:0] r_thread;
     reg [21:0] r_address;
     reg r_last;
-    reg [31:0] r_x0;
-    reg [31:0] r_y0;
-    reg [31:0] r_z0;
-    reg [31:0] r_x1;
-    reg [31:0] r_y1;
-    reg [31:0] r_z1;
-    reg [31:0] r_x2;
-    reg [31:0] r_y2;
-    reg [31:0] r_z2;
-    reg [31:0] r_x3;
-    reg [31:0] r_y3;
-    reg [31:0] r_z3;
+    reg [31:0] r_x0, r_y0, r_z0, r_x1, r_y1, r_z1, r_x2, r_y2, r_z2, r_x3, r_y3, r_z3;
 
-    wire fetch_queue_in_ready;
-    wire fetch_queue_out_valid;
-    wire [3:0] fetch_queue_out_thread;
-    wire [21:0] fetch_queue_out_address;
-    wire [2:0] fetch_queue_out_beats;
-    wire [5:0] fetch_queue_out_slot;
-    wire miss_queue_in_ready;
-    wire miss_queue_out_valid;
-    wire [3:0] miss_queue_out_thread;
-    wire [21:0] miss_queue_out_address;
-    wire [2:0] miss_queue_out_beats;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [3:0] beat_queue_out_thread;
-    wire [21:0] beat_queue_out_address;
-    wire beat_queue_out_last;
-    wire [31:0] beat_queue_out_x0;
-    wire [31:0] beat_queue_out_y0;
-    wire [31:0] beat_queue_out_z0;
-    wire [31:0] beat_queue_out_x1;
-    wire [31:0] beat_queue_out_y1;
-    wire [31:0] beat_queue_out_z1;
-    wire [31:0] beat_queue_out_x2;
-    wire [31:0] beat_queue_out_y2;
-    wire [31:0] beat_queue_out_z2;
-    wire [31:0] beat_queue_out_x3;
-    wire [31:0] beat_queue_out_y3;
-    wire [31:0] beat_queue_out_z3;
-    wire fill_queue_in_ready;
-    wire fill_queue_out_valid;
-    wire [3:0] fill_queue_out_thread;
-    wire [21:0] fill_queue_out_address;
-    wire fill_queue_out_last;
-    wire [31:0] fill_queue_out_x0;
-    wire [31:0] fill_queue_out_y0;
-    wire [31:0] fill_queue_out_z0;
-    wire [31:0] fill_queue_out_x1;
-    wire [31:0] fill_queue_out_y1;
-    wire [31:0] fill_queue_out_z1;
-    wire [31:0] fill_queue_out_x2;
-    wire [31:0] fill_queue_out_y2;
-    wire [31:0] fill_queue_out_z2;
-    wire [31:0] fill_queue_out_x3;
-    wire [31:0] fill_queue_out_y3;
-    wire [31:0] fill_queue_out_z3;
-    wire [5:0] fill_queue_out_slot;
+    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire [34:0] fetch_queue_out_data;
+    wire miss_queue_in_ready, miss_queue_out_valid;
+    wire [28:0] miss_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [410:0] beat_queue_out_data;
+    wire fill_queue_in_ready, fill_queue_out_valid;
+    wire [416:0] fill_queue_out_data;
 
-    assign fetch_ready = fetch_queue_in_ready;
-    assign fill_ready = fill_queue_in_ready;
-    wire [5:0] term_1 = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12];
-    wire [63:0] shifted_2 = present >> l_slot;
-    wire hit = shifted_2[0] & (tag == l_address);
-    wire hits = l_valid & (hit & ~run_valid);
-    wire misses = l_valid & (~hit & miss_queue_in_ready);
-    wire advance_l = ~l_valid | (hits | misses);
-    wire fetch_queue_out_ready = advance_l;
-    wire miss_queue_out_ready = miss_ready;
     wire advance_r = ~r_valid | beat_queue_in_ready;
-    wire beat_queue_out_ready = beat_ready;
-    wire [5:0] term_3 = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12];
     wire runs = run_valid & ~fill_under_way;
     wire fill_queue_out_ready = advance_r & ~runs;
     wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
-    wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
-    wire term_4 = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
-    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | term_4);
+    wire [5:0] fill_queue_out_slot = fill_queue_out_data[5:0];
+    wire [5:0] fetch_queue_out_slot = fetch_queue_out_data[5:0];
+    wire term_1 = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
+    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | term_1);
     wire fill_kept = fill_under_way ? fill_kept_before : may_keep;
-    wire run_step = advance_r & runs;
-    wire [2:0] sum_5 = run_count + 3'd1;
-    wire run_last = sum_5 == run_beats;
-    wire enter = hits;
     wire store = fill_taken & fill_kept;
-    wire term_6 = store & ~fill_under_way;
+    wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
+    wire run_step = advance_r & runs;
+    wire term_2 = store & ~fill_under_way;
+    wire [21:0] fill_queue_out_address = fill_queue_out_data[412:391];
+    wire [63:0] shifted_3 = present >> l_slot;
+    wire hit = shifted_3[0] & (tag == l_address);
+    wire hits = l_valid & (hit & ~run_valid);
+    wire misses = l_valid & (~hit & miss_queue_in_ready);
+    wire advance_l = ~l_valid | (hits | misses);
+    wire [5:0] term_4 = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12];
+    wire [5:0] term_5 = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12];
+    wire fill_queue_out_last = fill_queue_out_data[390];
+    wire [3:0] fetch_queue_out_thread = fetch_queue_out_data[34:31];
+    wire [21:0] fetch_queue_out_address = fetch_queue_out_data[30:9];
+    wire [2:0] fetch_queue_out_beats = fetch_queue_out_data[8:6];
+    wire [2:0] sum_6 = run_count + 3'd1;
+    wire run_last = sum_6 == run_beats;
     wire term_7 = fill_slot == 6'd63;
     wire term_8 = fill_slot == 6'd62;
     wire term_9 = fill_slot == 6'd61;
@@ -740,270 +481,106 @@ module search_point_cache (
     wire term_69 = fill_slot == 6'd1;
     wire term_70 = fill_slot == 6'd0;
     wire [63:0] joined_71 = {
-        term_6 & term_7,
-        term_6 & term_8,
-        term_6 & term_9,
-        term_6 & term_10,
-        term_6 & term_11,
-        term_6 & term_12,
-        term_6 & term_13,
-        term_6 & term_14,
-        term_6 & term_15,
-        term_6 & term_16,
-        term_6 & term_17,
-        term_6 & term_18,
-        term_6 & term_19,
-        term_6 & term_20,
-        term_6 & term_21,
-        term_6 & term_22,
-        term_6 & term_23,
-        term_6 & term_24,
-        term_6 & term_25,
-        term_6 & term_26,
-        term_6 & term_27,
-        term_6 & term_28,
-        term_6 & term_29,
-        term_6 & term_30,
-        term_6 & term_31,
-        term_6 & term_32,
-        term_6 & term_33,
-        term_6 & term_34,
-        term_6 & term_35,
-        term_6 & term_36,
-        term_6 & term_37,
-        term_6 & term_38,
-        term_6 & term_39,
-        term_6 & term_40,
-        term_6 & term_41,
-        term_6 & term_42,
-        term_6 & term_43,
-        term_6 & term_44,
-        term_6 & term_45,
-        term_6 & term_46,
-        term_6 & term_47,
-        term_6 & term_48,
-        term_6 & term_49,
-        term_6 & term_50,
-        term_6 & term_51,
-        term_6 & term_52,
-        term_6 & term_53,
-        term_6 & term_54,
-        term_6 & term_55,
-        term_6 & term_56,
-        term_6 & term_57,
-        term_6 & term_58,
-        term_6 & term_59,
-        term_6 & term_60,
-        term_6 & term_61,
-        term_6 & term_62,
-        term_6 & term_63,
-        term_6 & term_64,
-        term_6 & term_65,
-        term_6 & term_66,
-        term_6 & term_67,
-        term_6 & term_68,
-        term_6 & term_69,
-        term_6 & term_70
+        term_2 & term_7, term_2 & term_8, term_2 & term_9, term_2 & term_10, term_2 & term_11,
+        term_2 & term_12, term_2 & term_13, term_2 & term_14, term_2 & term_15, term_2 & term_16,
+        term_2 & term_17, term_2 & term_18, term_2 & term_19, term_2 & term_20, term_2 & term_21,
+        term_2 & term_22, term_2 & term_23, term_2 & term_24, term_2 & term_25, term_2 & term_26,
+        term_2 & term_27, term_2 & term_28, term_2 & term_29, term_2 & term_30, term_2 & term_31,
+        term_2 & term_32, term_2 & term_33, term_2 & term_34, term_2 & term_35, term_2 & term_36,
+        term_2 & term_37, term_2 & term_38, term_2 & term_39, term_2 & term_40, term_2 & term_41,
+        term_2 & term_42, term_2 & term_43, term_2 & term_44, term_2 & term_45, term_2 & term_46,
+        term_2 & term_47, term_2 & term_48, term_2 & term_49, term_2 & term_50, term_2 & term_51,
+        term_2 & term_52, term_2 & term_53, term_2 & term_54, term_2 & term_55, term_2 & term_56,
+        term_2 & term_57, term_2 & term_58, term_2 & term_59, term_2 & term_60, term_2 & term_61,
+        term_2 & term_62, term_2 & term_63, term_2 & term_64, term_2 & term_65, term_2 & term_66,
+        term_2 & term_67, term_2 & term_68, term_2 & term_69, term_2 & term_70
     };
     wire term_72 = store & fill_queue_out_last;
     wire [63:0] joined_73 = {
-        term_72 & term_7,
-        term_72 & term_8,
-        term_72 & term_9,
-        term_72 & term_10,
-        term_72 & term_11,
-        term_72 & term_12,
-        term_72 & term_13,
-        term_72 & term_14,
-        term_72 & term_15,
-        term_72 & term_16,
-        term_72 & term_17,
-        term_72 & term_18,
-        term_72 & term_19,
-        term_72 & term_20,
-        term_72 & term_21,
-        term_72 & term_22,
-        term_72 & term_23,
-        term_72 & term_24,
-        term_72 & term_25,
-        term_72 & term_26,
-        term_72 & term_27,
-        term_72 & term_28,
-        term_72 & term_29,
-        term_72 & term_30,
-        term_72 & term_31,
-        term_72 & term_32,
-        term_72 & term_33,
-        term_72 & term_34,
-        term_72 & term_35,
-        term_72 & term_36,
-        term_72 & term_37,
-        term_72 & term_38,
-        term_72 & term_39,
-        term_72 & term_40,
-        term_72 & term_41,
-        term_72 & term_42,
-        term_72 & term_43,
-        term_72 & term_44,
-        term_72 & term_45,
-        term_72 & term_46,
-        term_72 & term_47,
-        term_72 & term_48,
-        term_72 & term_49,
-        term_72 & term_50,
-        term_72 & term_51,
-        term_72 & term_52,
-        term_72 & term_53,
-        term_72 & term_54,
-        term_72 & term_55,
-        term_72 & term_56,
-        term_72 & term_57,
-        term_72 & term_58,
-        term_72 & term_59,
-        term_72 & term_60,
-        term_72 & term_61,
-        term_72 & term_62,
-        term_72 & term_63,
-        term_72 & term_64,
-        term_72 & term_65,
-        term_72 & term_66,
-        term_72 & term_67,
-        term_72 & term_68,
-        term_72 & term_69,
-        term_72 & term_70
+        term_72 & term_7, term_72 & term_8, term_72 & term_9, term_72 & term_10, term_72 & term_11,
+        term_72 & term_12, term_72 & term_13, term_72 & term_14, term_72 & term_15, term_72 & term_16,
+        term_72 & term_17, term_72 & term_18, term_72 & term_19, term_72 & term_20, term_72 & term_21,
+        term_72 & term_22, term_72 & term_23, term_72 & term_24, term_72 & term_25, term_72 & term_26,
+        term_72 & term_27, term_72 & term_28, term_72 & term_29, term_72 & term_30, term_72 & term_31,
+        term_72 & term_32, term_72 & term_33, term_72 & term_34, term_72 & term_35, term_72 & term_36,
+        term_72 & term_37, term_72 & term_38, term_72 & term_39, term_72 & term_40, term_72 & term_41,
+        term_72 & term_42, term_72 & term_43, term_72 & term_44, term_72 & term_45, term_72 & term_46,
+        term_72 & term_47, term_72 & term_48, term_72 & term_49, term_72 & term_50, term_72 & term_51,
+        term_72 & term_52, term_72 & term_53, term_72 & term_54, term_72 & term_55, term_72 & term_56,
+        term_72 & term_57, term_72 & term_58, term_72 & term_59, term_72 & term_60, term_72 & term_61,
+        term_72 & term_62, term_72 & term_63, term_72 & term_64, term_72 & term_65, term_72 & term_66,
+        term_72 & term_67, term_72 & term_68, term_72 & term_69, term_72 & term_70
     };
+    wire [3:0] fill_queue_out_thread = fill_queue_out_data[416:413];
+    wire [31:0] fill_queue_out_x0 = fill_queue_out_data[389:358];
+    wire [31:0] fill_queue_out_y0 = fill_queue_out_data[357:326];
+    wire [31:0] fill_queue_out_z0 = fill_queue_out_data[325:294];
+    wire [31:0] fill_queue_out_x1 = fill_queue_out_data[293:262];
+    wire [31:0] fill_queue_out_y1 = fill_queue_out_data[261:230];
+    wire [31:0] fill_queue_out_z1 = fill_queue_out_data[229:198];
+    wire [31:0] fill_queue_out_x2 = fill_queue_out_data[197:166];
+    wire [31:0] fill_queue_out_y2 = fill_queue_out_data[165:134];
+    wire [31:0] fill_queue_out_z2 = fill_queue_out_data[133:102];
+    wire [31:0] fill_queue_out_x3 = fill_queue_out_data[101:70];
+    wire [31:0] fill_queue_out_y3 = fill_queue_out_data[69:38];
+    wire [31:0] fill_queue_out_z3 = fill_queue_out_data[37:6];
 
+    assign fetch_ready = fetch_queue_in_ready;
     assign miss_valid = miss_queue_out_valid;
-    assign miss_thread = miss_queue_out_thread;
-    assign miss_address = miss_queue_out_address;
-    assign miss_beats = miss_queue_out_beats;
+    assign {miss_thread, miss_address, miss_beats} = miss_queue_out_data;
     assign beat_valid = beat_queue_out_valid;
-    assign beat_thread = beat_queue_out_thread;
-    assign beat_address = beat_queue_out_address;
-    assign beat_last = beat_queue_out_last;
-    assign beat_x0 = beat_queue_out_x0;
-    assign beat_y0 = beat_queue_out_y0;
-    assign beat_z0 = beat_queue_out_z0;
-    assign beat_x1 = beat_queue_out_x1;
-    assign beat_y1 = beat_queue_out_y1;
-    assign beat_z1 = beat_queue_out_z1;
-    assign beat_x2 = beat_queue_out_x2;
-    assign beat_y2 = beat_queue_out_y2;
-    assign beat_z2 = beat_queue_out_z2;
-    assign beat_x3 = beat_queue_out_x3;
-    assign beat_y3 = beat_queue_out_y3;
-    assign beat_z3 = beat_queue_out_z3;
+    assign {
+        beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
+        beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
+    } = beat_queue_out_data;
+    assign fill_ready = fill_queue_in_ready;
+
+    memory_1w1r_unordered #(.WIDTH(384), .DEPTH(256)) points (
+        .clk(clk),
+        .write(store), .write_address({fill_slot, fill_count[1:0]}), .write_data(fill_queue_out_data[389:6]),
+        .read(run_step), .read_address({run_slot, run_count[1:0]}), .read_data(read)
+    );
+
+    memory_1w1r #(.WIDTH(22), .DEPTH(64)) tags (
+        .clk(clk),
+        .write(term_2), .write_address(fill_slot), .write_data(fill_queue_out_address),
+        .read(advance_l), .read_address(fetch_queue_out_slot), .read_data(tag)
+    );
 
     stream_skid_w35 fetch_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(fetch_valid),
-        .in_ready(fetch_queue_in_ready),
-        .in_thread(fetch_thread),
-        .in_address(fetch_address),
-        .in_beats(fetch_beats),
-        .in_slot(term_1 ^ {2'd0, fetch_address[21:18]}),
-        .out_valid(fetch_queue_out_valid),
-        .out_ready(fetch_queue_out_ready),
-        .out_thread(fetch_queue_out_thread),
-        .out_address(fetch_queue_out_address),
-        .out_beats(fetch_queue_out_beats),
-        .out_slot(fetch_queue_out_slot)
+        .clk(clk), .rst(rst),
+        .in_valid(fetch_valid), .in_ready(fetch_queue_in_ready),
+        .in_data({fetch_thread, fetch_address, fetch_beats, term_4 ^ {2'd0, fetch_address[21:18]}}),
+        .out_valid(fetch_queue_out_valid), .out_ready(advance_l), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w29 miss_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(misses),
-        .in_ready(miss_queue_in_ready),
-        .in_thread(l_thread),
-        .in_address(l_address),
-        .in_beats(l_beats),
-        .out_valid(miss_queue_out_valid),
-        .out_ready(miss_queue_out_ready),
-        .out_thread(miss_queue_out_thread),
-        .out_address(miss_queue_out_address),
-        .out_beats(miss_queue_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(misses), .in_ready(miss_queue_in_ready), .in_data({l_thread, l_address, l_beats}),
+        .out_valid(miss_queue_out_valid), .out_ready(miss_ready), .out_data(miss_queue_out_data)
     );
 
     stream_skid_w411 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(r_valid & advance_r),
-        .in_ready(beat_queue_in_ready),
-        .in_thread(r_thread),
-        .in_address(r_address),
-        .in_last(r_last),
-        .in_x0(r_read ? read[383:352] : r_x0),
-        .in_y0(r_read ? read[351:320] : r_y0),
-        .in_z0(r_read ? read[319:288] : r_z0),
-        .in_x1(r_read ? read[287:256] : r_x1),
-        .in_y1(r_read ? read[255:224] : r_y1),
-        .in_z1(r_read ? read[223:192] : r_z1),
-        .in_x2(r_read ? read[191:160] : r_x2),
-        .in_y2(r_read ? read[159:128] : r_y2),
-        .in_z2(r_read ? read[127:96] : r_z2),
-        .in_x3(r_read ? read[95:64] : r_x3),
-        .in_y3(r_read ? read[63:32] : r_y3),
-        .in_z3(r_read ? read[31:0] : r_z3),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_thread(beat_queue_out_thread),
-        .out_address(beat_queue_out_address),
-        .out_last(beat_queue_out_last),
-        .out_x0(beat_queue_out_x0),
-        .out_y0(beat_queue_out_y0),
-        .out_z0(beat_queue_out_z0),
-        .out_x1(beat_queue_out_x1),
-        .out_y1(beat_queue_out_y1),
-        .out_z1(beat_queue_out_z1),
-        .out_x2(beat_queue_out_x2),
-        .out_y2(beat_queue_out_y2),
-        .out_z2(beat_queue_out_z2),
-        .out_x3(beat_queue_out_x3),
-        .out_y3(beat_queue_out_y3),
-        .out_z3(beat_queue_out_z3)
+        .clk(clk), .rst(rst),
+        .in_valid(r_valid & advance_r), .in_ready(beat_queue_in_ready),
+        .in_data({
+            r_thread, r_address, r_last, r_read ? read[383:352] : r_x0, r_read ? read[351:320] : r_y0,
+            r_read ? read[319:288] : r_z0, r_read ? read[287:256] : r_x1, r_read ? read[255:224] : r_y1,
+            r_read ? read[223:192] : r_z1, r_read ? read[191:160] : r_x2, r_read ? read[159:128] : r_y2,
+            r_read ? read[127:96] : r_z2, r_read ? read[95:64] : r_x3, r_read ? read[63:32] : r_y3,
+            r_read ? read[31:0] : r_z3
+        }),
+        .out_valid(beat_queue_out_valid), .out_ready(beat_ready), .out_data(beat_queue_out_data)
     );
 
     stream_skid_w417 fill_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(fill_valid),
-        .in_ready(fill_queue_in_ready),
-        .in_thread(fill_thread),
-        .in_address(fill_address),
-        .in_last(fill_last),
-        .in_x0(fill_x0),
-        .in_y0(fill_y0),
-        .in_z0(fill_z0),
-        .in_x1(fill_x1),
-        .in_y1(fill_y1),
-        .in_z1(fill_z1),
-        .in_x2(fill_x2),
-        .in_y2(fill_y2),
-        .in_z2(fill_z2),
-        .in_x3(fill_x3),
-        .in_y3(fill_y3),
-        .in_z3(fill_z3),
-        .in_slot(term_3 ^ {2'd0, fill_address[21:18]}),
-        .out_valid(fill_queue_out_valid),
-        .out_ready(fill_queue_out_ready),
-        .out_thread(fill_queue_out_thread),
-        .out_address(fill_queue_out_address),
-        .out_last(fill_queue_out_last),
-        .out_x0(fill_queue_out_x0),
-        .out_y0(fill_queue_out_y0),
-        .out_z0(fill_queue_out_z0),
-        .out_x1(fill_queue_out_x1),
-        .out_y1(fill_queue_out_y1),
-        .out_z1(fill_queue_out_z1),
-        .out_x2(fill_queue_out_x2),
-        .out_y2(fill_queue_out_y2),
-        .out_z2(fill_queue_out_z2),
-        .out_x3(fill_queue_out_x3),
-        .out_y3(fill_queue_out_y3),
-        .out_z3(fill_queue_out_z3),
-        .out_slot(fill_queue_out_slot)
+        .clk(clk), .rst(rst),
+        .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
+        .in_data({
+            fill_thread, fill_address, fill_last, fill_x0, fill_y0, fill_z0, fill_x1, fill_y1, fill_z1, fill_x2,
+            fill_y2, fill_z2, fill_x3, fill_y3, fill_z3, term_5 ^ {2'd0, fill_address[21:18]}
+        }),
+        .out_valid(fill_queue_out_valid), .out_ready(fill_queue_out_ready), .out_data(fill_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1022,33 +599,25 @@ module search_point_cache (
                 fill_under_way <= ~fill_queue_out_last;
                 fill_count <= fill_queue_out_last ? 3'd0 : (fill_count + 3'd1);
             end
-            if (advance_l) begin
-                l_valid <= fetch_queue_out_valid;
-            end
+            if (advance_l) l_valid <= fetch_queue_out_valid;
             run_valid <= hits | (run_valid & ~(run_step & run_last));
             present <= (present & ~joined_71) | joined_73;
             event_point_hit <= hits;
             event_point_miss <= misses;
-            if (run_step) begin
-                run_count <= run_last ? 3'd0 : sum_5;
-            end
-            if (advance_r) begin
-                r_valid <= runs | fill_queue_out_valid;
-            end
+            if (run_step) run_count <= run_last ? 3'd0 : sum_6;
+            if (advance_r) r_valid <= runs | fill_queue_out_valid;
         end
     end
     always @(posedge clk) begin
         fill_slot_before <= fill_slot;
-        if (fill_taken) begin
-            fill_kept_before <= fill_kept;
-        end
+        if (fill_taken) fill_kept_before <= fill_kept;
         if (advance_l) begin
             l_thread <= fetch_queue_out_thread;
             l_address <= fetch_queue_out_address;
             l_beats <= fetch_queue_out_beats;
             l_slot <= fetch_queue_out_slot;
         end
-        if (enter) begin
+        if (hits) begin
             run_thread <= l_thread;
             run_address <= l_address;
             run_beats <= l_beats;
@@ -1073,42 +642,8 @@ module search_point_cache (
             r_z3 <= fill_queue_out_z3;
         end
     end
-    always @(posedge clk) begin
-        if (store) begin
-            points[{fill_slot, fill_count[1:0]}] <= {
-                fill_queue_out_x0,
-                fill_queue_out_y0,
-                fill_queue_out_z0,
-                fill_queue_out_x1,
-                fill_queue_out_y1,
-                fill_queue_out_z1,
-                fill_queue_out_x2,
-                fill_queue_out_y2,
-                fill_queue_out_z2,
-                fill_queue_out_x3,
-                fill_queue_out_y3,
-                fill_queue_out_z3
-            };
-        end
-        if (run_step) begin
-            read <= points[{run_slot, run_count[1:0]}];
-        end
-`ifdef RTL_ASSERT
-        if ((store) && (run_step) && ({fill_slot, fill_count[1:0]}) == ({run_slot, run_count[1:0]})) begin
-            read <= ~points[{run_slot, run_count[1:0]}];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_6) begin
-            tags[fill_slot] <= fill_queue_out_address;
-        end
-        if (advance_l) begin
-            tag <= tags[fetch_queue_out_slot];
-        end
-    end
 
-    wire _unused = &{1'b0, shifted_2[63:1]};
+    wire _unused = &{1'b0, shifted_3[63:1]};
 
 `ifdef RTL_ASSERT
     wire [63:0] shifted_74 = present >> run_slot;
@@ -1137,102 +672,32 @@ module stream_skid_w417 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_x0,
-    input  wire [31:0] in_y0,
-    input  wire [31:0] in_z0,
-    input  wire [31:0] in_x1,
-    input  wire [31:0] in_y1,
-    input  wire [31:0] in_z1,
-    input  wire [31:0] in_x2,
-    input  wire [31:0] in_y2,
-    input  wire [31:0] in_z2,
-    input  wire [31:0] in_x3,
-    input  wire [31:0] in_y3,
-    input  wire [31:0] in_z3,
-    input  wire [5:0] in_slot,
+    input  wire [416:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_x0,
-    output wire [31:0] out_y0,
-    output wire [31:0] out_z0,
-    output wire [31:0] out_x1,
-    output wire [31:0] out_y1,
-    output wire [31:0] out_z1,
-    output wire [31:0] out_x2,
-    output wire [31:0] out_y2,
-    output wire [31:0] out_z2,
-    output wire [31:0] out_x3,
-    output wire [31:0] out_y3,
-    output wire [31:0] out_z3,
-    output wire [5:0] out_slot
+    output wire [416:0] out_data
 );
     reg second_valid;
-    reg [416:0] head;
-    reg [416:0] second;
+    reg [416:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [416:0] in_item = {
-        in_thread,
-        in_address,
-        in_last,
-        in_x0,
-        in_y0,
-        in_z0,
-        in_x1,
-        in_y1,
-        in_z1,
-        in_x2,
-        in_y2,
-        in_z2,
-        in_x3,
-        in_y3,
-        in_z3,
-        in_slot
-    };
 
-    assign out_thread = head[416:413];
-    assign out_address = head[412:391];
-    assign out_last = head[390];
-    assign out_x0 = head[389:358];
-    assign out_y0 = head[357:326];
-    assign out_z0 = head[325:294];
-    assign out_x1 = head[293:262];
-    assign out_y1 = head[261:230];
-    assign out_z1 = head[229:198];
-    assign out_x2 = head[197:166];
-    assign out_y2 = head[165:134];
-    assign out_z2 = head[133:102];
-    assign out_x3 = head[101:70];
-    assign out_y3 = head[69:38];
-    assign out_z3 = head[37:6];
-    assign out_slot = head[5:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1258,49 +723,32 @@ module stream_skid_w35 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire [2:0] in_beats,
-    input  wire [5:0] in_slot,
+    input  wire [34:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire [2:0] out_beats,
-    output wire [5:0] out_slot
+    output wire [34:0] out_data
 );
     reg second_valid;
-    reg [34:0] head;
-    reg [34:0] second;
+    reg [34:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [34:0] in_item = {in_thread, in_address, in_beats, in_slot};
 
-    assign out_thread = head[34:31];
-    assign out_address = head[30:9];
-    assign out_beats = head[8:6];
-    assign out_slot = head[5:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1364,53 +812,34 @@ module search_queue (
 );
     (* ram_style = "distributed" *)
     reg [186:0] arrivals [0:1];
-    reg [1823:0] rows [0:15];
-    reg [93:0] queries [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg [1:0] arrivals_count;
-    reg arrivals_write_address;
-    reg arrivals_read_address;
-    reg owned;
+    reg arrivals_write_address, arrivals_read_address, owned;
     reg [3:0] owner;
     reg [1823:0] working;
     reg [15:0] fresh;
-    reg beat_valid;
-    reg beat_reads;
-    reg [3:0] beat_pending;
-    reg [3:0] beat_thread;
+    reg beat_valid, beat_reads;
+    reg [3:0] beat_pending, beat_thread;
     reg [21:0] beat_address;
     reg beat_last;
-    reg [31:0] beat_distance0;
-    reg [31:0] beat_distance1;
-    reg [31:0] beat_distance2;
-    reg [31:0] beat_distance3;
-    reg item_valid;
-    reg item_reads;
-    reg item_inserts;
-    reg item_last;
+    reg [31:0] beat_distance0, beat_distance1, beat_distance2, beat_distance3;
+    reg item_valid, item_reads, item_inserts, item_last;
     reg [3:0] item_thread;
     reg item_fresh;
-    reg new_found;
     reg [23:0] new_index;
-    reg [31:0] new_distance2;
-    reg [31:0] nearer;
+    reg [31:0] new_distance2, nearer;
     reg new_last;
     reg [3:0] new_thread;
     reg [31:0] farthest;
     reg [3:0] farthest_thread;
-    reg farthest_valid;
-    reg fetching;
-    reg sending;
-    reg readout_idle;
+    reg farthest_valid, fetching, sending, readout_idle;
     reg [3:0] readout_thread;
-    reg fetch_from_working;
-    reg fetch_from_nothing;
-    reg [1823:0] stored;
-    reg [93:0] query;
-    reg item_found;
+    reg fetch_from_working, fetch_from_nothing;
+    wire [1823:0] stored;
+    wire [93:0] query;
     reg [23:0] item_index;
     reg [31:0] item_distance2;
     reg [15:0] from_leaf;
@@ -1418,12 +847,10 @@ module search_queue (
     reg [23:0] sent_number;
     reg [5:0] position;
 
-    wire finish_queue_in_ready;
-    wire finish_queue_out_valid;
-    wire [3:0] finish_queue_out_thread;
+    wire finish_queue_in_ready, finish_queue_out_valid;
+    wire [3:0] finish_queue_out_data;
 
     assign candidates_ready = ~(arrivals_count == 2'd2);
-    assign finish_ready = finish_queue_in_ready;
     wire [5:0] next_position = position + 6'd1;
     wire choice_1 = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
     wire choice_2 = next_position[1] ? (next_position[0] ? sent_row[1595] : sent_row[1538]) : next_position[0] ? sent_row[1481] : sent_row[1424];
@@ -1466,316 +893,168 @@ module search_queue (
     wire [31:0] choice_38 = position[1] ? (position[0] ? sent_row[430:399] : sent_row[373:342]) : position[0] ? sent_row[316:285] : sent_row[259:228];
     wire [31:0] choice_39 = position[1] ? (position[0] ? sent_row[202:171] : sent_row[145:114]) : position[0] ? sent_row[88:57] : sent_row[31:0];
     wire [31:0] choice_40 = position[3] ? (position[2] ? choice_36 : choice_37) : position[2] ? choice_38 : choice_39;
+    wire write_back = item_reads & owned;
+    wire choice_41 = nearer[31] ? (nearer[30] ? working[1766] : 1'd1) : working[1823];
+    wire [23:0] choice_42 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
+    wire [31:0] choice_43 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
+    wire choice_44 = nearer[30] ? (nearer[29] ? working[1709] : 1'd1) : working[1766];
+    wire [23:0] choice_45 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
+    wire [31:0] choice_46 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
+    wire choice_47 = nearer[29] ? (nearer[28] ? working[1652] : 1'd1) : working[1709];
+    wire [23:0] choice_48 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
+    wire [31:0] choice_49 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
+    wire choice_50 = nearer[28] ? (nearer[27] ? working[1595] : 1'd1) : working[1652];
+    wire [23:0] choice_51 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
+    wire [31:0] choice_52 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
+    wire choice_53 = nearer[27] ? (nearer[26] ? working[1538] : 1'd1) : working[1595];
+    wire [23:0] choice_54 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
+    wire [31:0] choice_55 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
+    wire choice_56 = nearer[26] ? (nearer[25] ? working[1481] : 1'd1) : working[1538];
+    wire [23:0] choice_57 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
+    wire [31:0] choice_58 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
+    wire choice_59 = nearer[25] ? (nearer[24] ? working[1424] : 1'd1) : working[1481];
+    wire [23:0] choice_60 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
+    wire [31:0] choice_61 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
+    wire choice_62 = nearer[24] ? (nearer[23] ? working[1367] : 1'd1) : working[1424];
+    wire [23:0] choice_63 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
+    wire [31:0] choice_64 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
+    wire choice_65 = nearer[23] ? (nearer[22] ? working[1310] : 1'd1) : working[1367];
+    wire [23:0] choice_66 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
+    wire [31:0] choice_67 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
+    wire choice_68 = nearer[22] ? (nearer[21] ? working[1253] : 1'd1) : working[1310];
+    wire [23:0] choice_69 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
+    wire [31:0] choice_70 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
+    wire choice_71 = nearer[21] ? (nearer[20] ? working[1196] : 1'd1) : working[1253];
+    wire [23:0] choice_72 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
+    wire [31:0] choice_73 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
+    wire choice_74 = nearer[20] ? (nearer[19] ? working[1139] : 1'd1) : working[1196];
+    wire [23:0] choice_75 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
+    wire [31:0] choice_76 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
+    wire choice_77 = nearer[19] ? (nearer[18] ? working[1082] : 1'd1) : working[1139];
+    wire [23:0] choice_78 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
+    wire [31:0] choice_79 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
+    wire choice_80 = nearer[18] ? (nearer[17] ? working[1025] : 1'd1) : working[1082];
+    wire [23:0] choice_81 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
+    wire [31:0] choice_82 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
+    wire choice_83 = nearer[17] ? (nearer[16] ? working[968] : 1'd1) : working[1025];
+    wire [23:0] choice_84 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
+    wire [31:0] choice_85 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
+    wire choice_86 = nearer[16] ? (nearer[15] ? working[911] : 1'd1) : working[968];
+    wire [23:0] choice_87 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
+    wire [31:0] choice_88 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
+    wire choice_89 = nearer[15] ? (nearer[14] ? working[854] : 1'd1) : working[911];
+    wire [23:0] choice_90 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
+    wire [31:0] choice_91 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
+    wire choice_92 = nearer[14] ? (nearer[13] ? working[797] : 1'd1) : working[854];
+    wire [23:0] choice_93 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
+    wire [31:0] choice_94 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
+    wire choice_95 = nearer[13] ? (nearer[12] ? working[740] : 1'd1) : working[797];
+    wire [23:0] choice_96 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
+    wire [31:0] choice_97 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
+    wire choice_98 = nearer[12] ? (nearer[11] ? working[683] : 1'd1) : working[740];
+    wire [23:0] choice_99 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
+    wire [31:0] choice_100 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
+    wire choice_101 = nearer[11] ? (nearer[10] ? working[626] : 1'd1) : working[683];
+    wire [23:0] choice_102 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
+    wire [31:0] choice_103 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
+    wire choice_104 = nearer[10] ? (nearer[9] ? working[569] : 1'd1) : working[626];
+    wire [23:0] choice_105 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
+    wire [31:0] choice_106 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
+    wire choice_107 = nearer[9] ? (nearer[8] ? working[512] : 1'd1) : working[569];
+    wire [23:0] choice_108 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
+    wire [31:0] choice_109 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
+    wire choice_110 = nearer[8] ? (nearer[7] ? working[455] : 1'd1) : working[512];
+    wire [23:0] choice_111 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
+    wire [31:0] choice_112 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
+    wire choice_113 = nearer[7] ? (nearer[6] ? working[398] : 1'd1) : working[455];
+    wire [23:0] choice_114 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
+    wire [31:0] choice_115 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
+    wire choice_116 = nearer[6] ? (nearer[5] ? working[341] : 1'd1) : working[398];
+    wire [23:0] choice_117 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
+    wire [31:0] choice_118 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
+    wire choice_119 = nearer[5] ? (nearer[4] ? working[284] : 1'd1) : working[341];
+    wire [23:0] choice_120 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
+    wire [31:0] choice_121 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
+    wire choice_122 = nearer[4] ? (nearer[3] ? working[227] : 1'd1) : working[284];
+    wire [23:0] choice_123 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
+    wire [31:0] choice_124 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
+    wire choice_125 = nearer[3] ? (nearer[2] ? working[170] : 1'd1) : working[227];
+    wire [23:0] choice_126 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
+    wire [31:0] choice_127 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
+    wire choice_128 = nearer[2] ? (nearer[1] ? working[113] : 1'd1) : working[170];
+    wire [23:0] choice_129 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
+    wire [31:0] choice_130 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
+    wire choice_131 = nearer[1] ? (nearer[0] ? working[56] : 1'd1) : working[113];
+    wire [23:0] choice_132 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
+    wire [31:0] choice_133 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
+    wire [1823:0] inserted_row = {
+        choice_41, choice_42, choice_43, choice_44, choice_45, choice_46, choice_47, choice_48, choice_49,
+        choice_50, choice_51, choice_52, choice_53, choice_54, choice_55, choice_56, choice_57, choice_58,
+        choice_59, choice_60, choice_61, choice_62, choice_63, choice_64, choice_65, choice_66, choice_67,
+        choice_68, choice_69, choice_70, choice_71, choice_72, choice_73, choice_74, choice_75, choice_76,
+        choice_77, choice_78, choice_79, choice_80, choice_81, choice_82, choice_83, choice_84, choice_85,
+        choice_86, choice_87, choice_88, choice_89, choice_90, choice_91, choice_92, choice_93, choice_94,
+        choice_95, choice_96, choice_97, choice_98, choice_99, choice_100, choice_101, choice_102, choice_103,
+        choice_104, choice_105, choice_106, choice_107, choice_108, choice_109, choice_110, choice_111,
+        choice_112, choice_113, choice_114, choice_115, choice_116, choice_117, choice_118, choice_119,
+        choice_120, choice_121, choice_122, choice_123, choice_124, choice_125, choice_126, choice_127,
+        choice_128, choice_129, choice_130, choice_131, choice_132, choice_133,
+        nearer[0] ? 1'd1 : working[56], nearer[0] ? new_index : working[55:32],
+        nearer[0] ? new_distance2 : working[31:0]
+    };
     wire readout_reads = finish_queue_out_valid & readout_idle;
-    wire finished_owns = owned & (owner == finish_queue_out_thread);
+    wire [3:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
+    wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire finish_queue_out_ready = readout_starts;
-    wire term_41 = candidates_valid & candidates_ready;
+    wire term_134 = candidates_valid & candidates_ready;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire term_42 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
-    wire stays = beat_valid & (term_42 | (beat_pending[3] & |beat_pending[2:0]));
+    wire term_135 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
+    wire stays = beat_valid & (term_135 | (beat_pending[3] & |beat_pending[2:0]));
     wire done = moves & ~stays;
     wire beat_free = ~beat_valid | done;
     wire [3:0] tail = item_valid ? item_thread : owner;
     wire [186:0] arrivals_head = arrivals[arrivals_read_address];
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[186:183]);
     wire follows_beat = beat_thread == arrivals_head[186:183];
-    wire term_43 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = |arrivals_count & term_43;
+    wire term_136 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = |arrivals_count & term_136;
     wire [1823:0] initial_row = {
-        25'd0,
-        query[31] ? 32'd0 : query[63:32],
-        25'd0,
-        query[30] ? 32'd0 : query[63:32],
-        25'd0,
-        query[29] ? 32'd0 : query[63:32],
-        25'd0,
-        query[28] ? 32'd0 : query[63:32],
-        25'd0,
-        query[27] ? 32'd0 : query[63:32],
-        25'd0,
-        query[26] ? 32'd0 : query[63:32],
-        25'd0,
-        query[25] ? 32'd0 : query[63:32],
-        25'd0,
-        query[24] ? 32'd0 : query[63:32],
-        25'd0,
-        query[23] ? 32'd0 : query[63:32],
-        25'd0,
-        query[22] ? 32'd0 : query[63:32],
-        25'd0,
-        query[21] ? 32'd0 : query[63:32],
-        25'd0,
-        query[20] ? 32'd0 : query[63:32],
-        25'd0,
-        query[19] ? 32'd0 : query[63:32],
-        25'd0,
-        query[18] ? 32'd0 : query[63:32],
-        25'd0,
-        query[17] ? 32'd0 : query[63:32],
-        25'd0,
-        query[16] ? 32'd0 : query[63:32],
-        25'd0,
-        query[15] ? 32'd0 : query[63:32],
-        25'd0,
-        query[14] ? 32'd0 : query[63:32],
-        25'd0,
-        query[13] ? 32'd0 : query[63:32],
-        25'd0,
-        query[12] ? 32'd0 : query[63:32],
-        25'd0,
-        query[11] ? 32'd0 : query[63:32],
-        25'd0,
-        query[10] ? 32'd0 : query[63:32],
-        25'd0,
-        query[9] ? 32'd0 : query[63:32],
-        25'd0,
-        query[8] ? 32'd0 : query[63:32],
-        25'd0,
-        query[7] ? 32'd0 : query[63:32],
-        25'd0,
-        query[6] ? 32'd0 : query[63:32],
-        25'd0,
-        query[5] ? 32'd0 : query[63:32],
-        25'd0,
-        query[4] ? 32'd0 : query[63:32],
-        25'd0,
-        query[3] ? 32'd0 : query[63:32],
-        25'd0,
-        query[2] ? 32'd0 : query[63:32],
-        25'd0,
-        query[1] ? 32'd0 : query[63:32],
-        25'd0,
-        query[0] ? 32'd0 : query[63:32]
-    };
-    wire choice_44 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
-    wire [23:0] choice_45 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] choice_46 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire choice_47 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
-    wire [23:0] choice_48 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] choice_49 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire choice_50 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
-    wire [23:0] choice_51 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] choice_52 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire choice_53 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
-    wire [23:0] choice_54 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] choice_55 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire choice_56 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
-    wire [23:0] choice_57 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] choice_58 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire choice_59 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
-    wire [23:0] choice_60 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] choice_61 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire choice_62 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
-    wire [23:0] choice_63 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] choice_64 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire choice_65 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
-    wire [23:0] choice_66 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] choice_67 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire choice_68 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
-    wire [23:0] choice_69 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] choice_70 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire choice_71 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
-    wire [23:0] choice_72 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] choice_73 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire choice_74 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
-    wire [23:0] choice_75 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] choice_76 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire choice_77 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
-    wire [23:0] choice_78 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] choice_79 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire choice_80 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
-    wire [23:0] choice_81 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] choice_82 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire choice_83 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
-    wire [23:0] choice_84 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] choice_85 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire choice_86 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
-    wire [23:0] choice_87 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] choice_88 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire choice_89 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
-    wire [23:0] choice_90 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] choice_91 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire choice_92 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
-    wire [23:0] choice_93 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] choice_94 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire choice_95 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
-    wire [23:0] choice_96 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] choice_97 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire choice_98 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
-    wire [23:0] choice_99 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] choice_100 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire choice_101 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
-    wire [23:0] choice_102 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] choice_103 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire choice_104 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
-    wire [23:0] choice_105 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] choice_106 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire choice_107 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
-    wire [23:0] choice_108 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] choice_109 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire choice_110 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
-    wire [23:0] choice_111 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] choice_112 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire choice_113 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
-    wire [23:0] choice_114 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] choice_115 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire choice_116 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
-    wire [23:0] choice_117 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] choice_118 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire choice_119 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
-    wire [23:0] choice_120 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] choice_121 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire choice_122 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
-    wire [23:0] choice_123 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] choice_124 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire choice_125 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
-    wire [23:0] choice_126 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] choice_127 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire choice_128 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
-    wire [23:0] choice_129 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] choice_130 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire choice_131 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
-    wire [23:0] choice_132 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] choice_133 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire choice_134 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
-    wire [23:0] choice_135 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] choice_136 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
-    wire [1823:0] inserted_row = {
-        choice_44,
-        choice_45,
-        choice_46,
-        choice_47,
-        choice_48,
-        choice_49,
-        choice_50,
-        choice_51,
-        choice_52,
-        choice_53,
-        choice_54,
-        choice_55,
-        choice_56,
-        choice_57,
-        choice_58,
-        choice_59,
-        choice_60,
-        choice_61,
-        choice_62,
-        choice_63,
-        choice_64,
-        choice_65,
-        choice_66,
-        choice_67,
-        choice_68,
-        choice_69,
-        choice_70,
-        choice_71,
-        choice_72,
-        choice_73,
-        choice_74,
-        choice_75,
-        choice_76,
-        choice_77,
-        choice_78,
-        choice_79,
-        choice_80,
-        choice_81,
-        choice_82,
-        choice_83,
-        choice_84,
-        choice_85,
-        choice_86,
-        choice_87,
-        choice_88,
-        choice_89,
-        choice_90,
-        choice_91,
-        choice_92,
-        choice_93,
-        choice_94,
-        choice_95,
-        choice_96,
-        choice_97,
-        choice_98,
-        choice_99,
-        choice_100,
-        choice_101,
-        choice_102,
-        choice_103,
-        choice_104,
-        choice_105,
-        choice_106,
-        choice_107,
-        choice_108,
-        choice_109,
-        choice_110,
-        choice_111,
-        choice_112,
-        choice_113,
-        choice_114,
-        choice_115,
-        choice_116,
-        choice_117,
-        choice_118,
-        choice_119,
-        choice_120,
-        choice_121,
-        choice_122,
-        choice_123,
-        choice_124,
-        choice_125,
-        choice_126,
-        choice_127,
-        choice_128,
-        choice_129,
-        choice_130,
-        choice_131,
-        choice_132,
-        choice_133,
-        choice_134,
-        choice_135,
-        choice_136,
-        nearer[0] ? new_found : working[56],
-        nearer[0] ? new_index : working[55:32],
-        nearer[0] ? new_distance2 : working[31:0]
+        25'd0, query[31] ? 32'd0 : query[63:32], 25'd0, query[30] ? 32'd0 : query[63:32], 25'd0,
+        query[29] ? 32'd0 : query[63:32], 25'd0, query[28] ? 32'd0 : query[63:32], 25'd0,
+        query[27] ? 32'd0 : query[63:32], 25'd0, query[26] ? 32'd0 : query[63:32], 25'd0,
+        query[25] ? 32'd0 : query[63:32], 25'd0, query[24] ? 32'd0 : query[63:32], 25'd0,
+        query[23] ? 32'd0 : query[63:32], 25'd0, query[22] ? 32'd0 : query[63:32], 25'd0,
+        query[21] ? 32'd0 : query[63:32], 25'd0, query[20] ? 32'd0 : query[63:32], 25'd0,
+        query[19] ? 32'd0 : query[63:32], 25'd0, query[18] ? 32'd0 : query[63:32], 25'd0,
+        query[17] ? 32'd0 : query[63:32], 25'd0, query[16] ? 32'd0 : query[63:32], 25'd0,
+        query[15] ? 32'd0 : query[63:32], 25'd0, query[14] ? 32'd0 : query[63:32], 25'd0,
+        query[13] ? 32'd0 : query[63:32], 25'd0, query[12] ? 32'd0 : query[63:32], 25'd0,
+        query[11] ? 32'd0 : query[63:32], 25'd0, query[10] ? 32'd0 : query[63:32], 25'd0,
+        query[9] ? 32'd0 : query[63:32], 25'd0, query[8] ? 32'd0 : query[63:32], 25'd0,
+        query[7] ? 32'd0 : query[63:32], 25'd0, query[6] ? 32'd0 : query[63:32], 25'd0,
+        query[5] ? 32'd0 : query[63:32], 25'd0, query[4] ? 32'd0 : query[63:32], 25'd0,
+        query[3] ? 32'd0 : query[63:32], 25'd0, query[2] ? 32'd0 : query[63:32], 25'd0,
+        query[1] ? 32'd0 : query[63:32], 25'd0, query[0] ? 32'd0 : query[63:32]
     };
     wire reads = moves & beat_reads;
     wire [15:0] joined_137 = {
-        reads & (beat_thread == 4'd15),
-        reads & (beat_thread == 4'd14),
-        reads & (beat_thread == 4'd13),
-        reads & (beat_thread == 4'd12),
-        reads & (beat_thread == 4'd11),
-        reads & (beat_thread == 4'd10),
-        reads & (beat_thread == 4'd9),
-        reads & (beat_thread == 4'd8),
-        reads & (beat_thread == 4'd7),
-        reads & (beat_thread == 4'd6),
-        reads & (beat_thread == 4'd5),
-        reads & (beat_thread == 4'd4),
-        reads & (beat_thread == 4'd3),
-        reads & (beat_thread == 4'd2),
-        reads & (beat_thread == 4'd1),
+        reads & (beat_thread == 4'd15), reads & (beat_thread == 4'd14), reads & (beat_thread == 4'd13),
+        reads & (beat_thread == 4'd12), reads & (beat_thread == 4'd11), reads & (beat_thread == 4'd10),
+        reads & (beat_thread == 4'd9), reads & (beat_thread == 4'd8), reads & (beat_thread == 4'd7),
+        reads & (beat_thread == 4'd6), reads & (beat_thread == 4'd5), reads & (beat_thread == 4'd4),
+        reads & (beat_thread == 4'd3), reads & (beat_thread == 4'd2), reads & (beat_thread == 4'd1),
         reads & (beat_thread == 4'd0)
     };
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15),
-        start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13),
-        start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11),
-        start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9),
-        start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7),
-        start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5),
-        start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3),
-        start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1),
-        start_valid & (start_thread == 4'd0)
+        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
     wire [15:0] shifted_138 = fresh >> arrivals_head[186:183];
     wire is_fresh = shifted_138[0];
@@ -1791,53 +1070,31 @@ module search_queue (
     wire [3:0] joined_146 = {
         (arrivals_head[63:32] < arrivals_head[31:0]) & term_141,
         (arrivals_head[95:64] < arrivals_head[31:0]) & term_142,
-        (arrivals_head[127:96] < arrivals_head[31:0]) & term_143,
-        term_145
+        (arrivals_head[127:96] < arrivals_head[31:0]) & term_143, term_145
     };
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire [3:0] joined_147 = {
-        ~farthest_is_known | (beat_distance3 < farthest),
-        ~farthest_is_known | (beat_distance2 < farthest),
-        ~farthest_is_known | (beat_distance1 < farthest),
-        ~farthest_is_known | (beat_distance0 < farthest)
+        ~farthest_is_known | (beat_distance3 < farthest), ~farthest_is_known | (beat_distance2 < farthest),
+        ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
     };
     wire [3:0] left = waits ? beat_pending : (rest & joined_147);
     wire [15:0] shifted_148 = fresh >> beat_thread;
     wire [31:0] joined_149 = {
-        item_distance2 < stored[1798:1767],
-        item_distance2 < stored[1741:1710],
-        item_distance2 < stored[1684:1653],
-        item_distance2 < stored[1627:1596],
-        item_distance2 < stored[1570:1539],
-        item_distance2 < stored[1513:1482],
-        item_distance2 < stored[1456:1425],
-        item_distance2 < stored[1399:1368],
-        item_distance2 < stored[1342:1311],
-        item_distance2 < stored[1285:1254],
-        item_distance2 < stored[1228:1197],
-        item_distance2 < stored[1171:1140],
-        item_distance2 < stored[1114:1083],
-        item_distance2 < stored[1057:1026],
-        item_distance2 < stored[1000:969],
-        item_distance2 < stored[943:912],
-        item_distance2 < stored[886:855],
-        item_distance2 < stored[829:798],
-        item_distance2 < stored[772:741],
-        item_distance2 < stored[715:684],
-        item_distance2 < stored[658:627],
-        item_distance2 < stored[601:570],
-        item_distance2 < stored[544:513],
-        item_distance2 < stored[487:456],
-        item_distance2 < stored[430:399],
-        item_distance2 < stored[373:342],
-        item_distance2 < stored[316:285],
-        item_distance2 < stored[259:228],
-        item_distance2 < stored[202:171],
-        item_distance2 < stored[145:114],
-        item_distance2 < stored[88:57],
-        item_distance2 < stored[31:0]
+        item_distance2 < stored[1798:1767], item_distance2 < stored[1741:1710],
+        item_distance2 < stored[1684:1653], item_distance2 < stored[1627:1596],
+        item_distance2 < stored[1570:1539], item_distance2 < stored[1513:1482],
+        item_distance2 < stored[1456:1425], item_distance2 < stored[1399:1368],
+        item_distance2 < stored[1342:1311], item_distance2 < stored[1285:1254],
+        item_distance2 < stored[1228:1197], item_distance2 < stored[1171:1140],
+        item_distance2 < stored[1114:1083], item_distance2 < stored[1057:1026],
+        item_distance2 < stored[1000:969], item_distance2 < stored[943:912], item_distance2 < stored[886:855],
+        item_distance2 < stored[829:798], item_distance2 < stored[772:741], item_distance2 < stored[715:684],
+        item_distance2 < stored[658:627], item_distance2 < stored[601:570], item_distance2 < stored[544:513],
+        item_distance2 < stored[487:456], item_distance2 < stored[430:399], item_distance2 < stored[373:342],
+        item_distance2 < stored[316:285], item_distance2 < stored[259:228], item_distance2 < stored[202:171],
+        item_distance2 < stored[145:114], item_distance2 < stored[88:57], item_distance2 < stored[31:0]
     };
     wire term_150 = item_distance2 < working[1741:1710];
     wire term_151 = item_distance2 < new_distance2;
@@ -1894,28 +1151,9 @@ module search_queue (
     wire term_202 = item_distance2 < working[88:57];
     wire term_203 = item_distance2 < working[31:0];
     wire [31:0] joined_204 = {
-        choice_152,
-        choice_154,
-        choice_156,
-        choice_158,
-        choice_160,
-        choice_162,
-        choice_164,
-        choice_166,
-        choice_168,
-        choice_170,
-        choice_172,
-        choice_174,
-        choice_176,
-        choice_178,
-        choice_180,
-        choice_182,
-        choice_184,
-        choice_186,
-        choice_188,
-        choice_190,
-        choice_192,
-        choice_194,
+        choice_152, choice_154, choice_156, choice_158, choice_160, choice_162, choice_164, choice_166,
+        choice_168, choice_170, choice_172, choice_174, choice_176, choice_178, choice_180, choice_182,
+        choice_184, choice_186, choice_188, choice_190, choice_192, choice_194,
         nearer[9] ? (nearer[8] ? term_195 : term_151) : term_193,
         nearer[8] ? (nearer[7] ? term_196 : term_151) : term_195,
         nearer[7] ? (nearer[6] ? term_197 : term_151) : term_196,
@@ -1924,38 +1162,28 @@ module search_queue (
         nearer[4] ? (nearer[3] ? term_200 : term_151) : term_199,
         nearer[3] ? (nearer[2] ? term_201 : term_151) : term_200,
         nearer[2] ? (nearer[1] ? term_202 : term_151) : term_201,
-        nearer[1] ? (nearer[0] ? term_203 : term_151) : term_202,
-        nearer[0] ? term_151 : term_203
+        nearer[1] ? (nearer[0] ? term_203 : term_151) : term_202, nearer[0] ? term_151 : term_203
     };
     wire [31:0] nearer_entries = item_reads ? (item_fresh ? ~query[31:0] : joined_149) : joined_204;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [15:0] shifted_205 = fresh >> finish_queue_out_thread;
+    wire [15:0] shifted_205 = fresh >> finish_queue_out_data;
     wire [31:0] choice_206 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15),
-        radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13),
-        radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11),
-        radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9),
-        radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7),
-        radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5),
-        radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3),
-        radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1),
-        radius_valid & (radius_thread == 4'd0)
+        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] shifted_207 = from_leaf >> candidates_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
-    wire write_back = item_reads & owned;
-    wire [3:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
+    assign finish_ready = finish_queue_in_ready;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -1963,15 +1191,30 @@ module search_queue (
     assign result_index = position[4] ? choice_25 : choice_30;
     assign result_distance2 = position[4] ? choice_35 : choice_40;
 
-    stream_skid_w4 finish_queue (
+    memory_1w1r #(.WIDTH(1824), .DEPTH(16)) rows (
         .clk(clk),
-        .rst(rst),
-        .in_valid(finish_valid),
-        .in_ready(finish_queue_in_ready),
-        .in_thread(finish_thread),
-        .out_valid(finish_queue_out_valid),
-        .out_ready(finish_queue_out_ready),
-        .out_thread(finish_queue_out_thread)
+        .write(write_back), .write_address(owner), .write_data(inserted_row),
+        .read(1'd1), .read_address(read_thread), .read_data(stored)
+    );
+
+    memory_1w1r #(.WIDTH(94), .DEPTH(16)) queries (
+        .clk(clk),
+        .write(start_valid), .write_address(start_thread),
+        .write_data({
+            start_number, start_k, start_radius2, start_k < 6'd1, start_k < 6'd2, start_k < 6'd3, start_k < 6'd4,
+            start_k < 6'd5, start_k < 6'd6, start_k < 6'd7, start_k < 6'd8, start_k < 6'd9, start_k < 6'd10,
+            start_k < 6'd11, start_k < 6'd12, start_k < 6'd13, start_k < 6'd14, start_k < 6'd15, start_k < 6'd16,
+            start_k < 6'd17, start_k < 6'd18, start_k < 6'd19, start_k < 6'd20, start_k < 6'd21, start_k < 6'd22,
+            start_k < 6'd23, start_k < 6'd24, start_k < 6'd25, start_k < 6'd26, start_k < 6'd27, start_k < 6'd28,
+            start_k < 6'd29, start_k < 6'd30, start_k < 6'd31, start_k < 6'd32
+        }),
+        .read(1'd1), .read_address(read_thread), .read_data(query)
+    );
+
+    stream_skid_w4 finish_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(finish_valid), .in_ready(finish_queue_in_ready), .in_data(finish_thread),
+        .out_valid(finish_queue_out_valid), .out_ready(readout_starts), .out_data(finish_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -2000,7 +1243,7 @@ module search_queue (
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
         end else begin
-            arrivals_count <= (arrivals_count + {1'd0, term_41}) - {1'd0, take};
+            arrivals_count <= (arrivals_count + {1'd0, term_134}) - {1'd0, take};
             owned <= owned | item_valid;
             fresh <= (fresh & ~joined_137) | query_set;
             beat_valid <= take | (stays | waits);
@@ -2021,33 +1264,25 @@ module search_queue (
             released_valid <= fetching;
             event_beat <= done;
             event_insert_wait <= moves & stays;
-            if (term_41) begin
-                arrivals_write_address <= arrivals_write_address + 1'd1;
-            end
-            if (take) begin
-                arrivals_read_address <= arrivals_read_address + 1'd1;
-            end
+            if (term_134) arrivals_write_address <= arrivals_write_address + 1'd1;
+            if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
         end
     end
     always @(posedge clk) begin
-        if (item_valid) begin
-            owner <= item_thread;
-        end
+        if (item_valid) owner <= item_thread;
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
         beat_pending <= take ? joined_146 : left;
         item_thread <= beat_thread;
         item_fresh <= shifted_148[0];
-        new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_46;
-        farthest <= choice_46;
+        radius_radius2 <= choice_43;
+        farthest <= choice_43;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= shifted_205[0];
-        item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
         item_distance2 <= chosen[0] ? beat_distance0 : choice_206;
         released_thread <= readout_thread;
@@ -2060,9 +1295,7 @@ module search_queue (
             beat_distance2 <= arrivals_head[95:64];
             beat_distance3 <= arrivals_head[63:32];
         end
-        if (readout_starts) begin
-            readout_thread <= finish_queue_out_thread;
-        end
+        if (readout_starts) readout_thread <= finish_queue_out_data;
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[93:70];
@@ -2072,86 +1305,22 @@ module search_queue (
         end
     end
     always @(posedge clk) begin
-        if (term_41) begin
+        if (term_134) begin
             arrivals[arrivals_write_address] <= {
-                candidates_thread,
-                candidates_address,
-                candidates_last,
-                candidates_distance0,
-                candidates_distance1,
-                candidates_distance2,
-                candidates_distance3,
-                shifted_207[0] ? leaf_radius2 : query_radius2
+                candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
+                candidates_distance2, candidates_distance3, shifted_207[0] ? leaf_radius2 : query_radius2
             };
         end
     end
     always @(posedge clk) begin
-        if (write_back) begin
-            rows[owner] <= inserted_row;
-        end
-        stored <= rows[read_thread];
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {
-                start_number,
-                start_k,
-                start_radius2,
-                start_k < 6'd1,
-                start_k < 6'd2,
-                start_k < 6'd3,
-                start_k < 6'd4,
-                start_k < 6'd5,
-                start_k < 6'd6,
-                start_k < 6'd7,
-                start_k < 6'd8,
-                start_k < 6'd9,
-                start_k < 6'd10,
-                start_k < 6'd11,
-                start_k < 6'd12,
-                start_k < 6'd13,
-                start_k < 6'd14,
-                start_k < 6'd15,
-                start_k < 6'd16,
-                start_k < 6'd17,
-                start_k < 6'd18,
-                start_k < 6'd19,
-                start_k < 6'd20,
-                start_k < 6'd21,
-                start_k < 6'd22,
-                start_k < 6'd23,
-                start_k < 6'd24,
-                start_k < 6'd25,
-                start_k < 6'd26,
-                start_k < 6'd27,
-                start_k < 6'd28,
-                start_k < 6'd29,
-                start_k < 6'd30,
-                start_k < 6'd31,
-                start_k < 6'd32
-            };
-        end
-        query <= queries[read_thread];
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
-    end
-    always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{
-        1'b0,
-        shifted_138[15:1],
-        shifted_148[15:1],
-        shifted_205[15:1],
-        shifted_207[15:1],
-        start_x,
-        start_y,
+        1'b0, shifted_138[15:1], shifted_148[15:1], shifted_205[15:1], shifted_207[15:1], start_x, start_y,
         start_z
     };
 
@@ -2239,94 +1408,57 @@ module search_sieve (
     reg [3:0] s1_thread;
     reg [21:0] s1_address;
     reg s1_last;
-    reg [31:0] s1_distance0;
-    reg [31:0] s1_distance1;
-    reg [31:0] s1_distance2;
-    reg [31:0] s1_distance3;
+    reg [31:0] s1_distance0, s1_distance1, s1_distance2, s1_distance3;
     reg [15:0] from_leaf;
     reg [31:0] radius2;
-    reg s2_valid;
-    reg s2_survives;
+    reg s2_valid, s2_survives;
     reg [3:0] s2_thread;
     reg [21:0] s2_address;
     reg s2_last;
-    reg [31:0] s2_distance0;
-    reg [31:0] s2_distance1;
-    reg [31:0] s2_distance2;
-    reg [31:0] s2_distance3;
-    reg held_valid;
-    reg held_last;
+    reg [31:0] s2_distance0, s2_distance1, s2_distance2, s2_distance3;
+    reg held_valid, held_last;
     reg [3:0] held_thread;
     reg [21:0] held_address;
-    reg [31:0] held_distance0;
-    reg [31:0] held_distance1;
-    reg [31:0] held_distance2;
-    reg [31:0] held_distance3;
+    reg [31:0] held_distance0, held_distance1, held_distance2, held_distance3;
 
-    wire candidates_queue_in_ready;
-    wire candidates_queue_out_valid;
-    wire [3:0] candidates_queue_out_thread;
-    wire [21:0] candidates_queue_out_address;
-    wire candidates_queue_out_last;
-    wire [31:0] candidates_queue_out_distance0;
-    wire [31:0] candidates_queue_out_distance1;
-    wire [31:0] candidates_queue_out_distance2;
-    wire [31:0] candidates_queue_out_distance3;
-    wire kept_queue_in_ready;
-    wire kept_queue_out_valid;
-    wire [3:0] kept_queue_out_thread;
-    wire [21:0] kept_queue_out_address;
-    wire kept_queue_out_last;
-    wire [31:0] kept_queue_out_distance0;
-    wire [31:0] kept_queue_out_distance1;
-    wire [31:0] kept_queue_out_distance2;
-    wire [31:0] kept_queue_out_distance3;
+    wire candidates_queue_in_ready, candidates_queue_out_valid;
+    wire [154:0] candidates_queue_out_data;
+    wire kept_queue_in_ready, kept_queue_out_valid;
+    wire [154:0] kept_queue_out_data;
 
-    assign candidates_ready = candidates_queue_in_ready;
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
     wire proceeds = ~displaced | kept_queue_in_ready;
     wire decides = ~s2_valid | proceeds;
     wire advance = ~s1_valid | decides;
-    wire candidates_queue_out_ready = advance;
     wire leaves = displaced & kept_queue_in_ready;
-    wire kept_queue_out_ready = kept_ready;
+    wire [3:0] candidates_queue_out_thread = candidates_queue_out_data[154:151];
+    wire [21:0] candidates_queue_out_address = candidates_queue_out_data[150:129];
+    wire candidates_queue_out_last = candidates_queue_out_data[128];
+    wire [31:0] candidates_queue_out_distance0 = candidates_queue_out_data[127:96];
+    wire [31:0] candidates_queue_out_distance1 = candidates_queue_out_data[95:64];
+    wire [31:0] candidates_queue_out_distance2 = candidates_queue_out_data[63:32];
+    wire [31:0] candidates_queue_out_distance3 = candidates_queue_out_data[31:0];
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15),
-        start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13),
-        start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11),
-        start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9),
-        start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7),
-        start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5),
-        start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3),
-        start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1),
-        start_valid & (start_thread == 4'd0)
+        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15),
-        radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13),
-        radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11),
-        radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9),
-        radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7),
-        radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5),
-        radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3),
-        radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1),
-        radius_valid & (radius_thread == 4'd0)
+        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] shifted_1 = from_leaf >> candidates_queue_out_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
@@ -2336,59 +1468,29 @@ module search_sieve (
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
+    assign candidates_ready = candidates_queue_in_ready;
     assign kept_valid = kept_queue_out_valid;
-    assign kept_thread = kept_queue_out_thread;
-    assign kept_address = kept_queue_out_address;
-    assign kept_last = kept_queue_out_last;
-    assign kept_distance0 = kept_queue_out_distance0;
-    assign kept_distance1 = kept_queue_out_distance1;
-    assign kept_distance2 = kept_queue_out_distance2;
-    assign kept_distance3 = kept_queue_out_distance3;
+    assign {
+        kept_thread, kept_address, kept_last, kept_distance0, kept_distance1, kept_distance2, kept_distance3
+    } = kept_queue_out_data;
 
     stream_skid_w155 candidates_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(candidates_valid),
-        .in_ready(candidates_queue_in_ready),
-        .in_thread(candidates_thread),
-        .in_address(candidates_address),
-        .in_last(candidates_last),
-        .in_distance0(candidates_distance0),
-        .in_distance1(candidates_distance1),
-        .in_distance2(candidates_distance2),
-        .in_distance3(candidates_distance3),
-        .out_valid(candidates_queue_out_valid),
-        .out_ready(candidates_queue_out_ready),
-        .out_thread(candidates_queue_out_thread),
-        .out_address(candidates_queue_out_address),
-        .out_last(candidates_queue_out_last),
-        .out_distance0(candidates_queue_out_distance0),
-        .out_distance1(candidates_queue_out_distance1),
-        .out_distance2(candidates_queue_out_distance2),
-        .out_distance3(candidates_queue_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
+        .in_data({
+            candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
+            candidates_distance2, candidates_distance3
+        }),
+        .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
     stream_fifo kept_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(leaves),
-        .in_ready(kept_queue_in_ready),
-        .in_thread(held_thread),
-        .in_address(held_address),
-        .in_last(held_last),
-        .in_distance0(held_distance0),
-        .in_distance1(held_distance1),
-        .in_distance2(held_distance2),
-        .in_distance3(held_distance3),
-        .out_valid(kept_queue_out_valid),
-        .out_ready(kept_queue_out_ready),
-        .out_thread(kept_queue_out_thread),
-        .out_address(kept_queue_out_address),
-        .out_last(kept_queue_out_last),
-        .out_distance0(kept_queue_out_distance0),
-        .out_distance1(kept_queue_out_distance1),
-        .out_distance2(kept_queue_out_distance2),
-        .out_distance3(kept_queue_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(leaves), .in_ready(kept_queue_in_ready),
+        .in_data({
+            held_thread, held_address, held_last, held_distance0, held_distance1, held_distance2, held_distance3
+        }),
+        .out_valid(kept_queue_out_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -2399,15 +1501,11 @@ module search_sieve (
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                s1_valid <= candidates_queue_out_valid;
-            end
+            if (advance) s1_valid <= candidates_queue_out_valid;
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
-            if (decides) begin
-                s2_valid <= s1_valid;
-            end
+            if (decides) s2_valid <= s1_valid;
         end
     end
     always @(posedge clk) begin
@@ -2431,9 +1529,7 @@ module search_sieve (
             s2_distance2 <= s1_distance2;
             s2_distance3 <= s1_distance3;
         end
-        if (keep | closes) begin
-            held_last <= s2_last;
-        end
+        if (keep | closes) held_last <= s2_last;
         if (keep) begin
             held_thread <= s2_thread;
             held_address <= s2_address;
@@ -2445,14 +1541,10 @@ module search_sieve (
         skipped_thread <= s2_thread;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{1'b0, shifted_1[15:1], start_k, start_number, start_x, start_y, start_z};
@@ -2466,45 +1558,28 @@ module stream_fifo (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_distance0,
-    input  wire [31:0] in_distance1,
-    input  wire [31:0] in_distance2,
-    input  wire [31:0] in_distance3,
+    input  wire [154:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_distance0,
-    output wire [31:0] out_distance1,
-    output wire [31:0] out_distance2,
-    output wire [31:0] out_distance3
+    output wire [154:0] out_data
 );
-    (* no_rw_check *)
-    reg [154:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [154:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [154:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_thread = item[154:151];
-    assign out_address = item[150:129];
-    assign out_last = item[128];
-    assign out_distance0 = item[127:96];
-    assign out_distance1 = item[95:64];
-    assign out_distance2 = item[63:32];
-    assign out_distance3 = item[31:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(155), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2516,27 +1591,10 @@ module stream_fifo (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_address, in_last, in_distance0, in_distance1, in_distance2, in_distance3};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -2621,156 +1679,56 @@ module search_leaf (
     output wire [31:0] candidates_distance2,
     output wire [31:0] candidates_distance3
 );
-    (* no_rw_check *)
-    reg leaves_0 [0:16383];
-    (* no_rw_check *)
-    reg leaves_1 [0:16383];
-    (* no_rw_check *)
-    reg leaves_2 [0:16383];
-    (* no_rw_check *)
-    reg leaves_3 [0:16383];
-    (* no_rw_check *)
-    reg leaves_4 [0:16383];
-    (* no_rw_check *)
-    reg leaves_5 [0:16383];
-    (* no_rw_check *)
-    reg leaves_6 [0:16383];
-    (* no_rw_check *)
-    reg leaves_7 [0:16383];
-    (* no_rw_check *)
-    reg leaves_8 [0:16383];
-    (* no_rw_check *)
-    reg leaves_9 [0:16383];
-    (* no_rw_check *)
-    reg leaves_10 [0:16383];
-    (* no_rw_check *)
-    reg leaves_11 [0:16383];
-    (* no_rw_check *)
-    reg leaves_12 [0:16383];
-    (* no_rw_check *)
-    reg leaves_13 [0:16383];
-    (* no_rw_check *)
-    reg leaves_14 [0:16383];
-    (* no_rw_check *)
-    reg leaves_15 [0:16383];
-    (* no_rw_check *)
-    reg leaves_16 [0:16383];
-    (* no_rw_check *)
-    reg leaves_17 [0:16383];
-    (* no_rw_check *)
-    reg leaves_18 [0:16383];
-    (* no_rw_check *)
-    reg leaves_19 [0:16383];
-    (* no_rw_check *)
-    reg leaves_20 [0:16383];
-    (* no_rw_check *)
-    reg leaves_21 [0:16383];
-    (* no_rw_check *)
-    reg leaves_22 [0:16383];
-    (* no_rw_check *)
-    reg leaves_23 [0:16383];
-    (* no_rw_check *)
-    reg leaves_24 [0:16383];
-    reg [95:0] queries [0:15];
-    reg f0_valid;
-    reg f1_valid;
-    reg [3:0] f0_thread;
-    reg [3:0] f1_thread;
-    reg f0_found_0;
-    reg f0_found_1;
-    reg f0_found_2;
-    reg f0_found_3;
-    reg f0_found_4;
-    reg f0_found_5;
-    reg f0_found_6;
-    reg f0_found_7;
-    reg f0_found_8;
-    reg f0_found_9;
-    reg f0_found_10;
-    reg f0_found_11;
-    reg f0_found_12;
-    reg f0_found_13;
-    reg f0_found_14;
-    reg f0_found_15;
-    reg f0_found_16;
-    reg f0_found_17;
-    reg f0_found_18;
-    reg f0_found_19;
-    reg f0_found_20;
-    reg f0_found_21;
-    reg f0_found_22;
-    reg f0_found_23;
-    reg f0_found_24;
+    reg f0_valid, f1_valid;
+    reg [3:0] f0_thread, f1_thread;
+    wire [24:0] f0_found;
     reg [21:0] f1_begin;
     reg [2:0] f1_beats;
     reg query_valid;
     reg [3:0] points_thread;
     reg [21:0] points_address;
     reg points_last;
-    reg [31:0] points_x0;
-    reg [31:0] points_y0;
-    reg [31:0] points_z0;
-    reg [31:0] points_x1;
-    reg [31:0] points_y1;
-    reg [31:0] points_z1;
-    reg [31:0] points_x2;
-    reg [31:0] points_y2;
-    reg [31:0] points_z2;
-    reg [31:0] points_x3;
-    reg [31:0] points_y3;
-    reg [31:0] points_z3;
-    reg [95:0] query;
+    reg [31:0] points_x0, points_y0, points_z0, points_x1, points_y1, points_z1, points_x2, points_y2, points_z2;
+    reg [31:0] points_x3, points_y3, points_z3;
+    wire [95:0] query;
 
-    wire leaf_queue_in_ready;
-    wire leaf_queue_out_valid;
-    wire [3:0] leaf_queue_out_thread;
-    wire [13:0] leaf_queue_out_leaf;
-    wire fetch_queue_in_ready;
-    wire fetch_queue_out_valid;
-    wire [3:0] fetch_queue_out_thread;
-    wire [21:0] fetch_queue_out_address;
-    wire [2:0] fetch_queue_out_beats;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [3:0] beat_queue_out_thread;
-    wire [21:0] beat_queue_out_address;
-    wire beat_queue_out_last;
-    wire [31:0] beat_queue_out_x0;
-    wire [31:0] beat_queue_out_y0;
-    wire [31:0] beat_queue_out_z0;
-    wire [31:0] beat_queue_out_x1;
-    wire [31:0] beat_queue_out_y1;
-    wire [31:0] beat_queue_out_z1;
-    wire [31:0] beat_queue_out_x2;
-    wire [31:0] beat_queue_out_y2;
-    wire [31:0] beat_queue_out_z2;
-    wire [31:0] beat_queue_out_x3;
-    wire [31:0] beat_queue_out_y3;
-    wire [31:0] beat_queue_out_z3;
-    wire distance_in_ready;
-    wire distance_out_valid;
+    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire [17:0] leaf_queue_out_data;
+    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire [28:0] fetch_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [410:0] beat_queue_out_data;
+    wire distance_in_ready, distance_out_valid;
     wire [3:0] distance_out_thread;
     wire [21:0] distance_out_address;
     wire distance_out_last;
-    wire [31:0] distance_out_distance0;
-    wire [31:0] distance_out_distance1;
-    wire [31:0] distance_out_distance2;
-    wire [31:0] distance_out_distance3;
+    wire [31:0] distance_out_distance0, distance_out_distance1, distance_out_distance2, distance_out_distance3;
+
+    wire writes_leaf = tree_valid & tree_is_leaf;
+    wire table_advance = ~f1_valid | fetch_queue_in_ready;
+    wire [13:0] leaf_queue_out_leaf = leaf_queue_out_data[13:0];
+    wire query_advance = ~query_valid | distance_in_ready;
+    wire [3:0] beat_queue_out_thread = beat_queue_out_data[410:407];
+    wire [3:0] leaf_queue_out_thread = leaf_queue_out_data[17:14];
+    wire [21:0] beat_queue_out_address = beat_queue_out_data[406:385];
+    wire beat_queue_out_last = beat_queue_out_data[384];
+    wire [31:0] beat_queue_out_x0 = beat_queue_out_data[383:352];
+    wire [31:0] beat_queue_out_y0 = beat_queue_out_data[351:320];
+    wire [31:0] beat_queue_out_z0 = beat_queue_out_data[319:288];
+    wire [31:0] beat_queue_out_x1 = beat_queue_out_data[287:256];
+    wire [31:0] beat_queue_out_y1 = beat_queue_out_data[255:224];
+    wire [31:0] beat_queue_out_z1 = beat_queue_out_data[223:192];
+    wire [31:0] beat_queue_out_x2 = beat_queue_out_data[191:160];
+    wire [31:0] beat_queue_out_y2 = beat_queue_out_data[159:128];
+    wire [31:0] beat_queue_out_z2 = beat_queue_out_data[127:96];
+    wire [31:0] beat_queue_out_x3 = beat_queue_out_data[95:64];
+    wire [31:0] beat_queue_out_y3 = beat_queue_out_data[63:32];
+    wire [31:0] beat_queue_out_z3 = beat_queue_out_data[31:0];
 
     assign leaf_ready = leaf_queue_in_ready;
-    assign beat_ready = beat_queue_in_ready;
-    wire table_advance = ~f1_valid | fetch_queue_in_ready;
-    wire leaf_queue_out_ready = table_advance;
-    wire fetch_queue_out_ready = fetch_ready;
-    wire query_advance = ~query_valid | distance_in_ready;
-    wire beat_queue_out_ready = query_advance;
-    wire distance_out_ready = candidates_ready;
-    wire writes_leaf = tree_valid & tree_is_leaf;
-
     assign fetch_valid = fetch_queue_out_valid;
-    assign fetch_thread = fetch_queue_out_thread;
-    assign fetch_address = fetch_queue_out_address;
-    assign fetch_beats = fetch_queue_out_beats;
+    assign {fetch_thread, fetch_address, fetch_beats} = fetch_queue_out_data;
+    assign beat_ready = beat_queue_in_ready;
     assign candidates_valid = distance_out_valid;
     assign candidates_thread = distance_out_thread;
     assign candidates_address = distance_out_address;
@@ -2780,105 +1738,52 @@ module search_leaf (
     assign candidates_distance2 = distance_out_distance2;
     assign candidates_distance3 = distance_out_distance3;
 
-    stream_skid_w18 leaf_queue (
+    memory_1w1r_unordered #(.WIDTH(25), .DEPTH(16384), .SLICE(1)) leaves (
         .clk(clk),
-        .rst(rst),
-        .in_valid(leaf_valid),
-        .in_ready(leaf_queue_in_ready),
-        .in_thread(leaf_thread),
-        .in_leaf(leaf_leaf),
-        .out_valid(leaf_queue_out_valid),
-        .out_ready(leaf_queue_out_ready),
-        .out_thread(leaf_queue_out_thread),
-        .out_leaf(leaf_queue_out_leaf)
+        .write(writes_leaf), .write_address(tree_address), .write_data({tree_begin, tree_beats}),
+        .read(table_advance), .read_address(leaf_queue_out_leaf), .read_data(f0_found)
+    );
+
+    memory_1w1r #(.WIDTH(96), .DEPTH(16)) queries (
+        .clk(clk),
+        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .read(query_advance), .read_address(beat_queue_out_thread), .read_data(query)
+    );
+
+    stream_skid_w18 leaf_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready), .in_data({leaf_thread, leaf_leaf}),
+        .out_valid(leaf_queue_out_valid), .out_ready(table_advance), .out_data(leaf_queue_out_data)
     );
 
     stream_skid_w29 fetch_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(f1_valid & fetch_queue_in_ready),
-        .in_ready(fetch_queue_in_ready),
-        .in_thread(f1_thread),
-        .in_address(f1_begin),
-        .in_beats(f1_beats),
-        .out_valid(fetch_queue_out_valid),
-        .out_ready(fetch_queue_out_ready),
-        .out_thread(fetch_queue_out_thread),
-        .out_address(fetch_queue_out_address),
-        .out_beats(fetch_queue_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
+        .in_data({f1_thread, f1_begin, f1_beats}),
+        .out_valid(fetch_queue_out_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w411 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(beat_valid),
-        .in_ready(beat_queue_in_ready),
-        .in_thread(beat_thread),
-        .in_address(beat_address),
-        .in_last(beat_last),
-        .in_x0(beat_x0),
-        .in_y0(beat_y0),
-        .in_z0(beat_z0),
-        .in_x1(beat_x1),
-        .in_y1(beat_y1),
-        .in_z1(beat_z1),
-        .in_x2(beat_x2),
-        .in_y2(beat_y2),
-        .in_z2(beat_z2),
-        .in_x3(beat_x3),
-        .in_y3(beat_y3),
-        .in_z3(beat_z3),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_thread(beat_queue_out_thread),
-        .out_address(beat_queue_out_address),
-        .out_last(beat_queue_out_last),
-        .out_x0(beat_queue_out_x0),
-        .out_y0(beat_queue_out_y0),
-        .out_z0(beat_queue_out_z0),
-        .out_x1(beat_queue_out_x1),
-        .out_y1(beat_queue_out_y1),
-        .out_z1(beat_queue_out_z1),
-        .out_x2(beat_queue_out_x2),
-        .out_y2(beat_queue_out_y2),
-        .out_z2(beat_queue_out_z2),
-        .out_x3(beat_queue_out_x3),
-        .out_y3(beat_queue_out_y3),
-        .out_z3(beat_queue_out_z3)
+        .clk(clk), .rst(rst),
+        .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
+        .in_data({
+            beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
+            beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
+        }),
+        .out_valid(beat_queue_out_valid), .out_ready(query_advance), .out_data(beat_queue_out_data)
     );
 
     search_distance distance (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(query_valid),
-        .in_ready(distance_in_ready),
-        .in_thread(points_thread),
-        .in_address(points_address),
-        .in_last(points_last),
-        .in_x0(points_x0),
-        .in_y0(points_y0),
-        .in_z0(points_z0),
-        .in_x1(points_x1),
-        .in_y1(points_y1),
-        .in_z1(points_z1),
-        .in_x2(points_x2),
-        .in_y2(points_y2),
-        .in_z2(points_z2),
-        .in_x3(points_x3),
-        .in_y3(points_y3),
-        .in_z3(points_z3),
-        .in_query_x(query[95:64]),
-        .in_query_y(query[63:32]),
-        .in_query_z(query[31:0]),
-        .out_valid(distance_out_valid),
-        .out_ready(distance_out_ready),
-        .out_thread(distance_out_thread),
-        .out_address(distance_out_address),
-        .out_last(distance_out_last),
-        .out_distance0(distance_out_distance0),
-        .out_distance1(distance_out_distance1),
-        .out_distance2(distance_out_distance2),
-        .out_distance3(distance_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
+        .in_address(points_address), .in_last(points_last), .in_x0(points_x0), .in_y0(points_y0),
+        .in_z0(points_z0), .in_x1(points_x1), .in_y1(points_y1), .in_z1(points_z1), .in_x2(points_x2),
+        .in_y2(points_y2), .in_z2(points_z2), .in_x3(points_x3), .in_y3(points_y3), .in_z3(points_z3),
+        .in_query_x(query[95:64]), .in_query_y(query[63:32]), .in_query_z(query[31:0]),
+        .out_valid(distance_out_valid), .out_ready(candidates_ready), .out_thread(distance_out_thread),
+        .out_address(distance_out_address), .out_last(distance_out_last),
+        .out_distance0(distance_out_distance0), .out_distance1(distance_out_distance1),
+        .out_distance2(distance_out_distance2), .out_distance3(distance_out_distance3)
     );
 
     always @(posedge clk) begin
@@ -2891,40 +1796,15 @@ module search_leaf (
                 f0_valid <= leaf_queue_out_valid;
                 f1_valid <= f0_valid;
             end
-            if (query_advance) begin
-                query_valid <= beat_queue_out_valid;
-            end
+            if (query_advance) query_valid <= beat_queue_out_valid;
         end
     end
     always @(posedge clk) begin
         if (table_advance) begin
             f0_thread <= leaf_queue_out_thread;
             f1_thread <= f0_thread;
-            f1_begin <= {
-                f0_found_24,
-                f0_found_23,
-                f0_found_22,
-                f0_found_21,
-                f0_found_20,
-                f0_found_19,
-                f0_found_18,
-                f0_found_17,
-                f0_found_16,
-                f0_found_15,
-                f0_found_14,
-                f0_found_13,
-                f0_found_12,
-                f0_found_11,
-                f0_found_10,
-                f0_found_9,
-                f0_found_8,
-                f0_found_7,
-                f0_found_6,
-                f0_found_5,
-                f0_found_4,
-                f0_found_3
-            };
-            f1_beats <= {f0_found_2, f0_found_1, f0_found_0};
+            f1_begin <= f0_found[24:3];
+            f1_beats <= f0_found[2:0];
         end
         if (query_advance) begin
             points_thread <= beat_queue_out_thread;
@@ -2942,339 +1822,6 @@ module search_leaf (
             points_x3 <= beat_queue_out_x3;
             points_y3 <= beat_queue_out_y3;
             points_z3 <= beat_queue_out_z3;
-        end
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_0[tree_address] <= tree_beats[0];
-        end
-        if (table_advance) begin
-            f0_found_0 <= leaves_0[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_0 <= ~leaves_0[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_1[tree_address] <= tree_beats[1];
-        end
-        if (table_advance) begin
-            f0_found_1 <= leaves_1[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_1 <= ~leaves_1[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_2[tree_address] <= tree_beats[2];
-        end
-        if (table_advance) begin
-            f0_found_2 <= leaves_2[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_2 <= ~leaves_2[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_3[tree_address] <= tree_begin[0];
-        end
-        if (table_advance) begin
-            f0_found_3 <= leaves_3[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_3 <= ~leaves_3[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_4[tree_address] <= tree_begin[1];
-        end
-        if (table_advance) begin
-            f0_found_4 <= leaves_4[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_4 <= ~leaves_4[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_5[tree_address] <= tree_begin[2];
-        end
-        if (table_advance) begin
-            f0_found_5 <= leaves_5[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_5 <= ~leaves_5[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_6[tree_address] <= tree_begin[3];
-        end
-        if (table_advance) begin
-            f0_found_6 <= leaves_6[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_6 <= ~leaves_6[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_7[tree_address] <= tree_begin[4];
-        end
-        if (table_advance) begin
-            f0_found_7 <= leaves_7[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_7 <= ~leaves_7[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_8[tree_address] <= tree_begin[5];
-        end
-        if (table_advance) begin
-            f0_found_8 <= leaves_8[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_8 <= ~leaves_8[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_9[tree_address] <= tree_begin[6];
-        end
-        if (table_advance) begin
-            f0_found_9 <= leaves_9[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_9 <= ~leaves_9[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_10[tree_address] <= tree_begin[7];
-        end
-        if (table_advance) begin
-            f0_found_10 <= leaves_10[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_10 <= ~leaves_10[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_11[tree_address] <= tree_begin[8];
-        end
-        if (table_advance) begin
-            f0_found_11 <= leaves_11[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_11 <= ~leaves_11[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_12[tree_address] <= tree_begin[9];
-        end
-        if (table_advance) begin
-            f0_found_12 <= leaves_12[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_12 <= ~leaves_12[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_13[tree_address] <= tree_begin[10];
-        end
-        if (table_advance) begin
-            f0_found_13 <= leaves_13[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_13 <= ~leaves_13[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_14[tree_address] <= tree_begin[11];
-        end
-        if (table_advance) begin
-            f0_found_14 <= leaves_14[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_14 <= ~leaves_14[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_15[tree_address] <= tree_begin[12];
-        end
-        if (table_advance) begin
-            f0_found_15 <= leaves_15[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_15 <= ~leaves_15[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_16[tree_address] <= tree_begin[13];
-        end
-        if (table_advance) begin
-            f0_found_16 <= leaves_16[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_16 <= ~leaves_16[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_17[tree_address] <= tree_begin[14];
-        end
-        if (table_advance) begin
-            f0_found_17 <= leaves_17[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_17 <= ~leaves_17[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_18[tree_address] <= tree_begin[15];
-        end
-        if (table_advance) begin
-            f0_found_18 <= leaves_18[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_18 <= ~leaves_18[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_19[tree_address] <= tree_begin[16];
-        end
-        if (table_advance) begin
-            f0_found_19 <= leaves_19[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_19 <= ~leaves_19[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_20[tree_address] <= tree_begin[17];
-        end
-        if (table_advance) begin
-            f0_found_20 <= leaves_20[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_20 <= ~leaves_20[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_21[tree_address] <= tree_begin[18];
-        end
-        if (table_advance) begin
-            f0_found_21 <= leaves_21[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_21 <= ~leaves_21[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_22[tree_address] <= tree_begin[19];
-        end
-        if (table_advance) begin
-            f0_found_22 <= leaves_22[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_22 <= ~leaves_22[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_23[tree_address] <= tree_begin[20];
-        end
-        if (table_advance) begin
-            f0_found_23 <= leaves_23[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_23 <= ~leaves_23[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_24[tree_address] <= tree_begin[21];
-        end
-        if (table_advance) begin
-            f0_found_24 <= leaves_24[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_24 <= ~leaves_24[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {start_x, start_y, start_z};
-        end
-        if (query_advance) begin
-            query <= queries[beat_queue_out_thread];
         end
     end
 
@@ -3340,395 +1887,185 @@ module search_distance (
     reg [127:0] delay_6_from_0_out;
     reg [4:0] delay_23_from_0_pointer;
     reg [26:0] delay_23_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
+    reg [22:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire [3:0] queue_out_thread;
-    wire [21:0] queue_out_address;
-    wire queue_out_last;
-    wire [31:0] queue_out_distance0;
-    wire [31:0] queue_out_distance1;
-    wire [31:0] queue_out_distance2;
-    wire [31:0] queue_out_distance3;
-    wire [31:0] add_f32_ftz_unit_y;
-    wire [31:0] add_f32_ftz_unit_copy2_y;
-    wire [31:0] add_f32_ftz_unit_copy3_y;
-    wire [31:0] add_f32_ftz_unit_copy4_y;
-    wire [31:0] add_f32_ftz_unit_copy5_y;
-    wire [31:0] add_f32_ftz_unit_copy6_y;
-    wire [31:0] add_f32_ftz_unit_copy7_y;
-    wire [31:0] add_f32_ftz_unit_copy8_y;
-    wire [31:0] add_f32_ftz_unit_copy9_y;
-    wire [31:0] add_f32_ftz_unit_copy10_y;
-    wire [31:0] add_f32_ftz_unit_copy11_y;
-    wire [31:0] add_f32_ftz_unit_copy12_y;
-    wire [31:0] add_f32_ftz_unit_copy13_y;
-    wire [31:0] add_f32_ftz_unit_copy14_y;
-    wire [31:0] add_f32_ftz_unit_copy15_y;
-    wire [31:0] add_f32_ftz_unit_copy16_y;
-    wire [31:0] add_f32_ftz_unit_copy17_y;
-    wire [31:0] add_f32_ftz_unit_copy18_y;
-    wire [31:0] add_f32_ftz_unit_copy19_y;
-    wire [31:0] add_f32_ftz_unit_copy20_y;
-    wire [31:0] mul_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_y;
-    wire [31:0] mul_f32_ftz_unit_copy4_y;
-    wire [31:0] mul_f32_ftz_unit_copy5_y;
-    wire [31:0] mul_f32_ftz_unit_copy6_y;
-    wire [31:0] mul_f32_ftz_unit_copy7_y;
-    wire [31:0] mul_f32_ftz_unit_copy8_y;
-    wire [31:0] mul_f32_ftz_unit_copy9_y;
-    wire [31:0] mul_f32_ftz_unit_copy10_y;
-    wire [31:0] mul_f32_ftz_unit_copy11_y;
-    wire [31:0] mul_f32_ftz_unit_copy12_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [154:0] queue_out_data;
+    wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
+    wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
+    wire [31:0] add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy10_y;
+    wire [31:0] add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy13_y;
+    wire [31:0] add_f32_ftz_unit_copy14_y, add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy16_y;
+    wire [31:0] add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy18_y, add_f32_ftz_unit_copy19_y;
+    wire [31:0] add_f32_ftz_unit_copy20_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
+    wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
+    wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
 
-    assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
     wire [31:0] joined_1 = {~in_query_x[31], in_query_x[30:0]};
     wire [31:0] joined_2 = {~in_query_y[31], in_query_y[30:0]};
     wire [31:0] joined_3 = {~in_query_z[31], in_query_z[30:0]};
 
+    assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
-    assign out_thread = queue_out_thread;
-    assign out_address = queue_out_address;
-    assign out_last = queue_out_last;
-    assign out_distance0 = queue_out_distance0;
-    assign out_distance1 = queue_out_distance1;
-    assign out_distance2 = queue_out_distance2;
-    assign out_distance3 = queue_out_distance3;
+    assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2, out_distance3} = queue_out_data;
 
     stream_skid_w155 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d23),
-        .in_ready(queue_in_ready),
-        .in_thread(delay_23_from_0_out[3:0]),
-        .in_address(delay_23_from_0_out[25:4]),
-        .in_last(delay_23_from_0_out[26]),
-        .in_distance0(add_f32_ftz_unit_copy5_y),
-        .in_distance1(add_f32_ftz_unit_copy10_y),
-        .in_distance2(add_f32_ftz_unit_copy15_y),
-        .in_distance3(add_f32_ftz_unit_copy20_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_thread(queue_out_thread),
-        .out_address(queue_out_address),
-        .out_last(queue_out_last),
-        .out_distance0(queue_out_distance0),
-        .out_distance1(queue_out_distance1),
-        .out_distance2(queue_out_distance2),
-        .out_distance3(queue_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[22]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_23_from_0_out[3:0], delay_23_from_0_out[25:4], delay_23_from_0_out[26],
+            add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y, add_f32_ftz_unit_copy15_y,
+            add_f32_ftz_unit_copy20_y
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add add_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_x0),
-        .b(joined_1),
-        .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_x0), .b(joined_1), .y(add_f32_ftz_unit_y)
     );
 
     float_add add_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_y0),
-        .b(joined_2),
-        .y(add_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_y0), .b(joined_2), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add add_f32_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_z0),
-        .b(joined_3),
-        .y(add_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_z0), .b(joined_3), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add add_f32_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_y),
-        .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add add_f32_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy4_y),
-        .b(delay_6_from_0_out[31:0]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(delay_6_from_0_out[31:0]),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add add_f32_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_1),
-        .b(in_x1),
-        .y(add_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add add_f32_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_2),
-        .b(in_y1),
-        .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add add_f32_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_3),
-        .b(in_z1),
-        .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add add_f32_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy4_y),
-        .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add add_f32_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy9_y),
-        .b(delay_6_from_0_out[63:32]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_y), .b(delay_6_from_0_out[63:32]),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add add_f32_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_1),
-        .b(in_x2),
-        .y(add_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add add_f32_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_2),
-        .b(in_y2),
-        .y(add_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add add_f32_ftz_unit_copy13 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_3),
-        .b(in_z2),
-        .y(add_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add add_f32_ftz_unit_copy14 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy7_y),
-        .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add add_f32_ftz_unit_copy15 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy14_y),
-        .b(delay_6_from_0_out[95:64]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(delay_6_from_0_out[95:64]),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add add_f32_ftz_unit_copy16 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_1),
-        .b(in_x3),
-        .y(add_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add add_f32_ftz_unit_copy17 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_2),
-        .b(in_y3),
-        .y(add_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add add_f32_ftz_unit_copy18 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_3),
-        .b(in_z3),
-        .y(add_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add add_f32_ftz_unit_copy19 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy10_y),
-        .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add add_f32_ftz_unit_copy20 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy19_y),
-        .b(delay_6_from_0_out[127:96]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_y), .b(delay_6_from_0_out[127:96]),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_mul mul_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_y),
-        .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
 
     float_mul mul_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy2_y),
-        .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul mul_f32_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy3_y),
-        .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul mul_f32_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy6_y),
-        .b(add_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul mul_f32_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy7_y),
-        .b(add_f32_ftz_unit_copy7_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul mul_f32_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy8_y),
-        .b(add_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul mul_f32_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy11_y),
-        .b(add_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul mul_f32_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy12_y),
-        .b(add_f32_ftz_unit_copy12_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul mul_f32_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy13_y),
-        .b(add_f32_ftz_unit_copy13_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul mul_f32_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy16_y),
-        .b(add_f32_ftz_unit_copy16_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul mul_f32_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy17_y),
-        .b(add_f32_ftz_unit_copy17_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul mul_f32_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy18_y),
-        .b(add_f32_ftz_unit_copy18_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
@@ -3736,77 +2073,27 @@ module search_distance (
         if (rst) begin
             delay_6_from_0_pointer <= 3'd0;
             delay_23_from_0_pointer <= 5'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
+            in_flight <= 23'd0;
         end else if (queue_in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
+            in_flight <= {in_flight[21:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f32_ftz_unit_copy12_y,
-                mul_f32_ftz_unit_copy9_y,
-                mul_f32_ftz_unit_copy6_y,
+                mul_f32_ftz_unit_copy12_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y,
                 mul_f32_ftz_unit_copy3_y
             };
         end
-        if (queue_in_ready) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
+        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_23_from_0[delay_23_from_0_pointer] <= {in_last, in_address, in_thread};
         end
-        if (queue_in_ready) begin
-            delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
-        end
+        if (queue_in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
 endmodule
 
@@ -3817,58 +2104,32 @@ module stream_skid_w155 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_distance0,
-    input  wire [31:0] in_distance1,
-    input  wire [31:0] in_distance2,
-    input  wire [31:0] in_distance3,
+    input  wire [154:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_distance0,
-    output wire [31:0] out_distance1,
-    output wire [31:0] out_distance2,
-    output wire [31:0] out_distance3
+    output wire [154:0] out_data
 );
     reg second_valid;
-    reg [154:0] head;
-    reg [154:0] second;
+    reg [154:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [154:0] in_item = {in_thread, in_address, in_last, in_distance0, in_distance1, in_distance2, in_distance3};
 
-    assign out_thread = head[154:151];
-    assign out_address = head[150:129];
-    assign out_last = head[128];
-    assign out_distance0 = head[127:96];
-    assign out_distance1 = head[95:64];
-    assign out_distance2 = head[63:32];
-    assign out_distance3 = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -3894,98 +2155,32 @@ module stream_skid_w411 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_x0,
-    input  wire [31:0] in_y0,
-    input  wire [31:0] in_z0,
-    input  wire [31:0] in_x1,
-    input  wire [31:0] in_y1,
-    input  wire [31:0] in_z1,
-    input  wire [31:0] in_x2,
-    input  wire [31:0] in_y2,
-    input  wire [31:0] in_z2,
-    input  wire [31:0] in_x3,
-    input  wire [31:0] in_y3,
-    input  wire [31:0] in_z3,
+    input  wire [410:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_x0,
-    output wire [31:0] out_y0,
-    output wire [31:0] out_z0,
-    output wire [31:0] out_x1,
-    output wire [31:0] out_y1,
-    output wire [31:0] out_z1,
-    output wire [31:0] out_x2,
-    output wire [31:0] out_y2,
-    output wire [31:0] out_z2,
-    output wire [31:0] out_x3,
-    output wire [31:0] out_y3,
-    output wire [31:0] out_z3
+    output wire [410:0] out_data
 );
     reg second_valid;
-    reg [410:0] head;
-    reg [410:0] second;
+    reg [410:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [410:0] in_item = {
-        in_thread,
-        in_address,
-        in_last,
-        in_x0,
-        in_y0,
-        in_z0,
-        in_x1,
-        in_y1,
-        in_z1,
-        in_x2,
-        in_y2,
-        in_z2,
-        in_x3,
-        in_y3,
-        in_z3
-    };
 
-    assign out_thread = head[410:407];
-    assign out_address = head[406:385];
-    assign out_last = head[384];
-    assign out_x0 = head[383:352];
-    assign out_y0 = head[351:320];
-    assign out_z0 = head[319:288];
-    assign out_x1 = head[287:256];
-    assign out_y1 = head[255:224];
-    assign out_z1 = head[223:192];
-    assign out_x2 = head[191:160];
-    assign out_y2 = head[159:128];
-    assign out_z2 = head[127:96];
-    assign out_x3 = head[95:64];
-    assign out_y3 = head[63:32];
-    assign out_z3 = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -4011,46 +2206,32 @@ module stream_skid_w29 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire [2:0] in_beats,
+    input  wire [28:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire [2:0] out_beats
+    output wire [28:0] out_data
 );
     reg second_valid;
-    reg [28:0] head;
-    reg [28:0] second;
+    reg [28:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [28:0] in_item = {in_thread, in_address, in_beats};
 
-    assign out_thread = head[28:25];
-    assign out_address = head[24:3];
-    assign out_beats = head[2:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -4105,102 +2286,65 @@ module search_recursion (
     reg [31:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
-    reg r0_valid;
-    reg r1_valid;
-    reg r2_valid;
-    reg [3:0] r0_thread;
-    reg [3:0] r1_thread;
-    reg [3:0] r2_thread;
+    reg r0_valid, r1_valid, r2_valid;
+    reg [3:0] r0_thread, r1_thread, r2_thread;
     reg found;
     reg [14:0] path_node;
     reg [31:0] path_distance2;
     reg [15:0] from_leaf;
     reg [31:0] radius2;
 
-    wire in_queue_in_ready;
-    wire in_queue_out_valid;
-    wire [3:0] in_queue_out_thread;
-    wire resume_queue_in_ready;
-    wire resume_queue_out_valid;
-    wire [3:0] resume_queue_out_thread;
-    wire [14:0] resume_queue_out_node;
+    wire in_queue_in_ready, in_queue_out_valid;
+    wire [3:0] in_queue_out_data;
+    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire [18:0] resume_queue_out_data;
 
-    assign in_ready = in_queue_in_ready;
     wire advance = ~r2_valid | resume_queue_in_ready;
     wire decides = advance & r2_valid;
     wire popped = decides & found;
     wire nearer = path_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
-    wire resume_queue_out_ready = resume_ready;
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15),
-        start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13),
-        start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11),
-        start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9),
-        start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7),
-        start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5),
-        start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3),
-        start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1),
-        start_valid & (start_thread == 4'd0)
+        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15),
-        radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13),
-        radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11),
-        radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9),
-        radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7),
-        radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5),
-        radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3),
-        radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1),
-        radius_valid & (radius_thread == 4'd0)
+        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] shifted_1 = from_leaf >> r1_thread;
     wire [31:0] leaf_radius2 = leaf_radii[r1_thread];
     wire [31:0] query_radius2 = query_radii[r1_thread];
 
+    assign in_ready = in_queue_in_ready;
     assign resume_valid = resume_queue_out_valid;
-    assign resume_thread = resume_queue_out_thread;
-    assign resume_node = resume_queue_out_node;
+    assign {resume_thread, resume_node} = resume_queue_out_data;
     assign pop_valid = advance & r0_valid;
     assign pop_thread = r0_thread;
 
     stream_skid_w4 in_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(in_queue_in_ready),
-        .in_thread(in_thread),
-        .out_valid(in_queue_out_valid),
-        .out_ready(in_queue_out_ready),
-        .out_thread(in_queue_out_thread)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
+        .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_skid_w19 resume_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(popped & nearer),
-        .in_ready(resume_queue_in_ready),
-        .in_thread(r2_thread),
-        .in_node(path_node),
-        .out_valid(resume_queue_out_valid),
-        .out_ready(resume_queue_out_ready),
-        .out_thread(resume_queue_out_thread),
-        .out_node(resume_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(popped & nearer), .in_ready(resume_queue_in_ready), .in_data({r2_thread, path_node}),
+        .out_valid(resume_queue_out_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -4224,7 +2368,7 @@ module search_recursion (
     end
     always @(posedge clk) begin
         if (advance) begin
-            r0_thread <= back ? r2_thread : in_queue_out_thread;
+            r0_thread <= back ? r2_thread : in_queue_out_data;
             r1_thread <= r0_thread;
             r2_thread <= r1_thread;
             found <= ~top_empty;
@@ -4235,14 +2379,10 @@ module search_recursion (
         empty_thread <= r2_thread;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{1'b0, shifted_1[15:1], start_k, start_number, start_x, start_y, start_z};
@@ -4255,40 +2395,32 @@ module stream_skid_w4 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
+    input  wire [3:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread
+    output wire [3:0] out_data
 );
     reg second_valid;
-    reg [3:0] head;
-    reg [3:0] second;
+    reg [3:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [3:0] in_item = in_thread;
 
-    assign out_thread = head;
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -4323,76 +2455,48 @@ module search_stack (
     output wire [14:0] top_node,
     output wire [31:0] top_distance2
 );
-    (* no_rw_check *)
-    reg [46:0] paths [0:255];
-    reg [3:0] depth_0;
-    reg [3:0] depth_1;
-    reg [3:0] depth_2;
-    reg [3:0] depth_3;
-    reg [3:0] depth_4;
-    reg [3:0] depth_5;
-    reg [3:0] depth_6;
-    reg [3:0] depth_7;
-    reg [3:0] depth_8;
-    reg [3:0] depth_9;
-    reg [3:0] depth_10;
-    reg [3:0] depth_11;
-    reg [3:0] depth_12;
-    reg [3:0] depth_13;
-    reg [3:0] depth_14;
-    reg [3:0] depth_15;
-    reg [46:0] top;
+    reg [3:0] depth_0, depth_1, depth_2, depth_3, depth_4, depth_5, depth_6, depth_7, depth_8, depth_9, depth_10;
+    reg [3:0] depth_11, depth_12, depth_13, depth_14, depth_15;
+    wire [46:0] top;
 
-    wire [15:0] up = {
-        push_valid & (push_thread == 4'd15),
-        push_valid & (push_thread == 4'd14),
-        push_valid & (push_thread == 4'd13),
-        push_valid & (push_thread == 4'd12),
-        push_valid & (push_thread == 4'd11),
-        push_valid & (push_thread == 4'd10),
-        push_valid & (push_thread == 4'd9),
-        push_valid & (push_thread == 4'd8),
-        push_valid & (push_thread == 4'd7),
-        push_valid & (push_thread == 4'd6),
-        push_valid & (push_thread == 4'd5),
-        push_valid & (push_thread == 4'd4),
-        push_valid & (push_thread == 4'd3),
-        push_valid & (push_thread == 4'd2),
-        push_valid & (push_thread == 4'd1),
-        push_valid & (push_thread == 4'd0)
-    };
-    wire [3:0] choice_1 = pop_thread[1] ? (pop_thread[0] ? depth_15 : depth_14) : pop_thread[0] ? depth_13 : depth_12;
-    wire [3:0] choice_2 = pop_thread[1] ? (pop_thread[0] ? depth_11 : depth_10) : pop_thread[0] ? depth_9 : depth_8;
-    wire [3:0] choice_3 = pop_thread[1] ? (pop_thread[0] ? depth_7 : depth_6) : pop_thread[0] ? depth_5 : depth_4;
-    wire [3:0] choice_4 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
-    wire [3:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? choice_1 : choice_2) : pop_thread[2] ? choice_3 : choice_4;
+    wire [3:0] choice_1 = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
+    wire [3:0] choice_2 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
+    wire [3:0] choice_3 = push_thread[1] ? (push_thread[0] ? depth_7 : depth_6) : push_thread[0] ? depth_5 : depth_4;
+    wire [3:0] choice_4 = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
+    wire [3:0] push_depth = push_thread[3] ? (push_thread[2] ? choice_1 : choice_2) : push_thread[2] ? choice_3 : choice_4;
+    wire [3:0] choice_5 = pop_thread[1] ? (pop_thread[0] ? depth_15 : depth_14) : pop_thread[0] ? depth_13 : depth_12;
+    wire [3:0] choice_6 = pop_thread[1] ? (pop_thread[0] ? depth_11 : depth_10) : pop_thread[0] ? depth_9 : depth_8;
+    wire [3:0] choice_7 = pop_thread[1] ? (pop_thread[0] ? depth_7 : depth_6) : pop_thread[0] ? depth_5 : depth_4;
+    wire [3:0] choice_8 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
+    wire [3:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? choice_5 : choice_6) : pop_thread[2] ? choice_7 : choice_8;
     wire takes = pop_valid & |pop_depth;
+    wire [15:0] up = {
+        push_valid & (push_thread == 4'd15), push_valid & (push_thread == 4'd14),
+        push_valid & (push_thread == 4'd13), push_valid & (push_thread == 4'd12),
+        push_valid & (push_thread == 4'd11), push_valid & (push_thread == 4'd10),
+        push_valid & (push_thread == 4'd9), push_valid & (push_thread == 4'd8),
+        push_valid & (push_thread == 4'd7), push_valid & (push_thread == 4'd6),
+        push_valid & (push_thread == 4'd5), push_valid & (push_thread == 4'd4),
+        push_valid & (push_thread == 4'd3), push_valid & (push_thread == 4'd2),
+        push_valid & (push_thread == 4'd1), push_valid & (push_thread == 4'd0)
+    };
     wire [15:0] down = {
-        takes & (pop_thread == 4'd15),
-        takes & (pop_thread == 4'd14),
-        takes & (pop_thread == 4'd13),
-        takes & (pop_thread == 4'd12),
-        takes & (pop_thread == 4'd11),
-        takes & (pop_thread == 4'd10),
-        takes & (pop_thread == 4'd9),
-        takes & (pop_thread == 4'd8),
-        takes & (pop_thread == 4'd7),
-        takes & (pop_thread == 4'd6),
-        takes & (pop_thread == 4'd5),
-        takes & (pop_thread == 4'd4),
-        takes & (pop_thread == 4'd3),
-        takes & (pop_thread == 4'd2),
-        takes & (pop_thread == 4'd1),
+        takes & (pop_thread == 4'd15), takes & (pop_thread == 4'd14), takes & (pop_thread == 4'd13),
+        takes & (pop_thread == 4'd12), takes & (pop_thread == 4'd11), takes & (pop_thread == 4'd10),
+        takes & (pop_thread == 4'd9), takes & (pop_thread == 4'd8), takes & (pop_thread == 4'd7),
+        takes & (pop_thread == 4'd6), takes & (pop_thread == 4'd5), takes & (pop_thread == 4'd4),
+        takes & (pop_thread == 4'd3), takes & (pop_thread == 4'd2), takes & (pop_thread == 4'd1),
         takes & (pop_thread == 4'd0)
     };
-    wire [3:0] choice_5 = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
-    wire [3:0] choice_6 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
-    wire [3:0] choice_7 = push_thread[1] ? (push_thread[0] ? depth_7 : depth_6) : push_thread[0] ? depth_5 : depth_4;
-    wire [3:0] choice_8 = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
-    wire [3:0] push_depth = push_thread[3] ? (push_thread[2] ? choice_5 : choice_6) : push_thread[2] ? choice_7 : choice_8;
 
-    assign top_node = top[46:32];
-    assign top_distance2 = top[31:0];
+    assign {top_node, top_distance2} = top;
+
+    memory_1w1r_unordered #(.WIDTH(47), .DEPTH(256)) paths (
+        .clk(clk),
+        .write(push_valid), .write_address({push_thread, push_depth}),
+        .write_data({push_node, push_distance2}),
+        .read(takes), .read_address({pop_thread, pop_depth - 4'd1}), .read_data(top)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -4414,71 +2518,24 @@ module search_stack (
             depth_15 <= 4'd0;
             top_empty <= 1'd1;
         end else begin
-            if (up[0] | down[0]) begin
-                depth_0 <= up[0] ? (depth_0 + 4'd1) : (depth_0 - 4'd1);
-            end
-            if (up[1] | down[1]) begin
-                depth_1 <= up[1] ? (depth_1 + 4'd1) : (depth_1 - 4'd1);
-            end
-            if (up[2] | down[2]) begin
-                depth_2 <= up[2] ? (depth_2 + 4'd1) : (depth_2 - 4'd1);
-            end
-            if (up[3] | down[3]) begin
-                depth_3 <= up[3] ? (depth_3 + 4'd1) : (depth_3 - 4'd1);
-            end
-            if (up[4] | down[4]) begin
-                depth_4 <= up[4] ? (depth_4 + 4'd1) : (depth_4 - 4'd1);
-            end
-            if (up[5] | down[5]) begin
-                depth_5 <= up[5] ? (depth_5 + 4'd1) : (depth_5 - 4'd1);
-            end
-            if (up[6] | down[6]) begin
-                depth_6 <= up[6] ? (depth_6 + 4'd1) : (depth_6 - 4'd1);
-            end
-            if (up[7] | down[7]) begin
-                depth_7 <= up[7] ? (depth_7 + 4'd1) : (depth_7 - 4'd1);
-            end
-            if (up[8] | down[8]) begin
-                depth_8 <= up[8] ? (depth_8 + 4'd1) : (depth_8 - 4'd1);
-            end
-            if (up[9] | down[9]) begin
-                depth_9 <= up[9] ? (depth_9 + 4'd1) : (depth_9 - 4'd1);
-            end
-            if (up[10] | down[10]) begin
-                depth_10 <= up[10] ? (depth_10 + 4'd1) : (depth_10 - 4'd1);
-            end
-            if (up[11] | down[11]) begin
-                depth_11 <= up[11] ? (depth_11 + 4'd1) : (depth_11 - 4'd1);
-            end
-            if (up[12] | down[12]) begin
-                depth_12 <= up[12] ? (depth_12 + 4'd1) : (depth_12 - 4'd1);
-            end
-            if (up[13] | down[13]) begin
-                depth_13 <= up[13] ? (depth_13 + 4'd1) : (depth_13 - 4'd1);
-            end
-            if (up[14] | down[14]) begin
-                depth_14 <= up[14] ? (depth_14 + 4'd1) : (depth_14 - 4'd1);
-            end
-            if (up[15] | down[15]) begin
-                depth_15 <= up[15] ? (depth_15 + 4'd1) : (depth_15 - 4'd1);
-            end
-            if (pop_valid) begin
-                top_empty <= pop_depth == 4'd0;
-            end
+            if (up[0] | down[0]) depth_0 <= up[0] ? (depth_0 + 4'd1) : (depth_0 - 4'd1);
+            if (up[1] | down[1]) depth_1 <= up[1] ? (depth_1 + 4'd1) : (depth_1 - 4'd1);
+            if (up[2] | down[2]) depth_2 <= up[2] ? (depth_2 + 4'd1) : (depth_2 - 4'd1);
+            if (up[3] | down[3]) depth_3 <= up[3] ? (depth_3 + 4'd1) : (depth_3 - 4'd1);
+            if (up[4] | down[4]) depth_4 <= up[4] ? (depth_4 + 4'd1) : (depth_4 - 4'd1);
+            if (up[5] | down[5]) depth_5 <= up[5] ? (depth_5 + 4'd1) : (depth_5 - 4'd1);
+            if (up[6] | down[6]) depth_6 <= up[6] ? (depth_6 + 4'd1) : (depth_6 - 4'd1);
+            if (up[7] | down[7]) depth_7 <= up[7] ? (depth_7 + 4'd1) : (depth_7 - 4'd1);
+            if (up[8] | down[8]) depth_8 <= up[8] ? (depth_8 + 4'd1) : (depth_8 - 4'd1);
+            if (up[9] | down[9]) depth_9 <= up[9] ? (depth_9 + 4'd1) : (depth_9 - 4'd1);
+            if (up[10] | down[10]) depth_10 <= up[10] ? (depth_10 + 4'd1) : (depth_10 - 4'd1);
+            if (up[11] | down[11]) depth_11 <= up[11] ? (depth_11 + 4'd1) : (depth_11 - 4'd1);
+            if (up[12] | down[12]) depth_12 <= up[12] ? (depth_12 + 4'd1) : (depth_12 - 4'd1);
+            if (up[13] | down[13]) depth_13 <= up[13] ? (depth_13 + 4'd1) : (depth_13 - 4'd1);
+            if (up[14] | down[14]) depth_14 <= up[14] ? (depth_14 + 4'd1) : (depth_14 - 4'd1);
+            if (up[15] | down[15]) depth_15 <= up[15] ? (depth_15 + 4'd1) : (depth_15 - 4'd1);
+            if (pop_valid) top_empty <= pop_depth == 4'd0;
         end
-    end
-    always @(posedge clk) begin
-        if (push_valid) begin
-            paths[{push_thread, push_depth}] <= {push_node, push_distance2};
-        end
-        if (takes) begin
-            top <= paths[{pop_thread, pop_depth - 4'd1}];
-        end
-`ifdef RTL_ASSERT
-        if ((push_valid) && (takes) && ({push_thread, push_depth}) == ({pop_thread, pop_depth - 4'd1})) begin
-            top <= ~paths[{pop_thread, pop_depth - 4'd1}];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -4547,79 +2604,6 @@ module search_traversal (
     output wire reached_valid,
     output wire [3:0] reached_thread
 );
-    (* no_rw_check *)
-    reg [1:0] even_nodes_0 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_2 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_4 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_6 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_8 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_10 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_12 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_14 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_16 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_18 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_20 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_22 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_24 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_26 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_28 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_30 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] even_nodes_32 [0:8191];
-    (* no_rw_check *)
-    reg even_nodes_34 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_0 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_2 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_4 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_6 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_8 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_10 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_12 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_14 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_16 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_18 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_20 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_22 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_24 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_26 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_28 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_30 [0:8191];
-    (* no_rw_check *)
-    reg [1:0] odd_nodes_32 [0:8191];
-    (* no_rw_check *)
-    reg odd_nodes_34 [0:8191];
-    reg [95:0] queries [0:15];
     reg f_valid;
     reg [3:0] f_thread;
     reg [14:0] f_node;
@@ -4629,103 +2613,57 @@ module search_traversal (
     reg s_valid;
     reg [3:0] s_thread;
     reg [14:0] s_node;
-    reg f_is_child;
-    reg s_at_leaf;
-    reg [31:0] s_coordinate;
-    reg [31:0] s_split;
-    reg [1:0] even_node_0;
-    reg [1:0] even_node_2;
-    reg [1:0] even_node_4;
-    reg [1:0] even_node_6;
-    reg [1:0] even_node_8;
-    reg [1:0] even_node_10;
-    reg [1:0] even_node_12;
-    reg [1:0] even_node_14;
-    reg [1:0] even_node_16;
-    reg [1:0] even_node_18;
-    reg [1:0] even_node_20;
-    reg [1:0] even_node_22;
-    reg [1:0] even_node_24;
-    reg [1:0] even_node_26;
-    reg [1:0] even_node_28;
-    reg [1:0] even_node_30;
-    reg [1:0] even_node_32;
-    reg even_node_34;
-    reg [1:0] odd_node_0;
-    reg [1:0] odd_node_2;
-    reg [1:0] odd_node_4;
-    reg [1:0] odd_node_6;
-    reg [1:0] odd_node_8;
-    reg [1:0] odd_node_10;
-    reg [1:0] odd_node_12;
-    reg [1:0] odd_node_14;
-    reg [1:0] odd_node_16;
-    reg [1:0] odd_node_18;
-    reg [1:0] odd_node_20;
-    reg [1:0] odd_node_22;
-    reg [1:0] odd_node_24;
-    reg [1:0] odd_node_26;
-    reg [1:0] odd_node_28;
-    reg [1:0] odd_node_30;
-    reg [1:0] odd_node_32;
-    reg odd_node_34;
-    reg [31:0] v_even_split;
-    reg [31:0] v_odd_split;
+    reg f_is_child, s_at_leaf;
+    reg [31:0] s_coordinate, s_split;
+    wire [34:0] even_node, odd_node;
+    reg [31:0] v_even_split, v_odd_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
-    reg [95:0] query;
+    wire [95:0] query;
 
-    wire descend_queue_in_ready;
-    wire descend_queue_out_valid;
-    wire [3:0] descend_queue_out_thread;
-    wire [14:0] descend_queue_out_node;
-    wire resume_queue_in_ready;
-    wire resume_queue_out_valid;
-    wire [3:0] resume_queue_out_thread;
-    wire [14:0] resume_queue_out_node;
-    wire leaf_queue_in_ready;
-    wire leaf_queue_out_valid;
-    wire [3:0] leaf_queue_out_thread;
-    wire [13:0] leaf_queue_out_leaf;
-    wire path_in_ready;
-    wire path_out_valid;
-    wire path_out_is_leaf;
+    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire [18:0] descend_queue_out_data;
+    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire [18:0] resume_queue_out_data;
+    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire [17:0] leaf_queue_out_data;
+    wire path_in_ready, path_out_valid, path_out_is_leaf;
     wire [3:0] path_out_thread;
     wire [14:0] path_out_node;
     wire [31:0] path_out_distance2;
     wire less_y;
 
-    assign descend_ready = descend_queue_in_ready;
-    assign resume_ready = resume_queue_in_ready;
+    wire term_1 = tree_valid & ~tree_is_leaf;
+    wire writes_even = term_1 & ~tree_address[0];
+    wire [34:0] joined_2 = {tree_split, tree_dimension, tree_internal_leaf};
     wire at_leaf = v_node[14] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
     wire proceeds = ~reaches | leaf_queue_in_ready;
     wire advance = path_in_ready & proceeds;
     wire descends = v_valid & ~at_leaf;
+    wire [14:0] resume_queue_out_node = resume_queue_out_data[14:0];
+    wire [14:0] descend_queue_out_node = descend_queue_out_data[14:0];
+    wire [14:0] choice_3 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
+    wire [14:0] next_node = descends ? {v_node[13:0], 1'd0} : choice_3;
+    wire writes_odd = term_1 & tree_address[0];
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
-    wire [14:0] choice_1 = (v_node[14:7] == 8'd0) ? (v_node << 8) : v_node;
-    wire [14:0] choice_2 = (choice_1[14:11] == 4'd0) ? (choice_1 << 4) : choice_1;
-    wire [14:0] choice_3 = (choice_2[14:13] == 2'd0) ? (choice_2 << 2) : choice_2;
-    wire [14:0] choice_4 = ~choice_3[14] ? (choice_3 << 1) : choice_3;
-    wire leaf_queue_out_ready = leaf_ready;
-    wire path_out_ready = 1'd1;
+    wire [14:0] choice_4 = (v_node[14:7] == 8'd0) ? (v_node << 8) : v_node;
+    wire [14:0] choice_5 = (choice_4[14:11] == 4'd0) ? (choice_4 << 4) : choice_4;
+    wire [14:0] choice_6 = (choice_5[14:13] == 2'd0) ? (choice_5 << 2) : choice_5;
+    wire [14:0] choice_7 = ~choice_6[14] ? (choice_6 << 1) : choice_6;
     wire [31:0] coordinate = v_dimension[1] ? query[31:0] : v_dimension[0] ? query[63:32] : query[95:64];
-    wire [31:0] choice_5 = v_node[0] ? v_odd_split : v_even_split;
-    wire [3:0] choice_6 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire [14:0] choice_7 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
-    wire [14:0] next_node = descends ? {v_node[13:0], 1'd0} : choice_7;
-    wire choice_8 = f_is_child ? ~less_y : f_node[0];
-    wire term_9 = tree_valid & ~tree_is_leaf;
-    wire writes_even = term_9 & ~tree_address[0];
-    wire [1:0] joined_10 = {tree_dimension[0], tree_internal_leaf};
-    wire [1:0] joined_11 = {tree_split[0], tree_dimension[1]};
-    wire writes_odd = term_9 & tree_address[0];
+    wire [31:0] choice_8 = v_node[0] ? v_odd_split : v_even_split;
+    wire [3:0] resume_queue_out_thread = resume_queue_out_data[18:15];
+    wire [3:0] descend_queue_out_thread = descend_queue_out_data[18:15];
+    wire [3:0] choice_9 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire choice_10 = f_is_child ? ~less_y : f_node[0];
 
+    assign descend_ready = descend_queue_in_ready;
+    assign resume_ready = resume_queue_in_ready;
     assign leaf_valid = leaf_queue_out_valid;
-    assign leaf_thread = leaf_queue_out_thread;
-    assign leaf_leaf = leaf_queue_out_leaf;
+    assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
     assign push_thread = path_out_thread;
     assign push_node = path_out_node;
@@ -4733,71 +2671,53 @@ module search_traversal (
     assign reached_valid = path_out_valid & path_out_is_leaf;
     assign reached_thread = path_out_thread;
 
-    stream_skid_w19 descend_queue (
+    memory_1w1r_unordered #(.WIDTH(35), .DEPTH(8192), .SLICE(2)) even_nodes (
         .clk(clk),
-        .rst(rst),
-        .in_valid(descend_valid),
-        .in_ready(descend_queue_in_ready),
-        .in_thread(descend_thread),
-        .in_node(descend_node),
-        .out_valid(descend_queue_out_valid),
-        .out_ready(descend_queue_out_ready),
-        .out_thread(descend_queue_out_thread),
-        .out_node(descend_queue_out_node)
+        .write(writes_even), .write_address(tree_address[13:1]), .write_data(joined_2),
+        .read(advance), .read_address(next_node[13:1]), .read_data(even_node)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(35), .DEPTH(8192), .SLICE(2)) odd_nodes (
+        .clk(clk),
+        .write(writes_odd), .write_address(tree_address[13:1]), .write_data(joined_2),
+        .read(advance), .read_address(next_node[13:1]), .read_data(odd_node)
+    );
+
+    memory_1w1r #(.WIDTH(96), .DEPTH(16)) queries (
+        .clk(clk),
+        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .read(advance), .read_address(f_thread), .read_data(query)
+    );
+
+    stream_skid_w19 descend_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(descend_valid), .in_ready(descend_queue_in_ready), .in_data({descend_thread, descend_node}),
+        .out_valid(descend_queue_out_valid), .out_ready(descend_queue_out_ready),
+        .out_data(descend_queue_out_data)
     );
 
     stream_skid_w19 resume_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(resume_valid),
-        .in_ready(resume_queue_in_ready),
-        .in_thread(resume_thread),
-        .in_node(resume_node),
-        .out_valid(resume_queue_out_valid),
-        .out_ready(resume_queue_out_ready),
-        .out_thread(resume_queue_out_thread),
-        .out_node(resume_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(resume_valid), .in_ready(resume_queue_in_ready), .in_data({resume_thread, resume_node}),
+        .out_valid(resume_queue_out_valid), .out_ready(resume_queue_out_ready),
+        .out_data(resume_queue_out_data)
     );
 
     stream_skid_w18 leaf_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(advance & reaches),
-        .in_ready(leaf_queue_in_ready),
-        .in_thread(v_thread),
-        .in_leaf(choice_4[13:0]),
-        .out_valid(leaf_queue_out_valid),
-        .out_ready(leaf_queue_out_ready),
-        .out_thread(leaf_queue_out_thread),
-        .out_leaf(leaf_queue_out_leaf)
+        .clk(clk), .rst(rst),
+        .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready), .in_data({v_thread, choice_7[13:0]}),
+        .out_valid(leaf_queue_out_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
     search_path path (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(s_valid & proceeds),
-        .in_ready(path_in_ready),
-        .in_is_leaf(s_at_leaf),
-        .in_thread(s_thread),
-        .in_node({s_node[13:0], less_y}),
-        .in_coordinate(s_coordinate),
-        .in_split(s_split),
-        .out_valid(path_out_valid),
-        .out_ready(path_out_ready),
-        .out_is_leaf(path_out_is_leaf),
-        .out_thread(path_out_thread),
-        .out_node(path_out_node),
-        .out_distance2(path_out_distance2)
+        .clk(clk), .rst(rst),
+        .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf), .in_thread(s_thread),
+        .in_node({s_node[13:0], less_y}), .in_coordinate(s_coordinate), .in_split(s_split),
+        .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
+        .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
     );
 
-    float_lt less (
-        .clk(clk),
-        .rst(rst),
-        .enable(advance),
-        .a(coordinate),
-        .b(choice_5),
-        .y(less_y)
-    );
+    float_lt less (.clk(clk), .enable(advance), .a(coordinate), .b(choice_8), .y(less_y));
 
     always @(posedge clk) begin
         if (rst) begin
@@ -4816,536 +2736,24 @@ module search_traversal (
     end
     always @(posedge clk) begin
         if (advance) begin
-            f_thread <= descends ? v_thread : choice_6;
+            f_thread <= descends ? v_thread : choice_9;
             f_node <= next_node;
             v_thread <= f_thread;
-            v_node <= {f_node[14:1], choice_8};
+            v_node <= {f_node[14:1], choice_10};
             s_thread <= v_thread;
             s_node <= v_node;
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= choice_5;
-            v_even_split <= {
-                even_node_34,
-                even_node_32,
-                even_node_30,
-                even_node_28,
-                even_node_26,
-                even_node_24,
-                even_node_22,
-                even_node_20,
-                even_node_18,
-                even_node_16,
-                even_node_14,
-                even_node_12,
-                even_node_10,
-                even_node_8,
-                even_node_6,
-                even_node_4,
-                even_node_2[1]
-            };
-            v_odd_split <= {
-                odd_node_34,
-                odd_node_32,
-                odd_node_30,
-                odd_node_28,
-                odd_node_26,
-                odd_node_24,
-                odd_node_22,
-                odd_node_20,
-                odd_node_18,
-                odd_node_16,
-                odd_node_14,
-                odd_node_12,
-                odd_node_10,
-                odd_node_8,
-                odd_node_6,
-                odd_node_4,
-                odd_node_2[1]
-            };
-            v_dimension <= choice_8 ? {odd_node_2[0], odd_node_0[1]} : {even_node_2[0], even_node_0[1]};
-            v_internal_leaf <= choice_8 ? odd_node_0[0] : even_node_0[0];
-        end
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_0[tree_address[13:1]] <= joined_10;
-        end
-        if (advance) begin
-            even_node_0 <= even_nodes_0[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_0 <= ~even_nodes_0[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_2[tree_address[13:1]] <= joined_11;
-        end
-        if (advance) begin
-            even_node_2 <= even_nodes_2[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_2 <= ~even_nodes_2[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_4[tree_address[13:1]] <= tree_split[2:1];
-        end
-        if (advance) begin
-            even_node_4 <= even_nodes_4[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_4 <= ~even_nodes_4[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_6[tree_address[13:1]] <= tree_split[4:3];
-        end
-        if (advance) begin
-            even_node_6 <= even_nodes_6[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_6 <= ~even_nodes_6[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_8[tree_address[13:1]] <= tree_split[6:5];
-        end
-        if (advance) begin
-            even_node_8 <= even_nodes_8[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_8 <= ~even_nodes_8[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_10[tree_address[13:1]] <= tree_split[8:7];
-        end
-        if (advance) begin
-            even_node_10 <= even_nodes_10[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_10 <= ~even_nodes_10[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_12[tree_address[13:1]] <= tree_split[10:9];
-        end
-        if (advance) begin
-            even_node_12 <= even_nodes_12[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_12 <= ~even_nodes_12[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_14[tree_address[13:1]] <= tree_split[12:11];
-        end
-        if (advance) begin
-            even_node_14 <= even_nodes_14[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_14 <= ~even_nodes_14[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_16[tree_address[13:1]] <= tree_split[14:13];
-        end
-        if (advance) begin
-            even_node_16 <= even_nodes_16[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_16 <= ~even_nodes_16[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_18[tree_address[13:1]] <= tree_split[16:15];
-        end
-        if (advance) begin
-            even_node_18 <= even_nodes_18[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_18 <= ~even_nodes_18[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_20[tree_address[13:1]] <= tree_split[18:17];
-        end
-        if (advance) begin
-            even_node_20 <= even_nodes_20[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_20 <= ~even_nodes_20[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_22[tree_address[13:1]] <= tree_split[20:19];
-        end
-        if (advance) begin
-            even_node_22 <= even_nodes_22[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_22 <= ~even_nodes_22[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_24[tree_address[13:1]] <= tree_split[22:21];
-        end
-        if (advance) begin
-            even_node_24 <= even_nodes_24[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_24 <= ~even_nodes_24[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_26[tree_address[13:1]] <= tree_split[24:23];
-        end
-        if (advance) begin
-            even_node_26 <= even_nodes_26[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_26 <= ~even_nodes_26[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_28[tree_address[13:1]] <= tree_split[26:25];
-        end
-        if (advance) begin
-            even_node_28 <= even_nodes_28[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_28 <= ~even_nodes_28[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_30[tree_address[13:1]] <= tree_split[28:27];
-        end
-        if (advance) begin
-            even_node_30 <= even_nodes_30[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_30 <= ~even_nodes_30[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_32[tree_address[13:1]] <= tree_split[30:29];
-        end
-        if (advance) begin
-            even_node_32 <= even_nodes_32[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_32 <= ~even_nodes_32[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_34[tree_address[13:1]] <= tree_split[31];
-        end
-        if (advance) begin
-            even_node_34 <= even_nodes_34[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            even_node_34 <= ~even_nodes_34[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_0[tree_address[13:1]] <= joined_10;
-        end
-        if (advance) begin
-            odd_node_0 <= odd_nodes_0[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_0 <= ~odd_nodes_0[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_2[tree_address[13:1]] <= joined_11;
-        end
-        if (advance) begin
-            odd_node_2 <= odd_nodes_2[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_2 <= ~odd_nodes_2[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_4[tree_address[13:1]] <= tree_split[2:1];
-        end
-        if (advance) begin
-            odd_node_4 <= odd_nodes_4[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_4 <= ~odd_nodes_4[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_6[tree_address[13:1]] <= tree_split[4:3];
-        end
-        if (advance) begin
-            odd_node_6 <= odd_nodes_6[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_6 <= ~odd_nodes_6[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_8[tree_address[13:1]] <= tree_split[6:5];
-        end
-        if (advance) begin
-            odd_node_8 <= odd_nodes_8[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_8 <= ~odd_nodes_8[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_10[tree_address[13:1]] <= tree_split[8:7];
-        end
-        if (advance) begin
-            odd_node_10 <= odd_nodes_10[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_10 <= ~odd_nodes_10[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_12[tree_address[13:1]] <= tree_split[10:9];
-        end
-        if (advance) begin
-            odd_node_12 <= odd_nodes_12[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_12 <= ~odd_nodes_12[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_14[tree_address[13:1]] <= tree_split[12:11];
-        end
-        if (advance) begin
-            odd_node_14 <= odd_nodes_14[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_14 <= ~odd_nodes_14[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_16[tree_address[13:1]] <= tree_split[14:13];
-        end
-        if (advance) begin
-            odd_node_16 <= odd_nodes_16[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_16 <= ~odd_nodes_16[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_18[tree_address[13:1]] <= tree_split[16:15];
-        end
-        if (advance) begin
-            odd_node_18 <= odd_nodes_18[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_18 <= ~odd_nodes_18[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_20[tree_address[13:1]] <= tree_split[18:17];
-        end
-        if (advance) begin
-            odd_node_20 <= odd_nodes_20[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_20 <= ~odd_nodes_20[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_22[tree_address[13:1]] <= tree_split[20:19];
-        end
-        if (advance) begin
-            odd_node_22 <= odd_nodes_22[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_22 <= ~odd_nodes_22[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_24[tree_address[13:1]] <= tree_split[22:21];
-        end
-        if (advance) begin
-            odd_node_24 <= odd_nodes_24[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_24 <= ~odd_nodes_24[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_26[tree_address[13:1]] <= tree_split[24:23];
-        end
-        if (advance) begin
-            odd_node_26 <= odd_nodes_26[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_26 <= ~odd_nodes_26[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_28[tree_address[13:1]] <= tree_split[26:25];
-        end
-        if (advance) begin
-            odd_node_28 <= odd_nodes_28[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_28 <= ~odd_nodes_28[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_30[tree_address[13:1]] <= tree_split[28:27];
-        end
-        if (advance) begin
-            odd_node_30 <= odd_nodes_30[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_30 <= ~odd_nodes_30[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_32[tree_address[13:1]] <= tree_split[30:29];
-        end
-        if (advance) begin
-            odd_node_32 <= odd_nodes_32[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_32 <= ~odd_nodes_32[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_34[tree_address[13:1]] <= tree_split[31];
-        end
-        if (advance) begin
-            odd_node_34 <= odd_nodes_34[next_node[13:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[13:1]) == (next_node[13:1])) begin
-            odd_node_34 <= ~odd_nodes_34[next_node[13:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {start_x, start_y, start_z};
-        end
-        if (advance) begin
-            query <= queries[f_thread];
+            s_split <= choice_8;
+            v_even_split <= even_node[34:3];
+            v_odd_split <= odd_node[34:3];
+            v_dimension <= choice_10 ? odd_node[2:1] : even_node[2:1];
+            v_internal_leaf <= choice_10 ? odd_node[0] : even_node[0];
         end
     end
 
-    wire _unused = &{1'b0, choice_4[14], s_node[14], start_k, start_number, start_radius2, tree_beats, tree_begin};
+    wire _unused = &{1'b0, choice_7[14], s_node[14], start_k, start_number, start_radius2, tree_beats, tree_begin};
 endmodule
 
 // Whether one floating-point number is less than another.
@@ -5353,7 +2761,6 @@ endmodule
 // format = f32-ftz
 module float_lt (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     input  wire [31:0] b,
@@ -5370,8 +2777,6 @@ module float_lt (
             y <= term_5 & ~((joined_2 | joined_4) == 31'd0) & ~((&a[30:23] & |term_1) | (&b[30:23] & |term_3));
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Squared distance of a query to a splitting plane.
@@ -5398,107 +2803,47 @@ module search_path (
     reg [19:0] delay_11_from_0 [0:9];
     reg [3:0] delay_11_from_0_pointer;
     reg [19:0] delay_11_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
+    reg [10:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_is_leaf;
-    wire [3:0] queue_out_thread;
-    wire [14:0] queue_out_node;
-    wire [31:0] queue_out_distance2;
-    wire [31:0] add_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [51:0] queue_out_data;
+    wire [31:0] add_f32_ftz_unit_y, mul_f32_ftz_unit_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_is_leaf = queue_out_is_leaf;
-    assign out_thread = queue_out_thread;
-    assign out_node = queue_out_node;
-    assign out_distance2 = queue_out_distance2;
+    assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
 
     stream_skid_w52 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d11),
-        .in_ready(queue_in_ready),
-        .in_is_leaf(delay_11_from_0_out[0]),
-        .in_thread(delay_11_from_0_out[4:1]),
-        .in_node(delay_11_from_0_out[19:5]),
-        .in_distance2(mul_f32_ftz_unit_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_is_leaf(queue_out_is_leaf),
-        .out_thread(queue_out_thread),
-        .out_node(queue_out_node),
-        .out_distance2(queue_out_distance2)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[10]), .in_ready(queue_in_ready),
+        .in_data({delay_11_from_0_out[0], delay_11_from_0_out[4:1], delay_11_from_0_out[19:5], mul_f32_ftz_unit_y}),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add add_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_coordinate),
-        .b({~in_split[31], in_split[30:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
     float_mul mul_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_y),
-        .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_11_from_0_pointer <= 4'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
+            in_flight <= 11'd0;
         end else if (queue_in_ready) begin
             delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
+            in_flight <= {in_flight[9:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
         end
-        if (queue_in_ready) begin
-            delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
-        end
+        if (queue_in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
 endmodule
 
@@ -5507,40 +2852,19 @@ endmodule
 // format = f32-ftz
 module float_mul (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     input  wire [31:0] b,
     output reg  [31:0] y
 );
-    reg [23:0] left_s1;
-    reg [23:0] right_s1;
+    reg [23:0] left_s1, right_s1;
     reg [9:0] exponent_s1;
-    reg [23:0] partial_0_0_s2;
-    reg [23:0] partial_0_12_s2;
-    reg [23:0] partial_12_0_s2;
-    reg [23:0] partial_12_12_s2;
+    reg [23:0] partial_0_0_s2, partial_0_12_s2, partial_12_0_s2, partial_12_12_s2;
     reg [47:0] product_s3;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
+    reg [9:0] exponent_s2, exponent_s3, exponent_s4;
     reg [25:0] significand_s4;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, nan_s1, nan_s2, nan_s3, nan_s4, infinite_s1, infinite_s2;
+    reg infinite_s3, infinite_s4, zero_s1, zero_s2, zero_s3, zero_s4;
 
     wire [7:0] a_field = a[30:23];
     wire [22:0] a_fraction = a[22:0];
@@ -5593,7 +2917,7 @@ module float_mul (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s4[25]};
+    wire _unused = &{1'b0, significand_s4[25]};
 endmodule
 
 // Floating-point sum.
@@ -5601,46 +2925,22 @@ endmodule
 // format = f32-ftz
 module float_add (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     input  wire [31:0] b,
     output reg  [31:0] y
 );
     reg [9:0] distance_s1;
-    reg [23:0] large_s1;
-    reg [23:0] small_s1;
-    reg [23:0] large_s2;
+    reg [23:0] large_s1, small_s1, large_s2;
     reg [26:0] aligned_s2;
-    reg subtract_s1;
-    reg subtract_s2;
+    reg subtract_s1, subtract_s2;
     reg [27:0] sum_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg subtract_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, subtract_s3;
     reg [27:0] value_s4;
     reg [4:0] zeros_s4;
-    reg [9:0] limit_s1;
-    reg [9:0] limit_s2;
-    reg [9:0] limit_s3;
-    reg [9:0] limit_s4;
-    reg [9:0] exponent_s5;
+    reg [9:0] limit_s1, limit_s2, limit_s3, limit_s4, exponent_s5;
     reg [25:0] significand_s5;
-    reg sign_s4;
-    reg sign_s5;
-    reg nan_s4;
-    reg nan_s5;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg zero_s4;
-    reg zero_s5;
+    reg sign_s4, sign_s5, nan_s4, nan_s5, infinite_s4, infinite_s5, zero_s4, zero_s5;
 
     wire swap = a[30:0] < b[30:0];
     wire [7:0] b_field = b[30:23];
@@ -5729,7 +3029,7 @@ module float_add (
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], rst, significand_s5[25], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_12[0]};
 endmodule
 
 // Queue of two in registers.
@@ -5739,49 +3039,32 @@ module stream_skid_w52 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_is_leaf,
-    input  wire [3:0] in_thread,
-    input  wire [14:0] in_node,
-    input  wire [31:0] in_distance2,
+    input  wire [51:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_is_leaf,
-    output wire [3:0] out_thread,
-    output wire [14:0] out_node,
-    output wire [31:0] out_distance2
+    output wire [51:0] out_data
 );
     reg second_valid;
-    reg [51:0] head;
-    reg [51:0] second;
+    reg [51:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [51:0] in_item = {in_is_leaf, in_thread, in_node, in_distance2};
 
-    assign out_is_leaf = head[51];
-    assign out_thread = head[50:47];
-    assign out_node = head[46:32];
-    assign out_distance2 = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5807,43 +3090,32 @@ module stream_skid_w18 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [13:0] in_leaf,
+    input  wire [17:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [13:0] out_leaf
+    output wire [17:0] out_data
 );
     reg second_valid;
-    reg [17:0] head;
-    reg [17:0] second;
+    reg [17:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [17:0] in_item = {in_thread, in_leaf};
 
-    assign out_thread = head[17:14];
-    assign out_leaf = head[13:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5906,116 +3178,61 @@ module search_threads (
     input  wire [3:0] released_thread,
     output reg  event_thread_wait
 );
-    reg [15:0] busy;
-    reg [15:0] waiting;
-    reg [15:0] exhausted;
-    reg [15:0] wants_pop;
-    reg [15:0] wants_finish;
-    reg [15:0] behind_pop;
-    reg [15:0] chosen_pop;
+    reg [15:0] busy, waiting, exhausted, wants_pop, wants_finish, behind_pop, chosen_pop;
     reg pop_shown;
-    reg [15:0] behind_finish;
-    reg [15:0] chosen_finish;
+    reg [15:0] behind_finish, chosen_finish;
     reg finish_shown;
-    reg [1:0] outstanding_0;
-    reg [1:0] outstanding_1;
-    reg [1:0] outstanding_2;
-    reg [1:0] outstanding_3;
-    reg [1:0] outstanding_4;
-    reg [1:0] outstanding_5;
-    reg [1:0] outstanding_6;
-    reg [1:0] outstanding_7;
-    reg [1:0] outstanding_8;
-    reg [1:0] outstanding_9;
-    reg [1:0] outstanding_10;
-    reg [1:0] outstanding_11;
-    reg [1:0] outstanding_12;
-    reg [1:0] outstanding_13;
-    reg [1:0] outstanding_14;
-    reg [1:0] outstanding_15;
+    reg [1:0] outstanding_0, outstanding_1, outstanding_2, outstanding_3, outstanding_4, outstanding_5;
+    reg [1:0] outstanding_6, outstanding_7, outstanding_8, outstanding_9, outstanding_10, outstanding_11;
+    reg [1:0] outstanding_12, outstanding_13, outstanding_14, outstanding_15;
 
-    wire descend_queue_in_ready;
-    wire descend_queue_out_valid;
-    wire [3:0] descend_queue_out_thread;
-    wire [14:0] descend_queue_out_node;
+    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire [18:0] descend_queue_out_data;
 
     wire [15:0] free = ~busy & (16'd0 - ~busy);
     assign query_ready = |free & ~start_valid & descend_queue_in_ready;
-    wire descend_queue_out_ready = descend_ready;
     wire take = query_valid & query_ready;
     wire [15:0] released_set = {
-        released_valid & (released_thread == 4'd15),
-        released_valid & (released_thread == 4'd14),
-        released_valid & (released_thread == 4'd13),
-        released_valid & (released_thread == 4'd12),
-        released_valid & (released_thread == 4'd11),
-        released_valid & (released_thread == 4'd10),
-        released_valid & (released_thread == 4'd9),
-        released_valid & (released_thread == 4'd8),
-        released_valid & (released_thread == 4'd7),
-        released_valid & (released_thread == 4'd6),
-        released_valid & (released_thread == 4'd5),
-        released_valid & (released_thread == 4'd4),
-        released_valid & (released_thread == 4'd3),
-        released_valid & (released_thread == 4'd2),
-        released_valid & (released_thread == 4'd1),
-        released_valid & (released_thread == 4'd0)
+        released_valid & (released_thread == 4'd15), released_valid & (released_thread == 4'd14),
+        released_valid & (released_thread == 4'd13), released_valid & (released_thread == 4'd12),
+        released_valid & (released_thread == 4'd11), released_valid & (released_thread == 4'd10),
+        released_valid & (released_thread == 4'd9), released_valid & (released_thread == 4'd8),
+        released_valid & (released_thread == 4'd7), released_valid & (released_thread == 4'd6),
+        released_valid & (released_thread == 4'd5), released_valid & (released_thread == 4'd4),
+        released_valid & (released_thread == 4'd3), released_valid & (released_thread == 4'd2),
+        released_valid & (released_thread == 4'd1), released_valid & (released_thread == 4'd0)
     };
     wire [15:0] kept = ~released_set;
     wire [15:0] leaf_done_set = {
-        leaf_done_valid & (leaf_done_thread == 4'd15),
-        leaf_done_valid & (leaf_done_thread == 4'd14),
-        leaf_done_valid & (leaf_done_thread == 4'd13),
-        leaf_done_valid & (leaf_done_thread == 4'd12),
-        leaf_done_valid & (leaf_done_thread == 4'd11),
-        leaf_done_valid & (leaf_done_thread == 4'd10),
-        leaf_done_valid & (leaf_done_thread == 4'd9),
-        leaf_done_valid & (leaf_done_thread == 4'd8),
-        leaf_done_valid & (leaf_done_thread == 4'd7),
-        leaf_done_valid & (leaf_done_thread == 4'd6),
-        leaf_done_valid & (leaf_done_thread == 4'd5),
-        leaf_done_valid & (leaf_done_thread == 4'd4),
-        leaf_done_valid & (leaf_done_thread == 4'd3),
-        leaf_done_valid & (leaf_done_thread == 4'd2),
-        leaf_done_valid & (leaf_done_thread == 4'd1),
-        leaf_done_valid & (leaf_done_thread == 4'd0)
+        leaf_done_valid & (leaf_done_thread == 4'd15), leaf_done_valid & (leaf_done_thread == 4'd14),
+        leaf_done_valid & (leaf_done_thread == 4'd13), leaf_done_valid & (leaf_done_thread == 4'd12),
+        leaf_done_valid & (leaf_done_thread == 4'd11), leaf_done_valid & (leaf_done_thread == 4'd10),
+        leaf_done_valid & (leaf_done_thread == 4'd9), leaf_done_valid & (leaf_done_thread == 4'd8),
+        leaf_done_valid & (leaf_done_thread == 4'd7), leaf_done_valid & (leaf_done_thread == 4'd6),
+        leaf_done_valid & (leaf_done_thread == 4'd5), leaf_done_valid & (leaf_done_thread == 4'd4),
+        leaf_done_valid & (leaf_done_thread == 4'd3), leaf_done_valid & (leaf_done_thread == 4'd2),
+        leaf_done_valid & (leaf_done_thread == 4'd1), leaf_done_valid & (leaf_done_thread == 4'd0)
     };
     wire [15:0] skipped_set = {
-        skipped_valid & (skipped_thread == 4'd15),
-        skipped_valid & (skipped_thread == 4'd14),
-        skipped_valid & (skipped_thread == 4'd13),
-        skipped_valid & (skipped_thread == 4'd12),
-        skipped_valid & (skipped_thread == 4'd11),
-        skipped_valid & (skipped_thread == 4'd10),
-        skipped_valid & (skipped_thread == 4'd9),
-        skipped_valid & (skipped_thread == 4'd8),
-        skipped_valid & (skipped_thread == 4'd7),
-        skipped_valid & (skipped_thread == 4'd6),
-        skipped_valid & (skipped_thread == 4'd5),
-        skipped_valid & (skipped_thread == 4'd4),
-        skipped_valid & (skipped_thread == 4'd3),
-        skipped_valid & (skipped_thread == 4'd2),
-        skipped_valid & (skipped_thread == 4'd1),
-        skipped_valid & (skipped_thread == 4'd0)
+        skipped_valid & (skipped_thread == 4'd15), skipped_valid & (skipped_thread == 4'd14),
+        skipped_valid & (skipped_thread == 4'd13), skipped_valid & (skipped_thread == 4'd12),
+        skipped_valid & (skipped_thread == 4'd11), skipped_valid & (skipped_thread == 4'd10),
+        skipped_valid & (skipped_thread == 4'd9), skipped_valid & (skipped_thread == 4'd8),
+        skipped_valid & (skipped_thread == 4'd7), skipped_valid & (skipped_thread == 4'd6),
+        skipped_valid & (skipped_thread == 4'd5), skipped_valid & (skipped_thread == 4'd4),
+        skipped_valid & (skipped_thread == 4'd3), skipped_valid & (skipped_thread == 4'd2),
+        skipped_valid & (skipped_thread == 4'd1), skipped_valid & (skipped_thread == 4'd0)
     };
     wire [15:0] leaf_ended = leaf_done_set | skipped_set;
     wire [15:0] reached_set = {
-        reached_valid & (reached_thread == 4'd15),
-        reached_valid & (reached_thread == 4'd14),
-        reached_valid & (reached_thread == 4'd13),
-        reached_valid & (reached_thread == 4'd12),
-        reached_valid & (reached_thread == 4'd11),
-        reached_valid & (reached_thread == 4'd10),
-        reached_valid & (reached_thread == 4'd9),
-        reached_valid & (reached_thread == 4'd8),
-        reached_valid & (reached_thread == 4'd7),
-        reached_valid & (reached_thread == 4'd6),
-        reached_valid & (reached_thread == 4'd5),
-        reached_valid & (reached_thread == 4'd4),
-        reached_valid & (reached_thread == 4'd3),
-        reached_valid & (reached_thread == 4'd2),
-        reached_valid & (reached_thread == 4'd1),
-        reached_valid & (reached_thread == 4'd0)
+        reached_valid & (reached_thread == 4'd15), reached_valid & (reached_thread == 4'd14),
+        reached_valid & (reached_thread == 4'd13), reached_valid & (reached_thread == 4'd12),
+        reached_valid & (reached_thread == 4'd11), reached_valid & (reached_thread == 4'd10),
+        reached_valid & (reached_thread == 4'd9), reached_valid & (reached_thread == 4'd8),
+        reached_valid & (reached_thread == 4'd7), reached_valid & (reached_thread == 4'd6),
+        reached_valid & (reached_thread == 4'd5), reached_valid & (reached_thread == 4'd4),
+        reached_valid & (reached_thread == 4'd3), reached_valid & (reached_thread == 4'd2),
+        reached_valid & (reached_thread == 4'd1), reached_valid & (reached_thread == 4'd0)
     };
     wire [1:0] difference_1 = (outstanding_15 + {1'd0, reached_set[15]}) - {1'd0, leaf_done_set[15]};
     wire [1:0] outstanding_15_next = difference_1 - {1'd0, skipped_set[15]};
@@ -6050,40 +3267,22 @@ module search_threads (
     wire [1:0] difference_16 = (outstanding_0 + {1'd0, reached_set[0]}) - {1'd0, leaf_done_set[0]};
     wire [1:0] outstanding_0_next = difference_16 - {1'd0, skipped_set[0]};
     wire [15:0] joined_17 = {
-        outstanding_15_next < 2'd2,
-        outstanding_14_next < 2'd2,
-        outstanding_13_next < 2'd2,
-        outstanding_12_next < 2'd2,
-        outstanding_11_next < 2'd2,
-        outstanding_10_next < 2'd2,
-        outstanding_9_next < 2'd2,
-        outstanding_8_next < 2'd2,
-        outstanding_7_next < 2'd2,
-        outstanding_6_next < 2'd2,
-        outstanding_5_next < 2'd2,
-        outstanding_4_next < 2'd2,
-        outstanding_3_next < 2'd2,
-        outstanding_2_next < 2'd2,
-        outstanding_1_next < 2'd2,
+        outstanding_15_next < 2'd2, outstanding_14_next < 2'd2, outstanding_13_next < 2'd2,
+        outstanding_12_next < 2'd2, outstanding_11_next < 2'd2, outstanding_10_next < 2'd2,
+        outstanding_9_next < 2'd2, outstanding_8_next < 2'd2, outstanding_7_next < 2'd2,
+        outstanding_6_next < 2'd2, outstanding_5_next < 2'd2, outstanding_4_next < 2'd2,
+        outstanding_3_next < 2'd2, outstanding_2_next < 2'd2, outstanding_1_next < 2'd2,
         outstanding_0_next < 2'd2
     };
     wire [15:0] empty_set = {
-        empty_valid & (empty_thread == 4'd15),
-        empty_valid & (empty_thread == 4'd14),
-        empty_valid & (empty_thread == 4'd13),
-        empty_valid & (empty_thread == 4'd12),
-        empty_valid & (empty_thread == 4'd11),
-        empty_valid & (empty_thread == 4'd10),
-        empty_valid & (empty_thread == 4'd9),
-        empty_valid & (empty_thread == 4'd8),
-        empty_valid & (empty_thread == 4'd7),
-        empty_valid & (empty_thread == 4'd6),
-        empty_valid & (empty_thread == 4'd5),
-        empty_valid & (empty_thread == 4'd4),
-        empty_valid & (empty_thread == 4'd3),
-        empty_valid & (empty_thread == 4'd2),
-        empty_valid & (empty_thread == 4'd1),
-        empty_valid & (empty_thread == 4'd0)
+        empty_valid & (empty_thread == 4'd15), empty_valid & (empty_thread == 4'd14),
+        empty_valid & (empty_thread == 4'd13), empty_valid & (empty_thread == 4'd12),
+        empty_valid & (empty_thread == 4'd11), empty_valid & (empty_thread == 4'd10),
+        empty_valid & (empty_thread == 4'd9), empty_valid & (empty_thread == 4'd8),
+        empty_valid & (empty_thread == 4'd7), empty_valid & (empty_thread == 4'd6),
+        empty_valid & (empty_thread == 4'd5), empty_valid & (empty_thread == 4'd4),
+        empty_valid & (empty_thread == 4'd3), empty_valid & (empty_thread == 4'd2),
+        empty_valid & (empty_thread == 4'd1), empty_valid & (empty_thread == 4'd0)
     };
     wire [15:0] exhausted_now = exhausted | empty_set;
     wire [15:0] pop_next = wants_pop & behind_pop;
@@ -6102,21 +3301,11 @@ module search_threads (
     wire finish_advance = finish_ready | ~finish_shown;
     wire [15:0] granted_finish = first_finish & {16{finish_advance}};
     wire [15:0] joined_19 = {
-        outstanding_15_next == 2'd0,
-        outstanding_14_next == 2'd0,
-        outstanding_13_next == 2'd0,
-        outstanding_12_next == 2'd0,
-        outstanding_11_next == 2'd0,
-        outstanding_10_next == 2'd0,
-        outstanding_9_next == 2'd0,
-        outstanding_8_next == 2'd0,
-        outstanding_7_next == 2'd0,
-        outstanding_6_next == 2'd0,
-        outstanding_5_next == 2'd0,
-        outstanding_4_next == 2'd0,
-        outstanding_3_next == 2'd0,
-        outstanding_2_next == 2'd0,
-        outstanding_1_next == 2'd0,
+        outstanding_15_next == 2'd0, outstanding_14_next == 2'd0, outstanding_13_next == 2'd0,
+        outstanding_12_next == 2'd0, outstanding_11_next == 2'd0, outstanding_10_next == 2'd0,
+        outstanding_9_next == 2'd0, outstanding_8_next == 2'd0, outstanding_7_next == 2'd0,
+        outstanding_6_next == 2'd0, outstanding_5_next == 2'd0, outstanding_4_next == 2'd0,
+        outstanding_3_next == 2'd0, outstanding_2_next == 2'd0, outstanding_1_next == 2'd0,
         outstanding_0_next == 2'd0
     };
     wire [15:0] term_20 = (wants_finish & ~granted_finish) | ((empty_set | leaf_ended) & (exhausted_now & joined_19));
@@ -6124,34 +3313,22 @@ module search_threads (
     wire [15:0] choice_22 = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
 
     assign descend_valid = descend_queue_out_valid;
-    assign descend_thread = descend_queue_out_thread;
-    assign descend_node = descend_queue_out_node;
+    assign {descend_thread, descend_node} = descend_queue_out_data;
     assign pop_valid = pop_shown;
     assign pop_thread = {
-        |(chosen_pop & 16'hff00),
-        |(chosen_pop & 16'hf0f0),
-        |(chosen_pop & 16'hcccc),
+        |(chosen_pop & 16'hff00), |(chosen_pop & 16'hf0f0), |(chosen_pop & 16'hcccc),
         |(chosen_pop & 16'haaaa)
     };
     assign finish_valid = finish_shown;
     assign finish_thread = {
-        |(chosen_finish & 16'hff00),
-        |(chosen_finish & 16'hf0f0),
-        |(chosen_finish & 16'hcccc),
+        |(chosen_finish & 16'hff00), |(chosen_finish & 16'hf0f0), |(chosen_finish & 16'hcccc),
         |(chosen_finish & 16'haaaa)
     };
 
     stream_skid_w19 descend_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(start_valid),
-        .in_ready(descend_queue_in_ready),
-        .in_thread(start_thread),
-        .in_node(15'd1),
-        .out_valid(descend_queue_out_valid),
-        .out_ready(descend_queue_out_ready),
-        .out_thread(descend_queue_out_thread),
-        .out_node(descend_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(start_valid), .in_ready(descend_queue_in_ready), .in_data({start_thread, 15'd1}),
+        .out_valid(descend_queue_out_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -6209,16 +3386,12 @@ module search_threads (
             outstanding_14 <= outstanding_14_next;
             outstanding_15 <= outstanding_15_next;
             event_thread_wait <= query_valid & &busy;
-            if (pop_advance & |wants_pop) begin
-                behind_pop <= ~choice_21;
-            end
+            if (pop_advance & |wants_pop) behind_pop <= ~choice_21;
             if (pop_advance) begin
                 chosen_pop <= first_pop;
                 pop_shown <= |wants_pop;
             end
-            if (finish_advance & |wants_finish) begin
-                behind_finish <= ~choice_22;
-            end
+            if (finish_advance & |wants_finish) behind_finish <= ~choice_22;
             if (finish_advance) begin
                 chosen_finish <= first_finish;
                 finish_shown <= |wants_finish;
@@ -6277,43 +3450,32 @@ module stream_skid_w19 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [14:0] in_node,
+    input  wire [18:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [14:0] out_node
+    output wire [18:0] out_data
 );
     reg second_valid;
-    reg [18:0] head;
-    reg [18:0] second;
+    reg [18:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [18:0] in_item = {in_thread, in_node};
 
-    assign out_thread = head[18:15];
-    assign out_node = head[14:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -6330,4 +3492,68 @@ module stream_skid_w19 (
         end
     end
 `endif
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is anything: with assertions, the old one inverted.
+module memory_1w1r_unordered #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            (* no_rw_check *)
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+`ifdef RTL_ASSERT
+                if (read && write && read_address == write_address) read_word <= ~words[read_address];
+`endif
+            end
+        end
+    endgenerate
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is the old one.
+module memory_1w1r #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+            end
+        end
+    endgenerate
 endmodule

@@ -74,107 +74,68 @@ module search_axi (
     output wire s_axi_rlast,
     output wire irq
 );
-    reg [31:0] queries_left;
-    reg [31:0] answers_left;
+    reg [31:0] queries_left, answers_left;
     reg [3:0] beat;
 
-    wire core_query_ready;
-    wire core_fetch_valid;
+    wire core_query_ready, core_fetch_valid;
     wire [1:0] core_fetch_thread;
     wire [15:0] core_fetch_address;
     wire [3:0] core_fetch_beats;
-    wire core_beat_ready;
-    wire core_result_valid;
+    wire core_beat_ready, core_result_valid;
     wire [15:0] core_result_number;
-    wire core_result_last;
-    wire core_result_found;
+    wire core_result_last, core_result_found;
     wire [15:0] core_result_index;
     wire [23:0] core_result_distance2;
-    wire core_event_node;
-    wire core_event_pop;
-    wire core_event_beat;
-    wire core_event_insert;
-    wire core_event_insert_wait;
-    wire core_event_thread_wait;
-    wire registers_s_axil_awready;
-    wire registers_s_axil_wready;
-    wire registers_s_axil_bvalid;
+    wire core_event_node, core_event_pop, core_event_beat, core_event_insert, core_event_insert_wait;
+    wire core_event_thread_wait, registers_s_axil_awready, registers_s_axil_wready, registers_s_axil_bvalid;
     wire [1:0] registers_s_axil_bresp;
-    wire registers_busy;
-    wire registers_start;
-    wire registers_core_reset;
-    wire registers_s_axil_arready;
+    wire registers_busy, registers_start, registers_core_reset, registers_s_axil_arready;
     wire registers_s_axil_rvalid;
     wire [31:0] registers_s_axil_rdata;
     wire [1:0] registers_s_axil_rresp;
     wire registers_irq;
-    wire [31:0] registers_points_base;
-    wire [31:0] registers_queries;
-    wire queries_s_axis_tready;
-    wire queries_out_valid;
+    wire [31:0] registers_points_base, registers_queries;
+    wire queries_s_axis_tready, queries_out_valid;
     wire [15:0] queries_out_number;
     wire [3:0] queries_out_k;
-    wire [23:0] queries_out_radius2;
-    wire [23:0] queries_out_x;
-    wire [23:0] queries_out_y;
-    wire [23:0] queries_out_z;
-    wire queries_taken;
-    wire queries_refused;
-    wire results_in_ready;
-    wire results_m_axis_tvalid;
+    wire [23:0] queries_out_radius2, queries_out_x, queries_out_y, queries_out_z;
+    wire queries_taken, queries_refused, results_in_ready, results_m_axis_tvalid;
     wire [63:0] results_m_axis_tdata;
-    wire results_m_axis_tlast;
-    wire results_sent;
-    wire results_idle;
-    wire points_request_ready;
-    wire points_m_axi_arvalid;
+    wire results_m_axis_tlast, results_sent, results_idle, points_request_ready, points_m_axi_arvalid;
     wire [3:0] points_m_axi_arid;
     wire [31:0] points_m_axi_araddr;
     wire [7:0] points_m_axi_arlen;
     wire [2:0] points_m_axi_arsize;
     wire [1:0] points_m_axi_arburst;
-    wire points_m_axi_rready;
-    wire points_record_valid;
-    wire [23:0] points_record_x0;
-    wire [23:0] points_record_y0;
-    wire [23:0] points_record_z0;
-    wire points_error;
-    wire points_misplaced;
-    wire fetches_in_ready;
-    wire fetches_out_valid;
-    wire [1:0] fetches_out_thread;
-    wire [15:0] fetches_out_address;
-    wire [3:0] fetches_out_beats;
-    wire tree_s_axi_awready;
-    wire tree_s_axi_wready;
-    wire tree_write_valid;
+    wire points_m_axi_rready, points_record_valid;
+    wire [23:0] points_record_x0, points_record_y0, points_record_z0;
+    wire points_error, points_misplaced, fetches_in_ready, fetches_out_valid;
+    wire [21:0] fetches_out_data;
+    wire tree_s_axi_awready, tree_s_axi_wready, tree_write_valid;
     wire [6:0] tree_write_index;
     wire [63:0] tree_write_data;
     wire tree_s_axi_bvalid;
     wire [3:0] tree_s_axi_bid;
     wire [1:0] tree_s_axi_bresp;
-    wire tree_refused_busy;
-    wire tree_occupied;
-    wire tree_s_axi_arready;
-    wire tree_s_axi_rvalid;
+    wire tree_refused_busy, tree_occupied, tree_s_axi_arready, tree_s_axi_rvalid;
     wire [3:0] tree_s_axi_rid;
     wire [63:0] tree_s_axi_rdata;
     wire [1:0] tree_s_axi_rresp;
-    wire tree_s_axi_rlast;
-    wire tree_refused_burst;
+    wire tree_s_axi_rlast, tree_refused_burst;
 
     wire core_fetch_ready = points_request_ready & fetches_in_ready;
     wire gives_beat = points_record_valid & fetches_out_valid;
+    wire [1:0] fetches_out_thread = fetches_out_data[21:20];
+    wire [15:0] fetches_out_address = fetches_out_data[19:4];
     wire [3:0] sum_1 = beat + 4'd1;
+    wire [3:0] fetches_out_beats = fetches_out_data[3:0];
     wire last_beat = sum_1 == fetches_out_beats;
-    wire core_result_ready = results_in_ready;
     wire choice_2 = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
-    wire queries_out_ready = core_query_ready;
     wire [31:0] points_address = registers_points_base + {12'd0, core_fetch_address, 4'd0};
     wire points_record_ready = core_beat_ready & fetches_out_valid;
     wire beat_moves = gives_beat & core_beat_ready;
     wire fetches_out_ready = beat_moves & last_beat;
-    wire answered = core_result_valid & core_result_ready & core_result_last;
+    wire answered = core_result_valid & results_in_ready & core_result_last;
 
     assign s_axil_awready = registers_s_axil_awready;
     assign s_axil_wready = registers_s_axil_wready;
@@ -209,67 +170,34 @@ module search_axi (
     assign irq = registers_irq;
 
     search_top core (
-        .clk(clk),
-        .rst(rst | registers_core_reset),
-        .tree_valid(tree_write_valid),
-        .tree_is_leaf(tree_write_index[6]),
-        .tree_address(tree_write_index[5:0]),
-        .tree_split(tree_write_data[23:0]),
-        .tree_dimension(tree_write_data[33:32]),
-        .tree_internal_leaf(tree_write_data[40]),
-        .tree_begin(tree_write_data[15:0]),
-        .tree_beats(tree_write_data[19:16]),
-        .query_valid(queries_out_valid),
-        .query_ready(core_query_ready),
-        .query_number(queries_out_number),
-        .query_k(queries_out_k),
-        .query_radius2(queries_out_radius2),
-        .query_x(queries_out_x),
-        .query_y(queries_out_y),
-        .query_z(queries_out_z),
-        .fetch_valid(core_fetch_valid),
-        .fetch_ready(core_fetch_ready),
-        .fetch_thread(core_fetch_thread),
-        .fetch_address(core_fetch_address),
-        .fetch_beats(core_fetch_beats),
-        .beat_valid(gives_beat),
-        .beat_ready(core_beat_ready),
-        .beat_thread(fetches_out_thread),
-        .beat_address(fetches_out_address + {12'd0, beat}),
-        .beat_last(last_beat),
-        .beat_x0(points_record_x0),
-        .beat_y0(points_record_y0),
-        .beat_z0(points_record_z0),
-        .result_valid(core_result_valid),
-        .result_ready(core_result_ready),
-        .result_number(core_result_number),
-        .result_last(core_result_last),
-        .result_found(core_result_found),
-        .result_index(core_result_index),
+        .clk(clk), .rst(rst | registers_core_reset),
+        .tree_valid(tree_write_valid), .tree_is_leaf(tree_write_index[6]),
+        .tree_address(tree_write_index[5:0]), .tree_split(tree_write_data[23:0]),
+        .tree_dimension(tree_write_data[33:32]), .tree_internal_leaf(tree_write_data[40]),
+        .tree_begin(tree_write_data[15:0]), .tree_beats(tree_write_data[19:16]),
+        .query_valid(queries_out_valid), .query_ready(core_query_ready), .query_number(queries_out_number),
+        .query_k(queries_out_k), .query_radius2(queries_out_radius2), .query_x(queries_out_x),
+        .query_y(queries_out_y), .query_z(queries_out_z),
+        .fetch_valid(core_fetch_valid), .fetch_ready(core_fetch_ready), .fetch_thread(core_fetch_thread),
+        .fetch_address(core_fetch_address), .fetch_beats(core_fetch_beats),
+        .beat_valid(gives_beat), .beat_ready(core_beat_ready), .beat_thread(fetches_out_thread),
+        .beat_address(fetches_out_address + {12'd0, beat}), .beat_last(last_beat), .beat_x0(points_record_x0),
+        .beat_y0(points_record_y0), .beat_z0(points_record_z0),
+        .result_valid(core_result_valid), .result_ready(results_in_ready), .result_number(core_result_number),
+        .result_last(core_result_last), .result_found(core_result_found), .result_index(core_result_index),
         .result_distance2(core_result_distance2),
-        .event_node(core_event_node),
-        .event_pop(core_event_pop),
-        .event_beat(core_event_beat),
-        .event_insert(core_event_insert),
-        .event_insert_wait(core_event_insert_wait),
+        .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
+        .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
         .event_thread_wait(core_event_thread_wait)
     );
 
     bus_registers registers (
-        .clk(clk),
-        .rst(rst),
-        .s_axil_awvalid(s_axil_awvalid),
-        .s_axil_awready(registers_s_axil_awready),
-        .s_axil_awaddr(s_axil_awaddr),
-        .s_axil_wvalid(s_axil_wvalid),
-        .s_axil_wready(registers_s_axil_wready),
-        .s_axil_wdata(s_axil_wdata),
-        .s_axil_wstrb(s_axil_wstrb),
-        .s_axil_bvalid(registers_s_axil_bvalid),
-        .s_axil_bready(s_axil_bready),
-        .s_axil_bresp(registers_s_axil_bresp),
-        .finished(~(|answers_left) & ~registers_start & results_idle),
-        .occupied(tree_occupied),
+        .clk(clk), .rst(rst),
+        .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
+        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
+        .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
+        .finished(~(|answers_left) & ~registers_start & results_idle), .occupied(tree_occupied),
         .busy(registers_busy),
         .start(registers_start),
         .core_reset(registers_core_reset),
@@ -277,146 +205,74 @@ module search_axi (
         .burst_error({points_misplaced, tree_refused_burst}),
         .packet_error(queries_refused),
         .memory_error(points_error),
-        .packet_taken(queries_taken),
-        .packet_sent(results_sent),
-        .event_node(core_event_node),
-        .event_pop(core_event_pop),
-        .event_beat(core_event_beat),
-        .event_insert(core_event_insert),
-        .event_insert_wait(core_event_insert_wait),
+        .packet_taken(queries_taken), .packet_sent(results_sent),
+        .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
+        .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
         .event_thread_wait(core_event_thread_wait),
-        .s_axil_arvalid(s_axil_arvalid),
-        .s_axil_arready(registers_s_axil_arready),
-        .s_axil_araddr(s_axil_araddr),
-        .s_axil_rvalid(registers_s_axil_rvalid),
-        .s_axil_rready(s_axil_rready),
-        .s_axil_rdata(registers_s_axil_rdata),
-        .s_axil_rresp(registers_s_axil_rresp),
+        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
+        .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
+        .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
         .irq(registers_irq),
         .points_base(registers_points_base),
         .queries(registers_queries)
     );
 
     bus_packet_in queries (
-        .clk(clk),
-        .rst(rst),
-        .opens(registers_start),
-        .last((queries_left[31:2] == 30'd0) & choice_2),
-        .s_axis_tvalid(s_axis_query_tvalid),
-        .s_axis_tready(queries_s_axis_tready),
-        .s_axis_tdata(s_axis_query_tdata),
-        .s_axis_tlast(s_axis_query_tlast),
-        .out_valid(queries_out_valid),
-        .out_ready(queries_out_ready),
-        .out_number(queries_out_number),
-        .out_k(queries_out_k),
-        .out_radius2(queries_out_radius2),
-        .out_x(queries_out_x),
-        .out_y(queries_out_y),
-        .out_z(queries_out_z),
-        .taken(queries_taken),
-        .refused(queries_refused)
+        .clk(clk), .rst(rst), .opens(registers_start), .last((queries_left[31:2] == 30'd0) & choice_2),
+        .s_axis_tvalid(s_axis_query_tvalid), .s_axis_tready(queries_s_axis_tready),
+        .s_axis_tdata(s_axis_query_tdata), .s_axis_tlast(s_axis_query_tlast),
+        .out_valid(queries_out_valid), .out_ready(core_query_ready), .out_number(queries_out_number),
+        .out_k(queries_out_k), .out_radius2(queries_out_radius2), .out_x(queries_out_x),
+        .out_y(queries_out_y), .out_z(queries_out_z),
+        .taken(queries_taken), .refused(queries_refused)
     );
 
     bus_packet_out results (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(core_result_valid),
-        .in_ready(results_in_ready),
-        .in_number(core_result_number),
-        .in_last(core_result_last),
-        .in_found(core_result_found),
-        .in_index(core_result_index),
+        .clk(clk), .rst(rst),
+        .in_valid(core_result_valid), .in_ready(results_in_ready), .in_number(core_result_number),
+        .in_last(core_result_last), .in_found(core_result_found), .in_index(core_result_index),
         .in_distance2(core_result_distance2),
-        .m_axis_tvalid(results_m_axis_tvalid),
-        .m_axis_tready(m_axis_result_tready),
-        .m_axis_tdata(results_m_axis_tdata),
-        .m_axis_tlast(results_m_axis_tlast),
-        .sent(results_sent),
-        .idle(results_idle)
+        .m_axis_tvalid(results_m_axis_tvalid), .m_axis_tready(m_axis_result_tready),
+        .m_axis_tdata(results_m_axis_tdata), .m_axis_tlast(results_m_axis_tlast),
+        .sent(results_sent), .idle(results_idle)
     );
 
     bus_reader points (
-        .clk(clk),
-        .rst(rst),
-        .request_valid(core_fetch_valid & fetches_in_ready),
-        .request_ready(points_request_ready),
-        .request_address(points_address),
-        .request_records(core_fetch_beats),
-        .m_axi_arvalid(points_m_axi_arvalid),
-        .m_axi_arready(m_axi_arready),
-        .m_axi_arid(points_m_axi_arid),
-        .m_axi_araddr(points_m_axi_araddr),
-        .m_axi_arlen(points_m_axi_arlen),
-        .m_axi_arsize(points_m_axi_arsize),
-        .m_axi_arburst(points_m_axi_arburst),
-        .m_axi_rvalid(m_axi_rvalid),
-        .m_axi_rready(points_m_axi_rready),
-        .m_axi_rid(m_axi_rid),
-        .m_axi_rdata(m_axi_rdata),
-        .m_axi_rresp(m_axi_rresp),
-        .m_axi_rlast(m_axi_rlast),
-        .record_valid(points_record_valid),
-        .record_ready(points_record_ready),
-        .record_x0(points_record_x0),
-        .record_y0(points_record_y0),
-        .record_z0(points_record_z0),
-        .error(points_error),
-        .misplaced(points_misplaced)
+        .clk(clk), .rst(rst),
+        .request_valid(core_fetch_valid & fetches_in_ready), .request_ready(points_request_ready),
+        .request_address(points_address), .request_records(core_fetch_beats),
+        .m_axi_arvalid(points_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(points_m_axi_arid),
+        .m_axi_araddr(points_m_axi_araddr), .m_axi_arlen(points_m_axi_arlen),
+        .m_axi_arsize(points_m_axi_arsize), .m_axi_arburst(points_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid),
+        .m_axi_rready(points_m_axi_rready), .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata),
+        .m_axi_rresp(m_axi_rresp), .m_axi_rlast(m_axi_rlast),
+        .record_valid(points_record_valid), .record_ready(points_record_ready), .record_x0(points_record_x0),
+        .record_y0(points_record_y0), .record_z0(points_record_z0),
+        .error(points_error), .misplaced(points_misplaced)
     );
 
     stream_fifo_d16_w22 fetches (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(core_fetch_valid & points_request_ready),
-        .in_ready(fetches_in_ready),
-        .in_thread(core_fetch_thread),
-        .in_address(core_fetch_address),
-        .in_beats(core_fetch_beats),
-        .out_valid(fetches_out_valid),
-        .out_ready(fetches_out_ready),
-        .out_thread(fetches_out_thread),
-        .out_address(fetches_out_address),
-        .out_beats(fetches_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
+        .in_data({core_fetch_thread, core_fetch_address, core_fetch_beats}),
+        .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
     );
 
     bus_window tree (
-        .clk(clk),
-        .rst(rst),
-        .locked(registers_busy),
-        .s_axi_awvalid(s_axi_awvalid),
-        .s_axi_awready(tree_s_axi_awready),
-        .s_axi_awid(s_axi_awid),
-        .s_axi_awaddr(s_axi_awaddr),
-        .s_axi_awlen(s_axi_awlen),
-        .s_axi_awsize(s_axi_awsize),
-        .s_axi_awburst(s_axi_awburst),
-        .s_axi_wvalid(s_axi_wvalid),
-        .s_axi_wready(tree_s_axi_wready),
-        .s_axi_wdata(s_axi_wdata),
-        .s_axi_wstrb(s_axi_wstrb),
-        .s_axi_wlast(s_axi_wlast),
-        .write_valid(tree_write_valid),
-        .write_index(tree_write_index),
-        .write_data(tree_write_data),
-        .s_axi_bvalid(tree_s_axi_bvalid),
-        .s_axi_bready(s_axi_bready),
-        .s_axi_bid(tree_s_axi_bid),
+        .clk(clk), .rst(rst), .locked(registers_busy),
+        .s_axi_awvalid(s_axi_awvalid), .s_axi_awready(tree_s_axi_awready), .s_axi_awid(s_axi_awid),
+        .s_axi_awaddr(s_axi_awaddr), .s_axi_awlen(s_axi_awlen), .s_axi_awsize(s_axi_awsize),
+        .s_axi_awburst(s_axi_awburst), .s_axi_wvalid(s_axi_wvalid), .s_axi_wready(tree_s_axi_wready),
+        .s_axi_wdata(s_axi_wdata), .s_axi_wstrb(s_axi_wstrb), .s_axi_wlast(s_axi_wlast),
+        .write_valid(tree_write_valid), .write_index(tree_write_index), .write_data(tree_write_data),
+        .s_axi_bvalid(tree_s_axi_bvalid), .s_axi_bready(s_axi_bready), .s_axi_bid(tree_s_axi_bid),
         .s_axi_bresp(tree_s_axi_bresp),
         .refused_busy(tree_refused_busy),
         .occupied(tree_occupied),
-        .s_axi_arvalid(s_axi_arvalid),
-        .s_axi_arready(tree_s_axi_arready),
-        .s_axi_arid(s_axi_arid),
-        .s_axi_araddr(s_axi_araddr),
-        .s_axi_arlen(s_axi_arlen),
-        .s_axi_arsize(s_axi_arsize),
-        .s_axi_arburst(s_axi_arburst),
-        .s_axi_rvalid(tree_s_axi_rvalid),
-        .s_axi_rready(s_axi_rready),
-        .s_axi_rid(tree_s_axi_rid),
-        .s_axi_rdata(tree_s_axi_rdata),
-        .s_axi_rresp(tree_s_axi_rresp),
+        .s_axi_arvalid(s_axi_arvalid), .s_axi_arready(tree_s_axi_arready), .s_axi_arid(s_axi_arid),
+        .s_axi_araddr(s_axi_araddr), .s_axi_arlen(s_axi_arlen), .s_axi_arsize(s_axi_arsize),
+        .s_axi_arburst(s_axi_arburst), .s_axi_rvalid(tree_s_axi_rvalid), .s_axi_rready(s_axi_rready),
+        .s_axi_rid(tree_s_axi_rid), .s_axi_rdata(tree_s_axi_rdata), .s_axi_rresp(tree_s_axi_rresp),
         .s_axi_rlast(tree_s_axi_rlast),
         .refused_burst(tree_refused_burst)
     );
@@ -429,9 +285,7 @@ module search_axi (
         end else begin
             queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
             answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
-            if (beat_moves) begin
-                beat <= last_beat ? 4'd0 : sum_1;
-            end
+            if (beat_moves) beat <= last_beat ? 4'd0 : sum_1;
         end
     end
 
@@ -480,15 +334,10 @@ module bus_window (
     output wire s_axi_rlast,
     output reg  refused_burst
 );
-    reg is_judged;
-    reg takes_words;
-    reg is_plain;
+    reg is_judged, takes_words, is_plain;
     reg [6:0] index;
     reg [7:0] left;
-    reg is_refused;
-    reg is_busy;
-    reg is_unfit;
-    reg is_error;
+    reg is_refused, is_busy, is_unfit, is_error;
     reg [7:0] beats_left;
     reg read_waits;
 
@@ -547,21 +396,15 @@ module bus_window (
             index <= begins ? s_axi_awaddr[9:3] : (index + 7'd1);
             left <= begins ? s_axi_awlen : (left - 8'd1);
         end
-        if (is_judged | takes) begin
-            is_refused <= is_judged ? ~fits : term_4;
-        end
+        if (is_judged | takes) is_refused <= is_judged ? ~fits : term_4;
         if (is_judged) begin
             is_busy <= fits & locked;
             is_unfit <= ~fits;
         end
         write_index <= index;
         write_data <= s_axi_wdata;
-        if (ends) begin
-            is_error <= term_4 | is_busy;
-        end
-        if (read_begins) begin
-            s_axi_rid <= s_axi_arid;
-        end
+        if (ends) is_error <= term_4 | is_busy;
+        if (read_begins) s_axi_rid <= s_axi_arid;
         if (read_begins | beat_goes) begin
             beats_left <= read_begins ? s_axi_arlen : (beats_left - 8'd1);
         end
@@ -578,33 +421,28 @@ module stream_fifo_d16_w22 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [15:0] in_address,
-    input  wire [3:0] in_beats,
+    input  wire [21:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [15:0] out_address,
-    output wire [3:0] out_beats
+    output wire [21:0] out_data
 );
-    (* no_rw_check *)
-    reg [21:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [21:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [21:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_thread = item[21:20];
-    assign out_address = item[19:4];
-    assign out_beats = item[3:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(22), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -616,27 +454,10 @@ module stream_fifo_d16_w22 (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_address, in_beats};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -699,48 +520,41 @@ module bus_reader (
     reg [27:0] address;
     reg [3:0] records;
     reg [7:0] number;
-    reg [23:0] held_x0_0;
-    reg [23:0] held_y0_0;
-    reg [23:0] held_z0_0;
+    reg [23:0] held_x0_0, held_y0_0, held_z0_0;
     reg is_wrong;
 
-    wire address_queue_in_ready;
-    wire address_queue_out_valid;
-    wire [27:0] address_queue_out_address;
-    wire [7:0] address_queue_out_length;
-    wire length_queue_in_ready;
-    wire length_queue_out_valid;
-    wire [7:0] length_queue_out_length;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [47:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire address_queue_in_ready, address_queue_out_valid;
+    wire [35:0] address_queue_out_data;
+    wire length_queue_in_ready, length_queue_out_valid;
+    wire [7:0] length_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [48:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
     wire [7:0] room_records = 8'd128 - {1'd0, address[6:0]};
     wire crosses = room_records < {4'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    assign request_ready = takes_request;
+    wire [27:0] address_queue_out_address = address_queue_out_data[35:8];
     wire [7:0] burst = crosses ? room_records : {4'd0, records};
     wire [8:0] difference_1 = {burst, 1'd0} - 9'd1;
     wire [7:0] length = difference_1[7:0];
-    wire address_queue_out_ready = m_axi_arready;
-    wire record_taken = record_ready;
-    wire advance = ~record_valid | record_taken;
+    wire advance = ~record_valid | record_ready;
     wire beat_queue_out_ready = advance & length_queue_out_valid;
     wire moves = beat_queue_out_valid & beat_queue_out_ready;
-    wire ends = number == length_queue_out_length;
+    wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
     wire term_2 = takes_request | issues;
     wire [7:0] difference_3 = {4'd0, records} - room_records;
     wire takes_beat_1 = moves & number[0];
     wire takes_beat_0 = moves & ~number[0];
+    wire beat_queue_out_last = beat_queue_out_data[0];
     wire term_4 = is_wrong | (beat_queue_out_last ^ ends);
 
+    assign request_ready = takes_request;
     assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 4'd0};
-    assign m_axi_arlen = address_queue_out_length;
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign m_axi_rready = beat_queue_in_ready;
@@ -749,40 +563,23 @@ module bus_reader (
     assign record_z0 = held_z0_0;
 
     stream_skid_w36 address_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(issues),
-        .in_ready(address_queue_in_ready),
-        .in_address(address),
-        .in_length(length),
-        .out_valid(address_queue_out_valid),
-        .out_ready(address_queue_out_ready),
-        .out_address(address_queue_out_address),
-        .out_length(address_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, length}),
+        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(issues),
-        .in_ready(length_queue_in_ready),
-        .in_length(length),
-        .out_valid(length_queue_out_valid),
-        .out_ready(length_queue_out_ready),
-        .out_length(length_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
+        .out_data(length_queue_out_data)
     );
 
     stream_skid_w49 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(m_axi_rvalid),
-        .in_ready(beat_queue_in_ready),
-        .in_data({m_axi_rdata[55:32], m_axi_rdata[23:0]}),
-        .in_last(m_axi_rlast),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready),
+        .in_data({m_axi_rdata[55:32], m_axi_rdata[23:0], m_axi_rlast}),
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -794,12 +591,8 @@ module bus_reader (
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
         end else begin
-            if (takes_request) begin
-                held <= request_valid;
-            end
-            if (advance) begin
-                record_valid <= takes_beat_1;
-            end
+            if (takes_request) held <= request_valid;
+            if (advance) record_valid <= takes_beat_1;
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & term_4;
@@ -814,21 +607,14 @@ module bus_reader (
             records <= takes_request ? request_records : difference_3[3:0];
         end
         if (takes_beat_0) begin
-            held_x0_0 <= beat_queue_out_data[23:0];
-            held_y0_0 <= beat_queue_out_data[47:24];
+            held_x0_0 <= beat_queue_out_data[24:1];
+            held_y0_0 <= beat_queue_out_data[48:25];
         end
-        if (takes_beat_1) begin
-            held_z0_0 <= beat_queue_out_data[23:0];
-        end
+        if (takes_beat_1) held_z0_0 <= beat_queue_out_data[24:1];
     end
 
     wire _unused = &{
-        1'b0,
-        difference_1[8],
-        difference_3[7:4],
-        m_axi_rdata[31:24],
-        m_axi_rdata[63:56],
-        m_axi_rid,
+        1'b0, difference_1[8], difference_3[7:4], m_axi_rdata[31:24], m_axi_rdata[63:56], m_axi_rid,
         request_address[3:0]
     };
 endmodule
@@ -840,43 +626,32 @@ module stream_skid_w49 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [47:0] in_data,
-    input  wire in_last,
+    input  wire [48:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [47:0] out_data,
-    output wire out_last
+    output wire [48:0] out_data
 );
     reg second_valid;
-    reg [48:0] head;
-    reg [48:0] second;
+    reg [48:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [48:0] in_item = {in_data, in_last};
 
-    assign out_data = head[48:1];
-    assign out_last = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -903,27 +678,28 @@ module stream_fifo_d16_w8 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [7:0] in_length,
+    input  wire [7:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [7:0] out_length
+    output wire [7:0] out_data
 );
-    (* no_rw_check *)
-    reg [7:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [7:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [7:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_length = item;
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -935,27 +711,10 @@ module stream_fifo_d16_w8 (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= in_length;
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -989,43 +748,32 @@ module stream_skid_w36 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [27:0] in_address,
-    input  wire [7:0] in_length,
+    input  wire [35:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [27:0] out_address,
-    output wire [7:0] out_length
+    output wire [35:0] out_data
 );
     reg second_valid;
-    reg [35:0] head;
-    reg [35:0] second;
+    reg [35:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [35:0] in_item = {in_address, in_length};
 
-    assign out_address = head[35:8];
-    assign out_length = head[7:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1064,44 +812,32 @@ module bus_packet_out (
     output reg  sent,
     output wire idle
 );
-    reg held;
-    reg place;
+    reg held, place;
     reg [15:0] held_number;
-    reg held_last;
-    reg held_found;
+    reg held_last, held_found;
     reg [15:0] held_index;
     reg [23:0] held_distance2;
 
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [63:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
-    wire at_end = place;
-    wire leaves = moves & at_end;
+    wire leaves = moves & place;
     wire takes_record = ~held | leaves;
-    assign in_ready = takes_record;
     wire [63:0] joined_1 = {16'd0, held_index, 7'd0, held_found, 7'd0, held_last, held_number};
-    wire beat_queue_out_ready = m_axis_tready;
     wire takes = in_valid & takes_record;
+    wire beat_queue_out_last = beat_queue_out_data[0];
 
+    assign in_ready = takes_record;
     assign m_axis_tvalid = beat_queue_out_valid;
-    assign m_axis_tdata = beat_queue_out_data;
-    assign m_axis_tlast = beat_queue_out_last;
+    assign {m_axis_tdata, m_axis_tlast} = beat_queue_out_data;
     assign idle = ~held & ~beat_queue_out_valid;
 
     stream_skid_w65 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(held),
-        .in_ready(beat_queue_in_ready),
-        .in_data(place ? {40'd0, held_distance2} : joined_1),
-        .in_last(at_end),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({place ? {40'd0, held_distance2} : joined_1, place}),
+        .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1111,10 +847,8 @@ module bus_packet_out (
             sent <= 1'd0;
         end else begin
             held <= takes | (held & ~leaves);
-            sent <= beat_queue_out_valid & beat_queue_out_ready & beat_queue_out_last;
-            if (moves) begin
-                place <= at_end ? 1'd0 : (place + 1'd1);
-            end
+            sent <= beat_queue_out_valid & m_axis_tready & beat_queue_out_last;
+            if (moves) place <= place ? 1'd0 : (place + 1'd1);
         end
     end
     always @(posedge clk) begin
@@ -1135,43 +869,32 @@ module stream_skid_w65 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [63:0] in_data,
-    input  wire in_last,
+    input  wire [64:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [63:0] out_data,
-    output wire out_last
+    output wire [64:0] out_data
 );
     reg second_valid;
-    reg [64:0] head;
-    reg [64:0] second;
+    reg [64:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [64:0] in_item = {in_data, in_last};
 
-    assign out_data = head[64:1];
-    assign out_last = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1214,22 +937,13 @@ module bus_packet_in (
     output reg  refused
 );
     reg [1:0] place;
-    reg is_overlong;
-    reg in_range;
-    reg begun;
-    reg is_open;
+    reg is_overlong, in_range, begun, is_open;
     reg [15:0] held_number_0;
     reg [3:0] held_k_0;
-    reg [23:0] held_radius2_0;
-    reg [23:0] held_x_0;
-    reg [23:0] held_y_0;
-    reg [23:0] held_z_0;
+    reg [23:0] held_radius2_0, held_x_0, held_y_0, held_z_0;
 
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire beat_queue_out_good;
-    wire [47:0] beat_queue_out_data;
-    wire [1:0] beat_queue_out_place;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [50:0] beat_queue_out_data;
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
     wire takes = s_axis_tvalid & s_axis_ready;
@@ -1237,10 +951,10 @@ module bus_packet_in (
     wire term_2 = place == 2'd2;
     wire whole = takes & (s_axis_tlast & (term_2 & ~is_overlong));
     wire good = whole & in_range;
-    wire out_taken = out_ready;
-    wire advance = ~out_valid | out_taken;
-    wire beat_queue_out_ready = advance;
-    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire advance = ~out_valid | out_ready;
+    wire beat_queue_out_good = beat_queue_out_data[50];
+    wire moves = beat_queue_out_valid & advance;
+    wire [1:0] beat_queue_out_place = beat_queue_out_data[1:0];
     wire takes_beat_0 = moves & (beat_queue_out_place == 2'd0);
     wire takes_beat_1 = moves & (beat_queue_out_place == 2'd1);
     wire takes_beat_2 = moves & (beat_queue_out_place == 2'd2);
@@ -1254,18 +968,10 @@ module bus_packet_in (
     assign out_z = held_z_0;
 
     stream_skid_w51 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_1),
-        .in_ready(beat_queue_in_ready),
-        .in_good(good),
-        .in_data({s_axis_tdata[55:32], s_axis_tdata[23:0]}),
-        .in_place(place),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_good(beat_queue_out_good),
-        .out_data(beat_queue_out_data),
-        .out_place(beat_queue_out_place)
+        .clk(clk), .rst(rst),
+        .in_valid(term_1), .in_ready(beat_queue_in_ready),
+        .in_data({good, s_axis_tdata[55:32], s_axis_tdata[23:0], place}),
+        .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1278,9 +984,7 @@ module bus_packet_in (
             taken <= 1'd0;
             refused <= 1'd0;
         end else begin
-            if (term_1) begin
-                place <= (s_axis_tlast | term_2) ? 2'd0 : (place + 2'd1);
-            end
+            if (term_1) place <= (s_axis_tlast | term_2) ? 2'd0 : (place + 2'd1);
             if (takes) begin
                 is_overlong <= ~s_axis_tlast & (is_overlong | term_2);
                 begun <= ~s_axis_tlast;
@@ -1288,9 +992,7 @@ module bus_packet_in (
             is_open <= opens | (is_open & ~(good & last));
             taken <= good;
             refused <= (takes & ((s_axis_tlast ^ term_2) & ~is_overlong)) | (whole & ~in_range);
-            if (advance) begin
-                out_valid <= beat_queue_out_valid & beat_queue_out_good;
-            end
+            if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
         end
     end
     always @(posedge clk) begin
@@ -1298,17 +1000,15 @@ module bus_packet_in (
             in_range <= (4'd1 <= s_axis_tdata[19:16]) & ~(4'd8 < s_axis_tdata[19:16]);
         end
         if (takes_beat_0) begin
-            held_number_0 <= beat_queue_out_data[15:0];
-            held_k_0 <= beat_queue_out_data[19:16];
-            held_radius2_0 <= beat_queue_out_data[47:24];
+            held_number_0 <= beat_queue_out_data[17:2];
+            held_k_0 <= beat_queue_out_data[21:18];
+            held_radius2_0 <= beat_queue_out_data[49:26];
         end
         if (takes_beat_1) begin
-            held_x_0 <= beat_queue_out_data[23:0];
-            held_y_0 <= beat_queue_out_data[47:24];
+            held_x_0 <= beat_queue_out_data[25:2];
+            held_y_0 <= beat_queue_out_data[49:26];
         end
-        if (takes_beat_2) begin
-            held_z_0 <= beat_queue_out_data[23:0];
-        end
+        if (takes_beat_2) held_z_0 <= beat_queue_out_data[25:2];
     end
 
     wire _unused = &{1'b0, s_axis_tdata[31:24], s_axis_tdata[63:56]};
@@ -1321,46 +1021,32 @@ module stream_skid_w51 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_good,
-    input  wire [47:0] in_data,
-    input  wire [1:0] in_place,
+    input  wire [50:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_good,
-    output wire [47:0] out_data,
-    output wire [1:0] out_place
+    output wire [50:0] out_data
 );
     reg second_valid;
-    reg [50:0] head;
-    reg [50:0] second;
+    reg [50:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [50:0] in_item = {in_good, in_data, in_place};
 
-    assign out_good = head[50];
-    assign out_data = head[49:2];
-    assign out_place = head[1:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1424,21 +1110,15 @@ module bus_registers (
 );
     (* ram_style = "distributed" *)
     reg [31:0] words [0:13];
-    reg has_address;
-    reg has_data;
+    reg has_address, has_data;
     reg [11:0] write_address;
     reg [31:0] write_data;
-    reg write_strobes;
-    reg write_is_okay;
-    reg interrupt_enable_bits;
+    reg write_strobes, write_is_okay, interrupt_enable_bits;
     reg [19:0] points_base_bits;
     reg [31:0] queries_bits;
-    reg clear_errors;
-    reg done;
-    reg has_read_address;
+    reg clear_errors, done, has_read_address;
     reg [11:0] read_address;
-    reg error;
-    reg adds;
+    reg error, adds;
     reg [3:0] visited;
     reg [6:0] part_0;
     reg void_0;
@@ -1472,8 +1152,7 @@ module bus_registers (
     reg is_void;
     reg [31:0] word;
     reg [3:0] round;
-    reg for_read;
-    reg read_valid;
+    reg for_read, read_valid;
     reg [31:0] read_value;
     reg read_is_error;
 
@@ -1691,38 +1370,24 @@ module bus_registers (
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;
-            if (write_accepted & term_2) begin
-                interrupt_enable_bits <= write_data[0];
-            end
-            if (write_accepted & term_3) begin
-                points_base_bits <= write_data[31:12];
-            end
-            if (write_accepted & term_4) begin
-                queries_bits <= write_data;
-            end
+            if (write_accepted & term_2) interrupt_enable_bits <= write_data[0];
+            if (write_accepted & term_3) points_base_bits <= write_data[31:12];
+            if (write_accepted & term_4) queries_bits <= write_data;
             if (adds) begin
                 visited <= turns_aside ? found[3:0] : round;
                 for_read <= turns_aside;
             end
-            if (adds & ~turns_aside) begin
-                round <= (round == 4'd13) ? 4'd0 : (round + 4'd1);
-            end
+            if (adds & ~turns_aside) round <= (round == 4'd13) ? 4'd0 : (round + 4'd1);
         end
     end
     always @(posedge clk) begin
-        if (~has_address) begin
-            write_address <= s_axil_awaddr;
-        end
+        if (~has_address) write_address <= s_axil_awaddr;
         if (~has_data) begin
             write_data <= s_axil_wdata;
             write_strobes <= &s_axil_wstrb;
         end
-        if (judges) begin
-            write_is_okay <= write_accepted;
-        end
-        if (read_ready) begin
-            read_address <= s_axil_araddr;
-        end
+        if (judges) write_is_okay <= write_accepted;
+        if (read_ready) read_address <= s_axil_araddr;
         part <= visited[3] ? (visited[2] ? choice_31 : choice_32) : visited[2] ? choice_33 : choice_34;
         is_void <= visited[3] ? choice_36 : visited[2] ? choice_37 : choice_38;
         read_value <= saturated;
@@ -1732,9 +1397,7 @@ module bus_registers (
         end
     end
     always @(posedge clk) begin
-        if (adds) begin
-            words[visited] <= saturated;
-        end
+        if (adds) words[visited] <= saturated;
         word <= words[visited];
     end
 
@@ -1872,21 +1535,8 @@ module bus_registers (
     end
 
     wire _unused_by_checks = &{
-        1'b0,
-        sum_42[6:0],
-        sum_43[6:0],
-        sum_44[6:0],
-        sum_45[5:0],
-        sum_46[5:0],
-        sum_47[5:0],
-        sum_48[5:0],
-        sum_49[5:0],
-        sum_50[5:0],
-        sum_51[5:0],
-        sum_52[5:0],
-        sum_53[5:0],
-        sum_54[5:0],
-        sum_55[5:0]
+        1'b0, sum_42[6:0], sum_43[6:0], sum_44[6:0], sum_45[5:0], sum_46[5:0], sum_47[5:0], sum_48[5:0],
+        sum_49[5:0], sum_50[5:0], sum_51[5:0], sum_52[5:0], sum_53[5:0], sum_54[5:0], sum_55[5:0]
     };
 `endif
 endmodule

@@ -8,70 +8,48 @@ module search_pins (
     input  wire serial_in,
     output wire serial_out
 );
-    reg drive_tree_valid;
-    reg drive_tree_is_leaf;
+    reg drive_tree_valid, drive_tree_is_leaf;
     reg [5:0] drive_tree_address;
     reg [23:0] drive_tree_split;
     reg [1:0] drive_tree_dimension;
     reg drive_tree_internal_leaf;
     reg [15:0] drive_tree_begin;
     reg [3:0] drive_tree_beats;
-    reg drive_query_valid;
-    reg catch_query_ready;
+    reg drive_query_valid, catch_query_ready;
     reg [15:0] drive_query_number;
     reg [3:0] drive_query_k;
-    reg [23:0] drive_query_radius2;
-    reg [23:0] drive_query_x;
-    reg [23:0] drive_query_y;
-    reg [23:0] drive_query_z;
-    reg catch_fetch_valid;
-    reg drive_fetch_ready;
+    reg [23:0] drive_query_radius2, drive_query_x, drive_query_y, drive_query_z;
+    reg catch_fetch_valid, drive_fetch_ready;
     reg [1:0] catch_fetch_thread;
     reg [15:0] catch_fetch_address;
     reg [3:0] catch_fetch_beats;
-    reg drive_beat_valid;
-    reg catch_beat_ready;
+    reg drive_beat_valid, catch_beat_ready;
     reg [1:0] drive_beat_thread;
     reg [15:0] drive_beat_address;
     reg drive_beat_last;
-    reg [23:0] drive_beat_x0;
-    reg [23:0] drive_beat_y0;
-    reg [23:0] drive_beat_z0;
-    reg catch_result_valid;
-    reg drive_result_ready;
+    reg [23:0] drive_beat_x0, drive_beat_y0, drive_beat_z0;
+    reg catch_result_valid, drive_result_ready;
     reg [15:0] catch_result_number;
-    reg catch_result_last;
-    reg catch_result_found;
+    reg catch_result_last, catch_result_found;
     reg [15:0] catch_result_index;
     reg [23:0] catch_result_distance2;
-    reg catch_event_node;
-    reg catch_event_pop;
-    reg catch_event_beat;
-    reg catch_event_insert;
-    reg catch_event_insert_wait;
+    reg catch_event_node, catch_event_pop, catch_event_beat, catch_event_insert, catch_event_insert_wait;
     reg catch_event_thread_wait;
     reg [22:0] fold_0;
     reg [5:0] fold_1;
     reg [1:0] fold_2;
     reg fold_3;
 
-    wire unit_query_ready;
-    wire unit_fetch_valid;
+    wire unit_query_ready, unit_fetch_valid;
     wire [1:0] unit_fetch_thread;
     wire [15:0] unit_fetch_address;
     wire [3:0] unit_fetch_beats;
-    wire unit_beat_ready;
-    wire unit_result_valid;
+    wire unit_beat_ready, unit_result_valid;
     wire [15:0] unit_result_number;
-    wire unit_result_last;
-    wire unit_result_found;
+    wire unit_result_last, unit_result_found;
     wire [15:0] unit_result_index;
     wire [23:0] unit_result_distance2;
-    wire unit_event_node;
-    wire unit_event_pop;
-    wire unit_event_beat;
-    wire unit_event_insert;
-    wire unit_event_insert_wait;
+    wire unit_event_node, unit_event_pop, unit_event_beat, unit_event_insert, unit_event_insert_wait;
     wire unit_event_thread_wait;
 
     wire term_1 = drive_result_ready ^ catch_event_thread_wait ^ catch_event_insert_wait;
@@ -101,49 +79,24 @@ module search_pins (
     assign serial_out = fold_3;
 
     search_top unit (
-        .clk(clk),
-        .rst(rst),
-        .tree_valid(drive_tree_valid),
-        .tree_is_leaf(drive_tree_is_leaf),
-        .tree_address(drive_tree_address),
-        .tree_split(drive_tree_split),
-        .tree_dimension(drive_tree_dimension),
-        .tree_internal_leaf(drive_tree_internal_leaf),
-        .tree_begin(drive_tree_begin),
+        .clk(clk), .rst(rst),
+        .tree_valid(drive_tree_valid), .tree_is_leaf(drive_tree_is_leaf), .tree_address(drive_tree_address),
+        .tree_split(drive_tree_split), .tree_dimension(drive_tree_dimension),
+        .tree_internal_leaf(drive_tree_internal_leaf), .tree_begin(drive_tree_begin),
         .tree_beats(drive_tree_beats),
-        .query_valid(drive_query_valid),
-        .query_ready(unit_query_ready),
-        .query_number(drive_query_number),
-        .query_k(drive_query_k),
-        .query_radius2(drive_query_radius2),
-        .query_x(drive_query_x),
-        .query_y(drive_query_y),
-        .query_z(drive_query_z),
-        .fetch_valid(unit_fetch_valid),
-        .fetch_ready(drive_fetch_ready),
-        .fetch_thread(unit_fetch_thread),
-        .fetch_address(unit_fetch_address),
-        .fetch_beats(unit_fetch_beats),
-        .beat_valid(drive_beat_valid),
-        .beat_ready(unit_beat_ready),
-        .beat_thread(drive_beat_thread),
-        .beat_address(drive_beat_address),
-        .beat_last(drive_beat_last),
-        .beat_x0(drive_beat_x0),
-        .beat_y0(drive_beat_y0),
-        .beat_z0(drive_beat_z0),
-        .result_valid(unit_result_valid),
-        .result_ready(drive_result_ready),
-        .result_number(unit_result_number),
-        .result_last(unit_result_last),
-        .result_found(unit_result_found),
-        .result_index(unit_result_index),
-        .result_distance2(unit_result_distance2),
-        .event_node(unit_event_node),
-        .event_pop(unit_event_pop),
-        .event_beat(unit_event_beat),
-        .event_insert(unit_event_insert),
-        .event_insert_wait(unit_event_insert_wait),
+        .query_valid(drive_query_valid), .query_ready(unit_query_ready), .query_number(drive_query_number),
+        .query_k(drive_query_k), .query_radius2(drive_query_radius2), .query_x(drive_query_x),
+        .query_y(drive_query_y), .query_z(drive_query_z),
+        .fetch_valid(unit_fetch_valid), .fetch_ready(drive_fetch_ready), .fetch_thread(unit_fetch_thread),
+        .fetch_address(unit_fetch_address), .fetch_beats(unit_fetch_beats),
+        .beat_valid(drive_beat_valid), .beat_ready(unit_beat_ready), .beat_thread(drive_beat_thread),
+        .beat_address(drive_beat_address), .beat_last(drive_beat_last), .beat_x0(drive_beat_x0),
+        .beat_y0(drive_beat_y0), .beat_z0(drive_beat_z0),
+        .result_valid(unit_result_valid), .result_ready(drive_result_ready),
+        .result_number(unit_result_number), .result_last(unit_result_last), .result_found(unit_result_found),
+        .result_index(unit_result_index), .result_distance2(unit_result_distance2),
+        .event_node(unit_event_node), .event_pop(unit_event_pop), .event_beat(unit_event_beat),
+        .event_insert(unit_event_insert), .event_insert_wait(unit_event_insert_wait),
         .event_thread_wait(unit_event_thread_wait)
     );
 
@@ -191,37 +144,20 @@ module search_pins (
         catch_event_insert_wait <= unit_event_insert_wait;
         catch_event_thread_wait <= unit_event_thread_wait;
         fold_0 <= {
-            term_1 ^ catch_event_insert,
-            term_2,
-            term_3 ^ catch_result_distance2[4],
-            term_4 ^ catch_result_distance2[8],
-            term_5 ^ catch_result_distance2[12],
-            term_6 ^ catch_result_distance2[16],
-            term_7 ^ catch_result_distance2[20],
-            term_8 ^ catch_result_index[0],
-            term_9 ^ catch_result_index[4],
-            term_10 ^ catch_result_index[8],
-            term_11 ^ catch_result_index[12],
-            term_12 ^ catch_result_found,
-            term_13 ^ catch_result_number[2],
-            term_14 ^ catch_result_number[6],
-            term_15 ^ catch_result_number[10],
-            term_16 ^ catch_result_number[14],
-            term_17 ^ catch_fetch_beats[0],
-            term_18 ^ catch_fetch_address[0],
-            term_19 ^ catch_fetch_address[4],
-            term_20 ^ catch_fetch_address[8],
-            term_21 ^ catch_fetch_address[12],
-            term_22 ^ catch_fetch_thread[0],
-            term_23
+            term_1 ^ catch_event_insert, term_2, term_3 ^ catch_result_distance2[4],
+            term_4 ^ catch_result_distance2[8], term_5 ^ catch_result_distance2[12],
+            term_6 ^ catch_result_distance2[16], term_7 ^ catch_result_distance2[20],
+            term_8 ^ catch_result_index[0], term_9 ^ catch_result_index[4], term_10 ^ catch_result_index[8],
+            term_11 ^ catch_result_index[12], term_12 ^ catch_result_found, term_13 ^ catch_result_number[2],
+            term_14 ^ catch_result_number[6], term_15 ^ catch_result_number[10],
+            term_16 ^ catch_result_number[14], term_17 ^ catch_fetch_beats[0], term_18 ^ catch_fetch_address[0],
+            term_19 ^ catch_fetch_address[4], term_20 ^ catch_fetch_address[8], term_21 ^ catch_fetch_address[12],
+            term_22 ^ catch_fetch_thread[0], term_23
         };
         fold_1 <= {
-            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3],
-            fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
-            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11],
-            fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
-            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19],
-            fold_0[20] ^ fold_0[21] ^ fold_0[22]
+            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
+            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11], fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
+            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19], fold_0[20] ^ fold_0[21] ^ fold_0[22]
         };
         fold_2 <= {fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3], fold_1[4] ^ fold_1[5]};
         fold_3 <= fold_2[0] ^ fold_2[1];

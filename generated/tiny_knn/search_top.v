@@ -48,15 +48,11 @@ module search_top (
     output wire event_insert_wait,
     output wire event_thread_wait
 );
-    wire threads_query_ready;
-    wire threads_start_valid;
+    wire threads_query_ready, threads_start_valid;
     wire [1:0] threads_start_thread;
     wire [15:0] threads_start_number;
     wire [3:0] threads_start_k;
-    wire [23:0] threads_start_radius2;
-    wire [23:0] threads_start_x;
-    wire [23:0] threads_start_y;
-    wire [23:0] threads_start_z;
+    wire [23:0] threads_start_radius2, threads_start_x, threads_start_y, threads_start_z;
     wire threads_descend_valid;
     wire [1:0] threads_descend_thread;
     wire [6:0] threads_descend_node;
@@ -64,14 +60,10 @@ module search_top (
     wire [1:0] threads_pop_thread;
     wire threads_finish_valid;
     wire [1:0] threads_finish_thread;
-    wire threads_event_thread_wait;
-    wire traversal_descend_ready;
-    wire traversal_resume_ready;
-    wire traversal_leaf_valid;
+    wire threads_event_thread_wait, traversal_descend_ready, traversal_resume_ready, traversal_leaf_valid;
     wire [1:0] traversal_leaf_thread;
     wire [5:0] traversal_leaf_leaf;
-    wire traversal_event_node;
-    wire traversal_push_valid;
+    wire traversal_event_node, traversal_push_valid;
     wire [1:0] traversal_push_thread;
     wire [6:0] traversal_push_node;
     wire [23:0] traversal_push_distance2;
@@ -80,67 +72,47 @@ module search_top (
     wire stack_top_empty;
     wire [6:0] stack_top_node;
     wire [23:0] stack_top_distance2;
-    wire recursion_in_ready;
-    wire recursion_resume_valid;
+    wire recursion_in_ready, recursion_resume_valid;
     wire [1:0] recursion_resume_thread;
     wire [6:0] recursion_resume_node;
     wire recursion_pop_valid;
     wire [1:0] recursion_pop_thread;
     wire recursion_empty_valid;
     wire [1:0] recursion_empty_thread;
-    wire recursion_event_pop;
-    wire leaf_leaf_ready;
-    wire leaf_fetch_valid;
+    wire recursion_event_pop, leaf_leaf_ready, leaf_fetch_valid;
     wire [1:0] leaf_fetch_thread;
     wire [15:0] leaf_fetch_address;
     wire [3:0] leaf_fetch_beats;
-    wire leaf_beat_ready;
-    wire leaf_candidates_valid;
+    wire leaf_beat_ready, leaf_candidates_valid;
     wire [1:0] leaf_candidates_thread;
     wire [15:0] leaf_candidates_address;
     wire leaf_candidates_last;
     wire [23:0] leaf_candidates_distance0;
-    wire sieve_candidates_ready;
-    wire sieve_kept_valid;
+    wire sieve_candidates_ready, sieve_kept_valid;
     wire [1:0] sieve_kept_thread;
     wire [15:0] sieve_kept_address;
     wire sieve_kept_last;
     wire [23:0] sieve_kept_distance0;
     wire sieve_skipped_valid;
     wire [1:0] sieve_skipped_thread;
-    wire queue_candidates_ready;
-    wire queue_finish_ready;
-    wire queue_radius_valid;
+    wire queue_candidates_ready, queue_finish_ready, queue_radius_valid;
     wire [1:0] queue_radius_thread;
     wire [23:0] queue_radius_radius2;
-    wire queue_event_insert;
-    wire queue_released_valid;
+    wire queue_event_insert, queue_released_valid;
     wire [1:0] queue_released_thread;
     wire queue_result_valid;
     wire [15:0] queue_result_number;
-    wire queue_result_last;
-    wire queue_result_found;
+    wire queue_result_last, queue_result_found;
     wire [15:0] queue_result_index;
     wire [23:0] queue_result_distance2;
-    wire queue_event_beat;
-    wire queue_event_insert_wait;
+    wire queue_event_beat, queue_event_insert_wait;
 
     assign query_ready = threads_query_ready;
-    assign beat_ready = leaf_beat_ready;
-    wire threads_descend_ready = traversal_descend_ready;
-    wire threads_pop_ready = recursion_in_ready;
-    wire threads_finish_ready = queue_finish_ready;
-    wire traversal_leaf_ready = leaf_leaf_ready;
-    wire recursion_resume_ready = traversal_resume_ready;
-    wire leaf_fetch_ready = fetch_ready;
-    wire leaf_candidates_ready = sieve_candidates_ready;
-    wire sieve_kept_ready = queue_candidates_ready;
-    wire queue_result_ready = result_ready;
-
     assign fetch_valid = leaf_fetch_valid;
     assign fetch_thread = leaf_fetch_thread;
     assign fetch_address = leaf_fetch_address;
     assign fetch_beats = leaf_fetch_beats;
+    assign beat_ready = leaf_beat_ready;
     assign result_valid = queue_result_valid;
     assign result_number = queue_result_number;
     assign result_last = queue_result_last;
@@ -155,241 +127,123 @@ module search_top (
     assign event_thread_wait = threads_event_thread_wait;
 
     search_threads threads (
-        .clk(clk),
-        .rst(rst),
-        .query_valid(query_valid),
-        .query_ready(threads_query_ready),
-        .query_number(query_number),
-        .query_k(query_k),
-        .query_radius2(query_radius2),
-        .query_x(query_x),
-        .query_y(query_y),
+        .clk(clk), .rst(rst),
+        .query_valid(query_valid), .query_ready(threads_query_ready), .query_number(query_number),
+        .query_k(query_k), .query_radius2(query_radius2), .query_x(query_x), .query_y(query_y),
         .query_z(query_z),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .descend_valid(threads_descend_valid),
-        .descend_ready(threads_descend_ready),
-        .descend_thread(threads_descend_thread),
-        .descend_node(threads_descend_node),
-        .pop_valid(threads_pop_valid),
-        .pop_ready(threads_pop_ready),
-        .pop_thread(threads_pop_thread),
-        .finish_valid(threads_finish_valid),
-        .finish_ready(threads_finish_ready),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
+        .descend_thread(threads_descend_thread), .descend_node(threads_descend_node),
+        .pop_valid(threads_pop_valid), .pop_ready(recursion_in_ready), .pop_thread(threads_pop_thread),
+        .finish_valid(threads_finish_valid), .finish_ready(queue_finish_ready),
         .finish_thread(threads_finish_thread),
-        .reached_valid(traversal_reached_valid),
-        .reached_thread(traversal_reached_thread),
-        .leaf_done_valid(queue_radius_valid),
-        .leaf_done_thread(queue_radius_thread),
-        .skipped_valid(sieve_skipped_valid),
-        .skipped_thread(sieve_skipped_thread),
-        .empty_valid(recursion_empty_valid),
-        .empty_thread(recursion_empty_thread),
-        .released_valid(queue_released_valid),
-        .released_thread(queue_released_thread),
+        .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread),
+        .leaf_done_valid(queue_radius_valid), .leaf_done_thread(queue_radius_thread),
+        .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread),
+        .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
+        .released_valid(queue_released_valid), .released_thread(queue_released_thread),
         .event_thread_wait(threads_event_thread_wait)
     );
 
     search_traversal traversal (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .descend_valid(threads_descend_valid),
-        .descend_ready(traversal_descend_ready),
-        .descend_thread(threads_descend_thread),
-        .descend_node(threads_descend_node),
-        .resume_valid(recursion_resume_valid),
-        .resume_ready(traversal_resume_ready),
-        .resume_thread(recursion_resume_thread),
-        .resume_node(recursion_resume_node),
-        .leaf_valid(traversal_leaf_valid),
-        .leaf_ready(traversal_leaf_ready),
-        .leaf_thread(traversal_leaf_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
+        .descend_thread(threads_descend_thread), .descend_node(threads_descend_node),
+        .resume_valid(recursion_resume_valid), .resume_ready(traversal_resume_ready),
+        .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
+        .leaf_valid(traversal_leaf_valid), .leaf_ready(leaf_leaf_ready), .leaf_thread(traversal_leaf_thread),
         .leaf_leaf(traversal_leaf_leaf),
-        .tree_valid(tree_valid),
-        .tree_is_leaf(tree_is_leaf),
-        .tree_address(tree_address),
-        .tree_split(tree_split),
-        .tree_dimension(tree_dimension),
-        .tree_internal_leaf(tree_internal_leaf),
-        .tree_begin(tree_begin),
-        .tree_beats(tree_beats),
+        .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf), .tree_address(tree_address),
+        .tree_split(tree_split), .tree_dimension(tree_dimension), .tree_internal_leaf(tree_internal_leaf),
+        .tree_begin(tree_begin), .tree_beats(tree_beats),
         .event_node(traversal_event_node),
-        .push_valid(traversal_push_valid),
-        .push_thread(traversal_push_thread),
-        .push_node(traversal_push_node),
-        .push_distance2(traversal_push_distance2),
-        .reached_valid(traversal_reached_valid),
-        .reached_thread(traversal_reached_thread)
+        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
+        .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread)
     );
 
     search_stack stack (
-        .clk(clk),
-        .rst(rst),
-        .push_valid(traversal_push_valid),
-        .push_thread(traversal_push_thread),
-        .push_node(traversal_push_node),
-        .push_distance2(traversal_push_distance2),
-        .pop_valid(recursion_pop_valid),
-        .pop_thread(recursion_pop_thread),
-        .top_empty(stack_top_empty),
-        .top_node(stack_top_node),
-        .top_distance2(stack_top_distance2)
+        .clk(clk), .rst(rst),
+        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
+        .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
+        .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2)
     );
 
     search_recursion recursion (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .in_valid(threads_pop_valid),
-        .in_ready(recursion_in_ready),
-        .in_thread(threads_pop_thread),
-        .top_empty(stack_top_empty),
-        .top_node(stack_top_node),
-        .top_distance2(stack_top_distance2),
-        .resume_valid(recursion_resume_valid),
-        .resume_ready(recursion_resume_ready),
-        .resume_thread(recursion_resume_thread),
-        .resume_node(recursion_resume_node),
-        .pop_valid(recursion_pop_valid),
-        .pop_thread(recursion_pop_thread),
-        .empty_valid(recursion_empty_valid),
-        .empty_thread(recursion_empty_thread),
+        .in_valid(threads_pop_valid), .in_ready(recursion_in_ready), .in_thread(threads_pop_thread),
+        .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2),
+        .resume_valid(recursion_resume_valid), .resume_ready(traversal_resume_ready),
+        .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
+        .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
+        .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
         .event_pop(recursion_event_pop)
     );
 
     search_leaf leaf (
-        .clk(clk),
-        .rst(rst),
-        .tree_valid(tree_valid),
-        .tree_is_leaf(tree_is_leaf),
-        .tree_address(tree_address),
-        .tree_split(tree_split),
-        .tree_dimension(tree_dimension),
-        .tree_internal_leaf(tree_internal_leaf),
-        .tree_begin(tree_begin),
-        .tree_beats(tree_beats),
-        .leaf_valid(traversal_leaf_valid),
-        .leaf_ready(leaf_leaf_ready),
-        .leaf_thread(traversal_leaf_thread),
+        .clk(clk), .rst(rst),
+        .tree_valid(tree_valid), .tree_is_leaf(tree_is_leaf), .tree_address(tree_address),
+        .tree_split(tree_split), .tree_dimension(tree_dimension), .tree_internal_leaf(tree_internal_leaf),
+        .tree_begin(tree_begin), .tree_beats(tree_beats),
+        .leaf_valid(traversal_leaf_valid), .leaf_ready(leaf_leaf_ready), .leaf_thread(traversal_leaf_thread),
         .leaf_leaf(traversal_leaf_leaf),
-        .fetch_valid(leaf_fetch_valid),
-        .fetch_ready(leaf_fetch_ready),
-        .fetch_thread(leaf_fetch_thread),
-        .fetch_address(leaf_fetch_address),
-        .fetch_beats(leaf_fetch_beats),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .beat_valid(beat_valid),
-        .beat_ready(leaf_beat_ready),
-        .beat_thread(beat_thread),
-        .beat_address(beat_address),
-        .beat_last(beat_last),
-        .beat_x0(beat_x0),
-        .beat_y0(beat_y0),
+        .fetch_valid(leaf_fetch_valid), .fetch_ready(fetch_ready), .fetch_thread(leaf_fetch_thread),
+        .fetch_address(leaf_fetch_address), .fetch_beats(leaf_fetch_beats),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .beat_valid(beat_valid), .beat_ready(leaf_beat_ready), .beat_thread(beat_thread),
+        .beat_address(beat_address), .beat_last(beat_last), .beat_x0(beat_x0), .beat_y0(beat_y0),
         .beat_z0(beat_z0),
-        .candidates_valid(leaf_candidates_valid),
-        .candidates_ready(leaf_candidates_ready),
-        .candidates_thread(leaf_candidates_thread),
-        .candidates_address(leaf_candidates_address),
-        .candidates_last(leaf_candidates_last),
-        .candidates_distance0(leaf_candidates_distance0)
+        .candidates_valid(leaf_candidates_valid), .candidates_ready(sieve_candidates_ready),
+        .candidates_thread(leaf_candidates_thread), .candidates_address(leaf_candidates_address),
+        .candidates_last(leaf_candidates_last), .candidates_distance0(leaf_candidates_distance0)
     );
 
     search_sieve sieve (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .candidates_valid(leaf_candidates_valid),
-        .candidates_ready(sieve_candidates_ready),
-        .candidates_thread(leaf_candidates_thread),
-        .candidates_address(leaf_candidates_address),
-        .candidates_last(leaf_candidates_last),
-        .candidates_distance0(leaf_candidates_distance0),
-        .kept_valid(sieve_kept_valid),
-        .kept_ready(sieve_kept_ready),
-        .kept_thread(sieve_kept_thread),
-        .kept_address(sieve_kept_address),
-        .kept_last(sieve_kept_last),
-        .kept_distance0(sieve_kept_distance0),
-        .skipped_valid(sieve_skipped_valid),
-        .skipped_thread(sieve_skipped_thread)
+        .candidates_valid(leaf_candidates_valid), .candidates_ready(sieve_candidates_ready),
+        .candidates_thread(leaf_candidates_thread), .candidates_address(leaf_candidates_address),
+        .candidates_last(leaf_candidates_last), .candidates_distance0(leaf_candidates_distance0),
+        .kept_valid(sieve_kept_valid), .kept_ready(queue_candidates_ready), .kept_thread(sieve_kept_thread),
+        .kept_address(sieve_kept_address), .kept_last(sieve_kept_last), .kept_distance0(sieve_kept_distance0),
+        .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread)
     );
 
     search_queue queue (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .candidates_valid(sieve_kept_valid),
-        .candidates_ready(queue_candidates_ready),
-        .candidates_thread(sieve_kept_thread),
-        .candidates_address(sieve_kept_address),
-        .candidates_last(sieve_kept_last),
-        .candidates_distance0(sieve_kept_distance0),
-        .finish_valid(threads_finish_valid),
-        .finish_ready(queue_finish_ready),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .candidates_valid(sieve_kept_valid), .candidates_ready(queue_candidates_ready),
+        .candidates_thread(sieve_kept_thread), .candidates_address(sieve_kept_address),
+        .candidates_last(sieve_kept_last), .candidates_distance0(sieve_kept_distance0),
+        .finish_valid(threads_finish_valid), .finish_ready(queue_finish_ready),
         .finish_thread(threads_finish_thread),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
         .event_insert(queue_event_insert),
-        .released_valid(queue_released_valid),
-        .released_thread(queue_released_thread),
-        .result_valid(queue_result_valid),
-        .result_ready(queue_result_ready),
-        .result_number(queue_result_number),
-        .result_last(queue_result_last),
-        .result_found(queue_result_found),
-        .result_index(queue_result_index),
+        .released_valid(queue_released_valid), .released_thread(queue_released_thread),
+        .result_valid(queue_result_valid), .result_ready(result_ready), .result_number(queue_result_number),
+        .result_last(queue_result_last), .result_found(queue_result_found), .result_index(queue_result_index),
         .result_distance2(queue_result_distance2),
-        .event_beat(queue_event_beat),
-        .event_insert_wait(queue_event_insert_wait)
+        .event_beat(queue_event_beat), .event_insert_wait(queue_event_insert_wait)
     );
 endmodule
 
@@ -431,37 +285,27 @@ module search_queue (
     output wire [15:0] result_index,
     output wire [23:0] result_distance2,
     output reg  event_beat,
-    output reg  event_insert_wait
+    output wire event_insert_wait
 );
     (* ram_style = "distributed" *)
     reg [66:0] arrivals [0:1];
-    reg [327:0] rows [0:3];
-    reg [51:0] queries [0:3];
     (* ram_style = "distributed" *)
     reg [23:0] query_radii [0:3];
     (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
     reg [1:0] arrivals_count;
-    reg arrivals_write_address;
-    reg arrivals_read_address;
-    reg owned;
+    reg arrivals_write_address, arrivals_read_address, owned;
     reg [1:0] owner;
     reg [327:0] working;
     reg [3:0] fresh;
-    reg beat_valid;
-    reg beat_reads;
-    reg beat_pending;
+    reg beat_valid, beat_reads, beat_pending;
     reg [1:0] beat_thread;
     reg [15:0] beat_address;
     reg beat_last;
     reg [23:0] beat_distance0;
-    reg item_valid;
-    reg item_reads;
-    reg item_inserts;
-    reg item_last;
+    reg item_valid, item_reads, item_inserts, item_last;
     reg [1:0] item_thread;
     reg item_fresh;
-    reg new_found;
     reg [15:0] new_index;
     reg [23:0] new_distance2;
     reg [7:0] nearer;
@@ -469,16 +313,11 @@ module search_queue (
     reg [1:0] new_thread;
     reg [23:0] farthest;
     reg [1:0] farthest_thread;
-    reg farthest_valid;
-    reg fetching;
-    reg sending;
-    reg readout_idle;
+    reg farthest_valid, fetching, sending, readout_idle;
     reg [1:0] readout_thread;
-    reg fetch_from_working;
-    reg fetch_from_nothing;
-    reg [327:0] stored;
-    reg [51:0] query;
-    reg item_found;
+    reg fetch_from_working, fetch_from_nothing;
+    wire [327:0] stored;
+    wire [51:0] query;
     reg [15:0] item_index;
     reg [23:0] item_distance2;
     reg [3:0] from_leaf;
@@ -486,12 +325,10 @@ module search_queue (
     reg [15:0] sent_number;
     reg [3:0] position;
 
-    wire finish_queue_in_ready;
-    wire finish_queue_out_valid;
-    wire [1:0] finish_queue_out_thread;
+    wire finish_queue_in_ready, finish_queue_out_valid;
+    wire [1:0] finish_queue_out_data;
 
     assign candidates_ready = ~(arrivals_count == 2'd2);
-    assign finish_ready = finish_queue_in_ready;
     wire [3:0] next_position = position + 4'd1;
     wire choice_1 = next_position[1] ? (next_position[0] ? sent_row[327] : sent_row[286]) : next_position[0] ? sent_row[245] : sent_row[204];
     wire choice_2 = next_position[1] ? (next_position[0] ? sent_row[163] : sent_row[122]) : next_position[0] ? sent_row[81] : sent_row[40];
@@ -502,99 +339,62 @@ module search_queue (
     wire [15:0] choice_6 = position[1] ? (position[0] ? sent_row[162:147] : sent_row[121:106]) : position[0] ? sent_row[80:65] : sent_row[39:24];
     wire [23:0] choice_7 = position[1] ? (position[0] ? sent_row[310:287] : sent_row[269:246]) : position[0] ? sent_row[228:205] : sent_row[187:164];
     wire [23:0] choice_8 = position[1] ? (position[0] ? sent_row[146:123] : sent_row[105:82]) : position[0] ? sent_row[64:41] : sent_row[23:0];
+    wire write_back = item_reads & owned;
+    wire choice_9 = nearer[7] ? (nearer[6] ? working[286] : 1'd1) : working[327];
+    wire [15:0] choice_10 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
+    wire [23:0] choice_11 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
+    wire choice_12 = nearer[6] ? (nearer[5] ? working[245] : 1'd1) : working[286];
+    wire [15:0] choice_13 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
+    wire [23:0] choice_14 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
+    wire choice_15 = nearer[5] ? (nearer[4] ? working[204] : 1'd1) : working[245];
+    wire [15:0] choice_16 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
+    wire [23:0] choice_17 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
+    wire choice_18 = nearer[4] ? (nearer[3] ? working[163] : 1'd1) : working[204];
+    wire [15:0] choice_19 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
+    wire [23:0] choice_20 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
+    wire choice_21 = nearer[3] ? (nearer[2] ? working[122] : 1'd1) : working[163];
+    wire [15:0] choice_22 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
+    wire [23:0] choice_23 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
+    wire choice_24 = nearer[2] ? (nearer[1] ? working[81] : 1'd1) : working[122];
+    wire [15:0] choice_25 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
+    wire [23:0] choice_26 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
+    wire choice_27 = nearer[1] ? (nearer[0] ? working[40] : 1'd1) : working[81];
+    wire [15:0] choice_28 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
+    wire [23:0] choice_29 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
+    wire [327:0] inserted_row = {
+        choice_9, choice_10, choice_11, choice_12, choice_13, choice_14, choice_15, choice_16, choice_17,
+        choice_18, choice_19, choice_20, choice_21, choice_22, choice_23, choice_24, choice_25, choice_26,
+        choice_27, choice_28, choice_29, nearer[0] ? 1'd1 : working[40],
+        nearer[0] ? new_index : working[39:24], nearer[0] ? new_distance2 : working[23:0]
+    };
     wire readout_reads = finish_queue_out_valid & readout_idle;
-    wire finished_owns = owned & (owner == finish_queue_out_thread);
+    wire [1:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
+    wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire finish_queue_out_ready = readout_starts;
-    wire term_9 = candidates_valid & candidates_ready;
+    wire term_30 = candidates_valid & candidates_ready;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire stays = 1'd0;
-    wire done = moves & ~stays;
-    wire beat_free = ~beat_valid | done;
+    wire beat_free = ~beat_valid | moves;
     wire [1:0] tail = item_valid ? item_thread : owner;
     wire [66:0] arrivals_head = arrivals[arrivals_read_address];
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[66:65]);
     wire follows_beat = beat_thread == arrivals_head[66:65];
-    wire term_10 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = |arrivals_count & term_10;
+    wire term_31 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = |arrivals_count & term_31;
     wire [327:0] initial_row = {
-        17'd0,
-        query[7] ? 24'd0 : query[31:8],
-        17'd0,
-        query[6] ? 24'd0 : query[31:8],
-        17'd0,
-        query[5] ? 24'd0 : query[31:8],
-        17'd0,
-        query[4] ? 24'd0 : query[31:8],
-        17'd0,
-        query[3] ? 24'd0 : query[31:8],
-        17'd0,
-        query[2] ? 24'd0 : query[31:8],
-        17'd0,
-        query[1] ? 24'd0 : query[31:8],
-        17'd0,
-        query[0] ? 24'd0 : query[31:8]
-    };
-    wire choice_11 = nearer[7] ? (nearer[6] ? working[286] : new_found) : working[327];
-    wire [15:0] choice_12 = nearer[7] ? (nearer[6] ? working[285:270] : new_index) : working[326:311];
-    wire [23:0] choice_13 = nearer[7] ? (nearer[6] ? working[269:246] : new_distance2) : working[310:287];
-    wire choice_14 = nearer[6] ? (nearer[5] ? working[245] : new_found) : working[286];
-    wire [15:0] choice_15 = nearer[6] ? (nearer[5] ? working[244:229] : new_index) : working[285:270];
-    wire [23:0] choice_16 = nearer[6] ? (nearer[5] ? working[228:205] : new_distance2) : working[269:246];
-    wire choice_17 = nearer[5] ? (nearer[4] ? working[204] : new_found) : working[245];
-    wire [15:0] choice_18 = nearer[5] ? (nearer[4] ? working[203:188] : new_index) : working[244:229];
-    wire [23:0] choice_19 = nearer[5] ? (nearer[4] ? working[187:164] : new_distance2) : working[228:205];
-    wire choice_20 = nearer[4] ? (nearer[3] ? working[163] : new_found) : working[204];
-    wire [15:0] choice_21 = nearer[4] ? (nearer[3] ? working[162:147] : new_index) : working[203:188];
-    wire [23:0] choice_22 = nearer[4] ? (nearer[3] ? working[146:123] : new_distance2) : working[187:164];
-    wire choice_23 = nearer[3] ? (nearer[2] ? working[122] : new_found) : working[163];
-    wire [15:0] choice_24 = nearer[3] ? (nearer[2] ? working[121:106] : new_index) : working[162:147];
-    wire [23:0] choice_25 = nearer[3] ? (nearer[2] ? working[105:82] : new_distance2) : working[146:123];
-    wire choice_26 = nearer[2] ? (nearer[1] ? working[81] : new_found) : working[122];
-    wire [15:0] choice_27 = nearer[2] ? (nearer[1] ? working[80:65] : new_index) : working[121:106];
-    wire [23:0] choice_28 = nearer[2] ? (nearer[1] ? working[64:41] : new_distance2) : working[105:82];
-    wire choice_29 = nearer[1] ? (nearer[0] ? working[40] : new_found) : working[81];
-    wire [15:0] choice_30 = nearer[1] ? (nearer[0] ? working[39:24] : new_index) : working[80:65];
-    wire [23:0] choice_31 = nearer[1] ? (nearer[0] ? working[23:0] : new_distance2) : working[64:41];
-    wire [327:0] inserted_row = {
-        choice_11,
-        choice_12,
-        choice_13,
-        choice_14,
-        choice_15,
-        choice_16,
-        choice_17,
-        choice_18,
-        choice_19,
-        choice_20,
-        choice_21,
-        choice_22,
-        choice_23,
-        choice_24,
-        choice_25,
-        choice_26,
-        choice_27,
-        choice_28,
-        choice_29,
-        choice_30,
-        choice_31,
-        nearer[0] ? new_found : working[40],
-        nearer[0] ? new_index : working[39:24],
-        nearer[0] ? new_distance2 : working[23:0]
+        17'd0, query[7] ? 24'd0 : query[31:8], 17'd0, query[6] ? 24'd0 : query[31:8], 17'd0,
+        query[5] ? 24'd0 : query[31:8], 17'd0, query[4] ? 24'd0 : query[31:8], 17'd0,
+        query[3] ? 24'd0 : query[31:8], 17'd0, query[2] ? 24'd0 : query[31:8], 17'd0,
+        query[1] ? 24'd0 : query[31:8], 17'd0, query[0] ? 24'd0 : query[31:8]
     };
     wire reads = moves & beat_reads;
     wire [3:0] joined_32 = {
-        reads & (beat_thread == 2'd3),
-        reads & (beat_thread == 2'd2),
-        reads & (beat_thread == 2'd1),
+        reads & (beat_thread == 2'd3), reads & (beat_thread == 2'd2), reads & (beat_thread == 2'd1),
         reads & (beat_thread == 2'd0)
     };
     wire [3:0] query_set = {
-        start_valid & (start_thread == 2'd3),
-        start_valid & (start_thread == 2'd2),
-        start_valid & (start_thread == 2'd1),
-        start_valid & (start_thread == 2'd0)
+        start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
+        start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
     wire [3:0] shifted_33 = fresh >> arrivals_head[66:65];
     wire is_fresh = shifted_33[0];
@@ -609,14 +409,9 @@ module search_queue (
     wire left = waits ? beat_pending : term_36;
     wire [3:0] shifted_37 = fresh >> beat_thread;
     wire [7:0] joined_38 = {
-        item_distance2 < stored[310:287],
-        item_distance2 < stored[269:246],
-        item_distance2 < stored[228:205],
-        item_distance2 < stored[187:164],
-        item_distance2 < stored[146:123],
-        item_distance2 < stored[105:82],
-        item_distance2 < stored[64:41],
-        item_distance2 < stored[23:0]
+        item_distance2 < stored[310:287], item_distance2 < stored[269:246], item_distance2 < stored[228:205],
+        item_distance2 < stored[187:164], item_distance2 < stored[146:123], item_distance2 < stored[105:82],
+        item_distance2 < stored[64:41], item_distance2 < stored[23:0]
     };
     wire term_39 = item_distance2 < working[269:246];
     wire term_40 = item_distance2 < new_distance2;
@@ -628,47 +423,54 @@ module search_queue (
     wire term_46 = item_distance2 < working[64:41];
     wire term_47 = item_distance2 < working[23:0];
     wire [7:0] joined_48 = {
-        choice_41,
-        nearer[6] ? (nearer[5] ? term_42 : term_40) : term_39,
+        choice_41, nearer[6] ? (nearer[5] ? term_42 : term_40) : term_39,
         nearer[5] ? (nearer[4] ? term_43 : term_40) : term_42,
         nearer[4] ? (nearer[3] ? term_44 : term_40) : term_43,
         nearer[3] ? (nearer[2] ? term_45 : term_40) : term_44,
         nearer[2] ? (nearer[1] ? term_46 : term_40) : term_45,
-        nearer[1] ? (nearer[0] ? term_47 : term_40) : term_46,
-        nearer[0] ? term_40 : term_47
+        nearer[1] ? (nearer[0] ? term_47 : term_40) : term_46, nearer[0] ? term_40 : term_47
     };
     wire [7:0] nearer_entries = item_reads ? (item_fresh ? ~query[7:0] : joined_38) : joined_48;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [3:0] shifted_49 = fresh >> finish_queue_out_thread;
+    wire [3:0] shifted_49 = fresh >> finish_queue_out_data;
     wire [3:0] leaf_set = {
-        radius_valid & (radius_thread == 2'd3),
-        radius_valid & (radius_thread == 2'd2),
-        radius_valid & (radius_thread == 2'd1),
-        radius_valid & (radius_thread == 2'd0)
+        radius_valid & (radius_thread == 2'd3), radius_valid & (radius_thread == 2'd2),
+        radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
     wire [3:0] shifted_50 = from_leaf >> candidates_thread;
     wire [23:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [23:0] query_radius2 = query_radii[candidates_thread];
-    wire write_back = item_reads & owned;
-    wire [1:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
+    assign finish_ready = finish_queue_in_ready;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
     assign result_found = position[2] ? choice_3 : choice_4;
     assign result_index = position[2] ? choice_5 : choice_6;
     assign result_distance2 = position[2] ? choice_7 : choice_8;
+    assign event_insert_wait = 1'd0;
+
+    memory_1w1r #(.WIDTH(328), .DEPTH(4)) rows (
+        .clk(clk),
+        .write(write_back), .write_address(owner), .write_data(inserted_row),
+        .read(1'd1), .read_address(read_thread), .read_data(stored)
+    );
+
+    memory_1w1r #(.WIDTH(52), .DEPTH(4)) queries (
+        .clk(clk),
+        .write(start_valid), .write_address(start_thread),
+        .write_data({
+            start_number, start_k, start_radius2, start_k < 4'd1, start_k < 4'd2, start_k < 4'd3, start_k < 4'd4,
+            start_k < 4'd5, start_k < 4'd6, start_k < 4'd7, start_k < 4'd8
+        }),
+        .read(1'd1), .read_address(read_thread), .read_data(query)
+    );
 
     stream_skid_w2 finish_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(finish_valid),
-        .in_ready(finish_queue_in_ready),
-        .in_thread(finish_thread),
-        .out_valid(finish_queue_out_valid),
-        .out_ready(finish_queue_out_ready),
-        .out_thread(finish_queue_out_thread)
+        .clk(clk), .rst(rst),
+        .in_valid(finish_valid), .in_ready(finish_queue_in_ready), .in_data(finish_thread),
+        .out_valid(finish_queue_out_valid), .out_ready(readout_starts), .out_data(finish_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -695,17 +497,16 @@ module search_queue (
             from_leaf <= 4'd0;
             released_valid <= 1'd0;
             event_beat <= 1'd0;
-            event_insert_wait <= 1'd0;
         end else begin
-            arrivals_count <= (arrivals_count + {1'd0, term_9}) - {1'd0, take};
+            arrivals_count <= (arrivals_count + {1'd0, term_30}) - {1'd0, take};
             owned <= owned | item_valid;
             fresh <= (fresh & ~joined_32) | query_set;
-            beat_valid <= take | (stays | waits);
+            beat_valid <= take | waits;
             beat_reads <= take ? choice_34 : (beat_reads & waits);
             item_valid <= moves;
             item_reads <= reads;
             item_inserts <= moves & beat_pending;
-            item_last <= done & beat_last;
+            item_last <= moves & beat_last;
             nearer <= nearer_entries & {8{item_inserts}};
             new_last <= item_last;
             radius_valid <= new_last;
@@ -716,35 +517,26 @@ module search_queue (
             readout_idle <= (readout_idle & ~readout_starts) | result_ends;
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             released_valid <= fetching;
-            event_beat <= done;
-            event_insert_wait <= moves & stays;
-            if (term_9) begin
-                arrivals_write_address <= arrivals_write_address + 1'd1;
-            end
-            if (take) begin
-                arrivals_read_address <= arrivals_read_address + 1'd1;
-            end
+            event_beat <= moves;
+            if (term_30) arrivals_write_address <= arrivals_write_address + 1'd1;
+            if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
         end
     end
     always @(posedge clk) begin
-        if (item_valid) begin
-            owner <= item_thread;
-        end
+        if (item_valid) owner <= item_thread;
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
         beat_pending <= take ? ((arrivals_head[47:24] < arrivals_head[23:0]) & term_35) : left;
         item_thread <= beat_thread;
         item_fresh <= shifted_37[0];
-        new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_13;
-        farthest <= choice_13;
+        radius_radius2 <= choice_11;
+        farthest <= choice_11;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= shifted_49[0];
-        item_found <= 1'd1;
         item_index <= beat_address;
         item_distance2 <= beat_distance0;
         released_thread <= readout_thread;
@@ -754,9 +546,7 @@ module search_queue (
             beat_last <= arrivals_head[48];
             beat_distance0 <= arrivals_head[47:24];
         end
-        if (readout_starts) begin
-            readout_thread <= finish_queue_out_thread;
-        end
+        if (readout_starts) readout_thread <= finish_queue_out_data;
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[51:36];
@@ -766,60 +556,22 @@ module search_queue (
         end
     end
     always @(posedge clk) begin
-        if (term_9) begin
+        if (term_30) begin
             arrivals[arrivals_write_address] <= {
-                candidates_thread,
-                candidates_address,
-                candidates_last,
-                candidates_distance0,
+                candidates_thread, candidates_address, candidates_last, candidates_distance0,
                 shifted_50[0] ? leaf_radius2 : query_radius2
             };
         end
     end
     always @(posedge clk) begin
-        if (write_back) begin
-            rows[owner] <= inserted_row;
-        end
-        stored <= rows[read_thread];
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {
-                start_number,
-                start_k,
-                start_radius2,
-                start_k < 4'd1,
-                start_k < 4'd2,
-                start_k < 4'd3,
-                start_k < 4'd4,
-                start_k < 4'd5,
-                start_k < 4'd6,
-                start_k < 4'd7,
-                start_k < 4'd8
-            };
-        end
-        query <= queries[read_thread];
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
-    end
-    always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{
-        1'b0,
-        shifted_33[3:1],
-        shifted_37[3:1],
-        shifted_49[3:1],
-        shifted_50[3:1],
-        start_x,
-        start_y,
-        start_z
+        1'b0, shifted_33[3:1], shifted_37[3:1], shifted_49[3:1], shifted_50[3:1], start_x, start_y, start_z
     };
 
 `ifdef RTL_ASSERT
@@ -903,52 +655,39 @@ module search_sieve (
     reg [23:0] s1_distance0;
     reg [3:0] from_leaf;
     reg [23:0] radius2;
-    reg s2_valid;
-    reg s2_survives;
+    reg s2_valid, s2_survives;
     reg [1:0] s2_thread;
     reg [15:0] s2_address;
     reg s2_last;
     reg [23:0] s2_distance0;
-    reg held_valid;
-    reg held_last;
+    reg held_valid, held_last;
     reg [1:0] held_thread;
     reg [15:0] held_address;
     reg [23:0] held_distance0;
 
-    wire candidates_queue_in_ready;
-    wire candidates_queue_out_valid;
-    wire [1:0] candidates_queue_out_thread;
-    wire [15:0] candidates_queue_out_address;
-    wire candidates_queue_out_last;
-    wire [23:0] candidates_queue_out_distance0;
-    wire kept_queue_in_ready;
-    wire kept_queue_out_valid;
-    wire [1:0] kept_queue_out_thread;
-    wire [15:0] kept_queue_out_address;
-    wire kept_queue_out_last;
-    wire [23:0] kept_queue_out_distance0;
+    wire candidates_queue_in_ready, candidates_queue_out_valid;
+    wire [42:0] candidates_queue_out_data;
+    wire kept_queue_in_ready, kept_queue_out_valid;
+    wire [42:0] kept_queue_out_data;
 
-    assign candidates_ready = candidates_queue_in_ready;
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
     wire proceeds = ~displaced | kept_queue_in_ready;
     wire decides = ~s2_valid | proceeds;
     wire advance = ~s1_valid | decides;
-    wire candidates_queue_out_ready = advance;
     wire leaves = displaced & kept_queue_in_ready;
-    wire kept_queue_out_ready = kept_ready;
+    wire [1:0] candidates_queue_out_thread = candidates_queue_out_data[42:41];
+    wire [15:0] candidates_queue_out_address = candidates_queue_out_data[40:25];
+    wire candidates_queue_out_last = candidates_queue_out_data[24];
+    wire [23:0] candidates_queue_out_distance0 = candidates_queue_out_data[23:0];
     wire [3:0] query_set = {
-        start_valid & (start_thread == 2'd3),
-        start_valid & (start_thread == 2'd2),
-        start_valid & (start_thread == 2'd1),
-        start_valid & (start_thread == 2'd0)
+        start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
+        start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
     wire [3:0] leaf_set = {
-        radius_valid & (radius_thread == 2'd3),
-        radius_valid & (radius_thread == 2'd2),
-        radius_valid & (radius_thread == 2'd1),
-        radius_valid & (radius_thread == 2'd0)
+        radius_valid & (radius_thread == 2'd3), radius_valid & (radius_thread == 2'd2),
+        radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
     wire [3:0] shifted_1 = from_leaf >> candidates_queue_out_thread;
     wire [23:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
@@ -957,44 +696,22 @@ module search_sieve (
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
+    assign candidates_ready = candidates_queue_in_ready;
     assign kept_valid = kept_queue_out_valid;
-    assign kept_thread = kept_queue_out_thread;
-    assign kept_address = kept_queue_out_address;
-    assign kept_last = kept_queue_out_last;
-    assign kept_distance0 = kept_queue_out_distance0;
+    assign {kept_thread, kept_address, kept_last, kept_distance0} = kept_queue_out_data;
 
     stream_skid_w43 candidates_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(candidates_valid),
-        .in_ready(candidates_queue_in_ready),
-        .in_thread(candidates_thread),
-        .in_address(candidates_address),
-        .in_last(candidates_last),
-        .in_distance0(candidates_distance0),
-        .out_valid(candidates_queue_out_valid),
-        .out_ready(candidates_queue_out_ready),
-        .out_thread(candidates_queue_out_thread),
-        .out_address(candidates_queue_out_address),
-        .out_last(candidates_queue_out_last),
-        .out_distance0(candidates_queue_out_distance0)
+        .clk(clk), .rst(rst),
+        .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
+        .in_data({candidates_thread, candidates_address, candidates_last, candidates_distance0}),
+        .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
     stream_fifo kept_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(leaves),
-        .in_ready(kept_queue_in_ready),
-        .in_thread(held_thread),
-        .in_address(held_address),
-        .in_last(held_last),
-        .in_distance0(held_distance0),
-        .out_valid(kept_queue_out_valid),
-        .out_ready(kept_queue_out_ready),
-        .out_thread(kept_queue_out_thread),
-        .out_address(kept_queue_out_address),
-        .out_last(kept_queue_out_last),
-        .out_distance0(kept_queue_out_distance0)
+        .clk(clk), .rst(rst),
+        .in_valid(leaves), .in_ready(kept_queue_in_ready),
+        .in_data({held_thread, held_address, held_last, held_distance0}),
+        .out_valid(kept_queue_out_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1005,15 +722,11 @@ module search_sieve (
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                s1_valid <= candidates_queue_out_valid;
-            end
+            if (advance) s1_valid <= candidates_queue_out_valid;
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
-            if (decides) begin
-                s2_valid <= s1_valid;
-            end
+            if (decides) s2_valid <= s1_valid;
         end
     end
     always @(posedge clk) begin
@@ -1031,9 +744,7 @@ module search_sieve (
             s2_last <= s1_last;
             s2_distance0 <= s1_distance0;
         end
-        if (keep | closes) begin
-            held_last <= s2_last;
-        end
+        if (keep | closes) held_last <= s2_last;
         if (keep) begin
             held_thread <= s2_thread;
             held_address <= s2_address;
@@ -1042,14 +753,10 @@ module search_sieve (
         skipped_thread <= s2_thread;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{1'b0, shifted_1[3:1], start_k, start_number, start_x, start_y, start_z};
@@ -1063,36 +770,28 @@ module stream_fifo (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [15:0] in_address,
-    input  wire in_last,
-    input  wire [23:0] in_distance0,
+    input  wire [42:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [15:0] out_address,
-    output wire out_last,
-    output wire [23:0] out_distance0
+    output wire [42:0] out_data
 );
-    (* no_rw_check *)
-    reg [42:0] entries [0:3];
-    reg [2:0] held;
-    reg [2:0] waiting;
-    reg [1:0] write_address;
-    reg [1:0] read_address;
-    reg [42:0] item;
+    reg [2:0] held, waiting;
+    reg [1:0] write_address, read_address;
+    wire [42:0] item;
 
     wire has_room = ~held[2];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_thread = item[42:41];
-    assign out_address = item[40:25];
-    assign out_last = item[24];
-    assign out_distance0 = item[23:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(43), .DEPTH(4)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1104,27 +803,10 @@ module stream_fifo (
         end else begin
             held <= (held + {2'd0, push}) - {2'd0, pop};
             waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 2'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 2'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 2'd1;
+            if (fetch) read_address <= read_address + 2'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_address, in_last, in_distance0};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -1197,137 +879,91 @@ module search_leaf (
     output wire candidates_last,
     output wire [23:0] candidates_distance0
 );
-    (* no_rw_check *)
-    reg [19:0] leaves_0 [0:63];
-    reg [71:0] queries [0:3];
-    reg f0_valid;
-    reg f1_valid;
-    reg [1:0] f0_thread;
-    reg [1:0] f1_thread;
-    reg [19:0] f0_found_0;
+    reg f0_valid, f1_valid;
+    reg [1:0] f0_thread, f1_thread;
+    wire [19:0] f0_found;
     reg [15:0] f1_begin;
     reg [3:0] f1_beats;
     reg query_valid;
     reg [1:0] points_thread;
     reg [15:0] points_address;
     reg points_last;
-    reg [23:0] points_x0;
-    reg [23:0] points_y0;
-    reg [23:0] points_z0;
-    reg [71:0] query;
+    reg [23:0] points_x0, points_y0, points_z0;
+    wire [71:0] query;
 
-    wire leaf_queue_in_ready;
-    wire leaf_queue_out_valid;
-    wire [1:0] leaf_queue_out_thread;
-    wire [5:0] leaf_queue_out_leaf;
-    wire fetch_queue_in_ready;
-    wire fetch_queue_out_valid;
-    wire [1:0] fetch_queue_out_thread;
-    wire [15:0] fetch_queue_out_address;
-    wire [3:0] fetch_queue_out_beats;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [1:0] beat_queue_out_thread;
-    wire [15:0] beat_queue_out_address;
-    wire beat_queue_out_last;
-    wire [23:0] beat_queue_out_x0;
-    wire [23:0] beat_queue_out_y0;
-    wire [23:0] beat_queue_out_z0;
-    wire distance_in_ready;
-    wire distance_out_valid;
+    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire [7:0] leaf_queue_out_data;
+    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire [21:0] fetch_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [90:0] beat_queue_out_data;
+    wire distance_in_ready, distance_out_valid;
     wire [1:0] distance_out_thread;
     wire [15:0] distance_out_address;
     wire distance_out_last;
     wire [23:0] distance_out_distance0;
 
-    assign leaf_ready = leaf_queue_in_ready;
-    assign beat_ready = beat_queue_in_ready;
-    wire table_advance = ~f1_valid | fetch_queue_in_ready;
-    wire leaf_queue_out_ready = table_advance;
-    wire fetch_queue_out_ready = fetch_ready;
-    wire query_advance = ~query_valid | distance_in_ready;
-    wire beat_queue_out_ready = query_advance;
-    wire distance_out_ready = candidates_ready;
     wire writes_leaf = tree_valid & tree_is_leaf;
+    wire table_advance = ~f1_valid | fetch_queue_in_ready;
+    wire [5:0] leaf_queue_out_leaf = leaf_queue_out_data[5:0];
+    wire query_advance = ~query_valid | distance_in_ready;
+    wire [1:0] beat_queue_out_thread = beat_queue_out_data[90:89];
+    wire [1:0] leaf_queue_out_thread = leaf_queue_out_data[7:6];
+    wire [15:0] beat_queue_out_address = beat_queue_out_data[88:73];
+    wire beat_queue_out_last = beat_queue_out_data[72];
+    wire [23:0] beat_queue_out_x0 = beat_queue_out_data[71:48];
+    wire [23:0] beat_queue_out_y0 = beat_queue_out_data[47:24];
+    wire [23:0] beat_queue_out_z0 = beat_queue_out_data[23:0];
 
+    assign leaf_ready = leaf_queue_in_ready;
     assign fetch_valid = fetch_queue_out_valid;
-    assign fetch_thread = fetch_queue_out_thread;
-    assign fetch_address = fetch_queue_out_address;
-    assign fetch_beats = fetch_queue_out_beats;
+    assign {fetch_thread, fetch_address, fetch_beats} = fetch_queue_out_data;
+    assign beat_ready = beat_queue_in_ready;
     assign candidates_valid = distance_out_valid;
     assign candidates_thread = distance_out_thread;
     assign candidates_address = distance_out_address;
     assign candidates_last = distance_out_last;
     assign candidates_distance0 = distance_out_distance0;
 
-    stream_skid_w8 leaf_queue (
+    memory_1w1r_unordered #(.WIDTH(20), .DEPTH(64)) leaves (
         .clk(clk),
-        .rst(rst),
-        .in_valid(leaf_valid),
-        .in_ready(leaf_queue_in_ready),
-        .in_thread(leaf_thread),
-        .in_leaf(leaf_leaf),
-        .out_valid(leaf_queue_out_valid),
-        .out_ready(leaf_queue_out_ready),
-        .out_thread(leaf_queue_out_thread),
-        .out_leaf(leaf_queue_out_leaf)
+        .write(writes_leaf), .write_address(tree_address), .write_data({tree_begin, tree_beats}),
+        .read(table_advance), .read_address(leaf_queue_out_leaf), .read_data(f0_found)
+    );
+
+    memory_1w1r #(.WIDTH(72), .DEPTH(4)) queries (
+        .clk(clk),
+        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .read(query_advance), .read_address(beat_queue_out_thread), .read_data(query)
+    );
+
+    stream_skid_w8 leaf_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready), .in_data({leaf_thread, leaf_leaf}),
+        .out_valid(leaf_queue_out_valid), .out_ready(table_advance), .out_data(leaf_queue_out_data)
     );
 
     stream_skid_w22 fetch_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(f1_valid & fetch_queue_in_ready),
-        .in_ready(fetch_queue_in_ready),
-        .in_thread(f1_thread),
-        .in_address(f1_begin),
-        .in_beats(f1_beats),
-        .out_valid(fetch_queue_out_valid),
-        .out_ready(fetch_queue_out_ready),
-        .out_thread(fetch_queue_out_thread),
-        .out_address(fetch_queue_out_address),
-        .out_beats(fetch_queue_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(f1_valid & fetch_queue_in_ready), .in_ready(fetch_queue_in_ready),
+        .in_data({f1_thread, f1_begin, f1_beats}),
+        .out_valid(fetch_queue_out_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w91 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(beat_valid),
-        .in_ready(beat_queue_in_ready),
-        .in_thread(beat_thread),
-        .in_address(beat_address),
-        .in_last(beat_last),
-        .in_x0(beat_x0),
-        .in_y0(beat_y0),
-        .in_z0(beat_z0),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_thread(beat_queue_out_thread),
-        .out_address(beat_queue_out_address),
-        .out_last(beat_queue_out_last),
-        .out_x0(beat_queue_out_x0),
-        .out_y0(beat_queue_out_y0),
-        .out_z0(beat_queue_out_z0)
+        .clk(clk), .rst(rst),
+        .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
+        .in_data({beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0}),
+        .out_valid(beat_queue_out_valid), .out_ready(query_advance), .out_data(beat_queue_out_data)
     );
 
     search_distance distance (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(query_valid),
-        .in_ready(distance_in_ready),
-        .in_thread(points_thread),
-        .in_address(points_address),
-        .in_last(points_last),
-        .in_x0(points_x0),
-        .in_y0(points_y0),
-        .in_z0(points_z0),
-        .in_query_x(query[71:48]),
-        .in_query_y(query[47:24]),
-        .in_query_z(query[23:0]),
-        .out_valid(distance_out_valid),
-        .out_ready(distance_out_ready),
-        .out_thread(distance_out_thread),
-        .out_address(distance_out_address),
-        .out_last(distance_out_last),
+        .clk(clk), .rst(rst),
+        .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
+        .in_address(points_address), .in_last(points_last), .in_x0(points_x0), .in_y0(points_y0),
+        .in_z0(points_z0), .in_query_x(query[71:48]), .in_query_y(query[47:24]), .in_query_z(query[23:0]),
+        .out_valid(distance_out_valid), .out_ready(candidates_ready), .out_thread(distance_out_thread),
+        .out_address(distance_out_address), .out_last(distance_out_last),
         .out_distance0(distance_out_distance0)
     );
 
@@ -1341,17 +977,15 @@ module search_leaf (
                 f0_valid <= leaf_queue_out_valid;
                 f1_valid <= f0_valid;
             end
-            if (query_advance) begin
-                query_valid <= beat_queue_out_valid;
-            end
+            if (query_advance) query_valid <= beat_queue_out_valid;
         end
     end
     always @(posedge clk) begin
         if (table_advance) begin
             f0_thread <= leaf_queue_out_thread;
             f1_thread <= f0_thread;
-            f1_begin <= f0_found_0[19:4];
-            f1_beats <= f0_found_0[3:0];
+            f1_begin <= f0_found[19:4];
+            f1_beats <= f0_found[3:0];
         end
         if (query_advance) begin
             points_thread <= beat_queue_out_thread;
@@ -1360,27 +994,6 @@ module search_leaf (
             points_x0 <= beat_queue_out_x0;
             points_y0 <= beat_queue_out_y0;
             points_z0 <= beat_queue_out_z0;
-        end
-    end
-    always @(posedge clk) begin
-        if (writes_leaf) begin
-            leaves_0[tree_address] <= {tree_begin, tree_beats};
-        end
-        if (table_advance) begin
-            f0_found_0 <= leaves_0[leaf_queue_out_leaf];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_leaf) && (table_advance) && (tree_address) == (leaf_queue_out_leaf)) begin
-            f0_found_0 <= ~leaves_0[leaf_queue_out_leaf];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {start_x, start_y, start_z};
-        end
-        if (query_advance) begin
-            query <= queries[beat_queue_out_thread];
         end
     end
 
@@ -1434,139 +1047,64 @@ module search_distance (
     reg [23:0] delay_6_from_0_out;
     reg [4:0] delay_22_from_0_pointer;
     reg [18:0] delay_22_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
+    reg [21:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire [1:0] queue_out_thread;
-    wire [15:0] queue_out_address;
-    wire queue_out_last;
-    wire [23:0] queue_out_distance0;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] add_f24_ftz_unit_copy2_y;
-    wire [23:0] add_f24_ftz_unit_copy3_y;
-    wire [23:0] add_f24_ftz_unit_copy4_y;
-    wire [23:0] add_f24_ftz_unit_copy5_y;
-    wire [23:0] mul_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_copy2_y;
-    wire [23:0] mul_f24_ftz_unit_copy3_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [42:0] queue_out_data;
+    wire [23:0] add_f24_ftz_unit_y, add_f24_ftz_unit_copy2_y, add_f24_ftz_unit_copy3_y, add_f24_ftz_unit_copy4_y;
+    wire [23:0] add_f24_ftz_unit_copy5_y, mul_f24_ftz_unit_y, mul_f24_ftz_unit_copy2_y, mul_f24_ftz_unit_copy3_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_thread = queue_out_thread;
-    assign out_address = queue_out_address;
-    assign out_last = queue_out_last;
-    assign out_distance0 = queue_out_distance0;
+    assign {out_thread, out_address, out_last, out_distance0} = queue_out_data;
 
     stream_skid_w43 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d22),
-        .in_ready(queue_in_ready),
-        .in_thread(delay_22_from_0_out[1:0]),
-        .in_address(delay_22_from_0_out[17:2]),
-        .in_last(delay_22_from_0_out[18]),
-        .in_distance0(add_f24_ftz_unit_copy5_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_thread(queue_out_thread),
-        .out_address(queue_out_address),
-        .out_last(queue_out_last),
-        .out_distance0(queue_out_distance0)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[21]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_22_from_0_out[1:0], delay_22_from_0_out[17:2], delay_22_from_0_out[18],
+            add_f24_ftz_unit_copy5_y
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add add_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_x0),
-        .b({~in_query_x[23], in_query_x[22:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_x0), .b({~in_query_x[23], in_query_x[22:0]}),
         .y(add_f24_ftz_unit_y)
     );
 
     float_add add_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_y0),
-        .b({~in_query_y[23], in_query_y[22:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_y0), .b({~in_query_y[23], in_query_y[22:0]}),
         .y(add_f24_ftz_unit_copy2_y)
     );
 
     float_add add_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_z0),
-        .b({~in_query_z[23], in_query_z[22:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_z0), .b({~in_query_z[23], in_query_z[22:0]}),
         .y(add_f24_ftz_unit_copy3_y)
     );
 
     float_add add_f24_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f24_ftz_unit_y),
-        .b(mul_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f24_ftz_unit_y), .b(mul_f24_ftz_unit_copy2_y),
         .y(add_f24_ftz_unit_copy4_y)
     );
 
     float_add add_f24_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy4_y),
-        .b(delay_6_from_0_out),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy4_y), .b(delay_6_from_0_out),
         .y(add_f24_ftz_unit_copy5_y)
     );
 
     float_mul mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(add_f24_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_y)
     );
 
     float_mul mul_f24_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy2_y),
-        .b(add_f24_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy2_y), .b(add_f24_ftz_unit_copy2_y),
         .y(mul_f24_ftz_unit_copy2_y)
     );
 
     float_mul mul_f24_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_copy3_y),
-        .b(add_f24_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_copy3_y), .b(add_f24_ftz_unit_copy3_y),
         .y(mul_f24_ftz_unit_copy3_y)
     );
 
@@ -1574,70 +1112,22 @@ module search_distance (
         if (rst) begin
             delay_6_from_0_pointer <= 3'd0;
             delay_22_from_0_pointer <= 5'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
+            in_flight <= 22'd0;
         end else if (queue_in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_22_from_0_pointer <= (delay_22_from_0_pointer == 5'd20) ? (delay_22_from_0_pointer - 5'd20) : (delay_22_from_0_pointer + 5'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
+            in_flight <= {in_flight[20:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy3_y;
-        end
-        if (queue_in_ready) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
+        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f24_ftz_unit_copy3_y;
+        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_22_from_0[delay_22_from_0_pointer] <= {in_last, in_address, in_thread};
         end
-        if (queue_in_ready) begin
-            delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
-        end
+        if (queue_in_ready) delay_22_from_0_out <= delay_22_from_0[delay_22_from_0_pointer];
     end
 endmodule
 
@@ -1648,49 +1138,32 @@ module stream_skid_w43 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [15:0] in_address,
-    input  wire in_last,
-    input  wire [23:0] in_distance0,
+    input  wire [42:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [15:0] out_address,
-    output wire out_last,
-    output wire [23:0] out_distance0
+    output wire [42:0] out_data
 );
     reg second_valid;
-    reg [42:0] head;
-    reg [42:0] second;
+    reg [42:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [42:0] in_item = {in_thread, in_address, in_last, in_distance0};
 
-    assign out_thread = head[42:41];
-    assign out_address = head[40:25];
-    assign out_last = head[24];
-    assign out_distance0 = head[23:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1716,55 +1189,32 @@ module stream_skid_w91 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [15:0] in_address,
-    input  wire in_last,
-    input  wire [23:0] in_x0,
-    input  wire [23:0] in_y0,
-    input  wire [23:0] in_z0,
+    input  wire [90:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [15:0] out_address,
-    output wire out_last,
-    output wire [23:0] out_x0,
-    output wire [23:0] out_y0,
-    output wire [23:0] out_z0
+    output wire [90:0] out_data
 );
     reg second_valid;
-    reg [90:0] head;
-    reg [90:0] second;
+    reg [90:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [90:0] in_item = {in_thread, in_address, in_last, in_x0, in_y0, in_z0};
 
-    assign out_thread = head[90:89];
-    assign out_address = head[88:73];
-    assign out_last = head[72];
-    assign out_x0 = head[71:48];
-    assign out_y0 = head[47:24];
-    assign out_z0 = head[23:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1790,46 +1240,32 @@ module stream_skid_w22 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [15:0] in_address,
-    input  wire [3:0] in_beats,
+    input  wire [21:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [15:0] out_address,
-    output wire [3:0] out_beats
+    output wire [21:0] out_data
 );
     reg second_valid;
-    reg [21:0] head;
-    reg [21:0] second;
+    reg [21:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [21:0] in_item = {in_thread, in_address, in_beats};
 
-    assign out_thread = head[21:20];
-    assign out_address = head[19:4];
-    assign out_beats = head[3:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1884,78 +1320,53 @@ module search_recursion (
     reg [23:0] query_radii [0:3];
     (* ram_style = "distributed" *)
     reg [23:0] leaf_radii [0:3];
-    reg r0_valid;
-    reg r1_valid;
-    reg r2_valid;
-    reg [1:0] r0_thread;
-    reg [1:0] r1_thread;
-    reg [1:0] r2_thread;
+    reg r0_valid, r1_valid, r2_valid;
+    reg [1:0] r0_thread, r1_thread, r2_thread;
     reg found;
     reg [6:0] path_node;
     reg [23:0] path_distance2;
     reg [3:0] from_leaf;
     reg [23:0] radius2;
 
-    wire in_queue_in_ready;
-    wire in_queue_out_valid;
-    wire [1:0] in_queue_out_thread;
-    wire resume_queue_in_ready;
-    wire resume_queue_out_valid;
-    wire [1:0] resume_queue_out_thread;
-    wire [6:0] resume_queue_out_node;
+    wire in_queue_in_ready, in_queue_out_valid;
+    wire [1:0] in_queue_out_data;
+    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire [8:0] resume_queue_out_data;
 
-    assign in_ready = in_queue_in_ready;
     wire advance = ~r2_valid | resume_queue_in_ready;
     wire decides = advance & r2_valid;
     wire popped = decides & found;
     wire nearer = path_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
-    wire resume_queue_out_ready = resume_ready;
     wire [3:0] query_set = {
-        start_valid & (start_thread == 2'd3),
-        start_valid & (start_thread == 2'd2),
-        start_valid & (start_thread == 2'd1),
-        start_valid & (start_thread == 2'd0)
+        start_valid & (start_thread == 2'd3), start_valid & (start_thread == 2'd2),
+        start_valid & (start_thread == 2'd1), start_valid & (start_thread == 2'd0)
     };
     wire [3:0] leaf_set = {
-        radius_valid & (radius_thread == 2'd3),
-        radius_valid & (radius_thread == 2'd2),
-        radius_valid & (radius_thread == 2'd1),
-        radius_valid & (radius_thread == 2'd0)
+        radius_valid & (radius_thread == 2'd3), radius_valid & (radius_thread == 2'd2),
+        radius_valid & (radius_thread == 2'd1), radius_valid & (radius_thread == 2'd0)
     };
     wire [3:0] shifted_1 = from_leaf >> r1_thread;
     wire [23:0] leaf_radius2 = leaf_radii[r1_thread];
     wire [23:0] query_radius2 = query_radii[r1_thread];
 
+    assign in_ready = in_queue_in_ready;
     assign resume_valid = resume_queue_out_valid;
-    assign resume_thread = resume_queue_out_thread;
-    assign resume_node = resume_queue_out_node;
+    assign {resume_thread, resume_node} = resume_queue_out_data;
     assign pop_valid = advance & r0_valid;
     assign pop_thread = r0_thread;
 
     stream_skid_w2 in_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(in_queue_in_ready),
-        .in_thread(in_thread),
-        .out_valid(in_queue_out_valid),
-        .out_ready(in_queue_out_ready),
-        .out_thread(in_queue_out_thread)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
+        .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_skid_w9 resume_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(popped & nearer),
-        .in_ready(resume_queue_in_ready),
-        .in_thread(r2_thread),
-        .in_node(path_node),
-        .out_valid(resume_queue_out_valid),
-        .out_ready(resume_queue_out_ready),
-        .out_thread(resume_queue_out_thread),
-        .out_node(resume_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(popped & nearer), .in_ready(resume_queue_in_ready), .in_data({r2_thread, path_node}),
+        .out_valid(resume_queue_out_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1979,7 +1390,7 @@ module search_recursion (
     end
     always @(posedge clk) begin
         if (advance) begin
-            r0_thread <= back ? r2_thread : in_queue_out_thread;
+            r0_thread <= back ? r2_thread : in_queue_out_data;
             r1_thread <= r0_thread;
             r2_thread <= r1_thread;
             found <= ~top_empty;
@@ -1990,14 +1401,10 @@ module search_recursion (
         empty_thread <= r2_thread;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{1'b0, shifted_1[3:1], start_k, start_number, start_x, start_y, start_z};
@@ -2010,40 +1417,32 @@ module stream_skid_w2 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
+    input  wire [1:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread
+    output wire [1:0] out_data
 );
     reg second_valid;
-    reg [1:0] head;
-    reg [1:0] second;
+    reg [1:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [1:0] in_item = in_thread;
 
-    assign out_thread = head;
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -2078,32 +1477,29 @@ module search_stack (
     output wire [6:0] top_node,
     output wire [23:0] top_distance2
 );
-    (* no_rw_check *)
-    reg [30:0] paths [0:31];
-    reg [2:0] depth_0;
-    reg [2:0] depth_1;
-    reg [2:0] depth_2;
-    reg [2:0] depth_3;
-    reg [30:0] top;
+    reg [2:0] depth_0, depth_1, depth_2, depth_3;
+    wire [30:0] top;
 
-    wire [3:0] up = {
-        push_valid & (push_thread == 2'd3),
-        push_valid & (push_thread == 2'd2),
-        push_valid & (push_thread == 2'd1),
-        push_valid & (push_thread == 2'd0)
-    };
+    wire [2:0] push_depth = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
     wire [2:0] pop_depth = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
     wire takes = pop_valid & |pop_depth;
+    wire [3:0] up = {
+        push_valid & (push_thread == 2'd3), push_valid & (push_thread == 2'd2),
+        push_valid & (push_thread == 2'd1), push_valid & (push_thread == 2'd0)
+    };
     wire [3:0] down = {
-        takes & (pop_thread == 2'd3),
-        takes & (pop_thread == 2'd2),
-        takes & (pop_thread == 2'd1),
+        takes & (pop_thread == 2'd3), takes & (pop_thread == 2'd2), takes & (pop_thread == 2'd1),
         takes & (pop_thread == 2'd0)
     };
-    wire [2:0] push_depth = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
 
-    assign top_node = top[30:24];
-    assign top_distance2 = top[23:0];
+    assign {top_node, top_distance2} = top;
+
+    memory_1w1r_unordered #(.WIDTH(31), .DEPTH(32)) paths (
+        .clk(clk),
+        .write(push_valid), .write_address({push_thread, push_depth}),
+        .write_data({push_node, push_distance2}),
+        .read(takes), .read_address({pop_thread, pop_depth - 3'd1}), .read_data(top)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2113,35 +1509,12 @@ module search_stack (
             depth_3 <= 3'd0;
             top_empty <= 1'd1;
         end else begin
-            if (up[0] | down[0]) begin
-                depth_0 <= up[0] ? (depth_0 + 3'd1) : (depth_0 - 3'd1);
-            end
-            if (up[1] | down[1]) begin
-                depth_1 <= up[1] ? (depth_1 + 3'd1) : (depth_1 - 3'd1);
-            end
-            if (up[2] | down[2]) begin
-                depth_2 <= up[2] ? (depth_2 + 3'd1) : (depth_2 - 3'd1);
-            end
-            if (up[3] | down[3]) begin
-                depth_3 <= up[3] ? (depth_3 + 3'd1) : (depth_3 - 3'd1);
-            end
-            if (pop_valid) begin
-                top_empty <= pop_depth == 3'd0;
-            end
+            if (up[0] | down[0]) depth_0 <= up[0] ? (depth_0 + 3'd1) : (depth_0 - 3'd1);
+            if (up[1] | down[1]) depth_1 <= up[1] ? (depth_1 + 3'd1) : (depth_1 - 3'd1);
+            if (up[2] | down[2]) depth_2 <= up[2] ? (depth_2 + 3'd1) : (depth_2 - 3'd1);
+            if (up[3] | down[3]) depth_3 <= up[3] ? (depth_3 + 3'd1) : (depth_3 - 3'd1);
+            if (pop_valid) top_empty <= pop_depth == 3'd0;
         end
-    end
-    always @(posedge clk) begin
-        if (push_valid) begin
-            paths[{push_thread, push_depth}] <= {push_node, push_distance2};
-        end
-        if (takes) begin
-            top <= paths[{pop_thread, pop_depth - 3'd1}];
-        end
-`ifdef RTL_ASSERT
-        if ((push_valid) && (takes) && ({push_thread, push_depth}) == ({pop_thread, pop_depth - 3'd1})) begin
-            top <= ~paths[{pop_thread, pop_depth - 3'd1}];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -2210,11 +1583,6 @@ module search_traversal (
     output wire reached_valid,
     output wire [1:0] reached_thread
 );
-    (* no_rw_check *)
-    reg [26:0] even_nodes_0 [0:31];
-    (* no_rw_check *)
-    reg [26:0] odd_nodes_0 [0:31];
-    reg [71:0] queries [0:3];
     reg f_valid;
     reg [1:0] f_thread;
     reg [6:0] f_node;
@@ -2224,67 +1592,56 @@ module search_traversal (
     reg s_valid;
     reg [1:0] s_thread;
     reg [6:0] s_node;
-    reg f_is_child;
-    reg s_at_leaf;
-    reg [23:0] s_coordinate;
-    reg [23:0] s_split;
-    reg [26:0] even_node_0;
-    reg [26:0] odd_node_0;
-    reg [23:0] v_even_split;
-    reg [23:0] v_odd_split;
+    reg f_is_child, s_at_leaf;
+    reg [23:0] s_coordinate, s_split;
+    wire [26:0] even_node, odd_node;
+    reg [23:0] v_even_split, v_odd_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
-    reg [71:0] query;
+    wire [71:0] query;
 
-    wire descend_queue_in_ready;
-    wire descend_queue_out_valid;
-    wire [1:0] descend_queue_out_thread;
-    wire [6:0] descend_queue_out_node;
-    wire resume_queue_in_ready;
-    wire resume_queue_out_valid;
-    wire [1:0] resume_queue_out_thread;
-    wire [6:0] resume_queue_out_node;
-    wire leaf_queue_in_ready;
-    wire leaf_queue_out_valid;
-    wire [1:0] leaf_queue_out_thread;
-    wire [5:0] leaf_queue_out_leaf;
-    wire path_in_ready;
-    wire path_out_valid;
-    wire path_out_is_leaf;
+    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire [8:0] descend_queue_out_data;
+    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire [8:0] resume_queue_out_data;
+    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire [7:0] leaf_queue_out_data;
+    wire path_in_ready, path_out_valid, path_out_is_leaf;
     wire [1:0] path_out_thread;
     wire [6:0] path_out_node;
     wire [23:0] path_out_distance2;
     wire less_y;
 
-    assign descend_ready = descend_queue_in_ready;
-    assign resume_ready = resume_queue_in_ready;
+    wire term_1 = tree_valid & ~tree_is_leaf;
+    wire writes_even = term_1 & ~tree_address[0];
+    wire [26:0] joined_2 = {tree_split, tree_dimension, tree_internal_leaf};
     wire at_leaf = v_node[6] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
     wire proceeds = ~reaches | leaf_queue_in_ready;
     wire advance = path_in_ready & proceeds;
     wire descends = v_valid & ~at_leaf;
+    wire [6:0] resume_queue_out_node = resume_queue_out_data[6:0];
+    wire [6:0] descend_queue_out_node = descend_queue_out_data[6:0];
+    wire [6:0] choice_3 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
+    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_3;
+    wire writes_odd = term_1 & tree_address[0];
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
     wire resume_queue_out_ready = advance & ~descends;
-    wire [6:0] choice_1 = (v_node[6:3] == 4'd0) ? (v_node << 4) : v_node;
-    wire [6:0] choice_2 = (choice_1[6:5] == 2'd0) ? (choice_1 << 2) : choice_1;
-    wire [6:0] choice_3 = ~choice_2[6] ? (choice_2 << 1) : choice_2;
-    wire leaf_queue_out_ready = leaf_ready;
-    wire path_out_ready = 1'd1;
+    wire [6:0] choice_4 = (v_node[6:3] == 4'd0) ? (v_node << 4) : v_node;
+    wire [6:0] choice_5 = (choice_4[6:5] == 2'd0) ? (choice_4 << 2) : choice_4;
+    wire [6:0] choice_6 = ~choice_5[6] ? (choice_5 << 1) : choice_5;
     wire [23:0] coordinate = v_dimension[1] ? query[23:0] : v_dimension[0] ? query[47:24] : query[71:48];
-    wire [23:0] choice_4 = v_node[0] ? v_odd_split : v_even_split;
-    wire [1:0] choice_5 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
-    wire [6:0] choice_6 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
-    wire [6:0] next_node = descends ? {v_node[5:0], 1'd0} : choice_6;
-    wire choice_7 = f_is_child ? ~less_y : f_node[0];
-    wire term_8 = tree_valid & ~tree_is_leaf;
-    wire writes_even = term_8 & ~tree_address[0];
-    wire [26:0] joined_9 = {tree_split, tree_dimension, tree_internal_leaf};
-    wire writes_odd = term_8 & tree_address[0];
+    wire [23:0] choice_7 = v_node[0] ? v_odd_split : v_even_split;
+    wire [1:0] resume_queue_out_thread = resume_queue_out_data[8:7];
+    wire [1:0] descend_queue_out_thread = descend_queue_out_data[8:7];
+    wire [1:0] choice_8 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire choice_9 = f_is_child ? ~less_y : f_node[0];
 
+    assign descend_ready = descend_queue_in_ready;
+    assign resume_ready = resume_queue_in_ready;
     assign leaf_valid = leaf_queue_out_valid;
-    assign leaf_thread = leaf_queue_out_thread;
-    assign leaf_leaf = leaf_queue_out_leaf;
+    assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
     assign push_thread = path_out_thread;
     assign push_node = path_out_node;
@@ -2292,71 +1649,53 @@ module search_traversal (
     assign reached_valid = path_out_valid & path_out_is_leaf;
     assign reached_thread = path_out_thread;
 
-    stream_skid_w9 descend_queue (
+    memory_1w1r_unordered #(.WIDTH(27), .DEPTH(32)) even_nodes (
         .clk(clk),
-        .rst(rst),
-        .in_valid(descend_valid),
-        .in_ready(descend_queue_in_ready),
-        .in_thread(descend_thread),
-        .in_node(descend_node),
-        .out_valid(descend_queue_out_valid),
-        .out_ready(descend_queue_out_ready),
-        .out_thread(descend_queue_out_thread),
-        .out_node(descend_queue_out_node)
+        .write(writes_even), .write_address(tree_address[5:1]), .write_data(joined_2),
+        .read(advance), .read_address(next_node[5:1]), .read_data(even_node)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(27), .DEPTH(32)) odd_nodes (
+        .clk(clk),
+        .write(writes_odd), .write_address(tree_address[5:1]), .write_data(joined_2),
+        .read(advance), .read_address(next_node[5:1]), .read_data(odd_node)
+    );
+
+    memory_1w1r #(.WIDTH(72), .DEPTH(4)) queries (
+        .clk(clk),
+        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .read(advance), .read_address(f_thread), .read_data(query)
+    );
+
+    stream_skid_w9 descend_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(descend_valid), .in_ready(descend_queue_in_ready), .in_data({descend_thread, descend_node}),
+        .out_valid(descend_queue_out_valid), .out_ready(descend_queue_out_ready),
+        .out_data(descend_queue_out_data)
     );
 
     stream_skid_w9 resume_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(resume_valid),
-        .in_ready(resume_queue_in_ready),
-        .in_thread(resume_thread),
-        .in_node(resume_node),
-        .out_valid(resume_queue_out_valid),
-        .out_ready(resume_queue_out_ready),
-        .out_thread(resume_queue_out_thread),
-        .out_node(resume_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(resume_valid), .in_ready(resume_queue_in_ready), .in_data({resume_thread, resume_node}),
+        .out_valid(resume_queue_out_valid), .out_ready(resume_queue_out_ready),
+        .out_data(resume_queue_out_data)
     );
 
     stream_skid_w8 leaf_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(advance & reaches),
-        .in_ready(leaf_queue_in_ready),
-        .in_thread(v_thread),
-        .in_leaf(choice_3[5:0]),
-        .out_valid(leaf_queue_out_valid),
-        .out_ready(leaf_queue_out_ready),
-        .out_thread(leaf_queue_out_thread),
-        .out_leaf(leaf_queue_out_leaf)
+        .clk(clk), .rst(rst),
+        .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready), .in_data({v_thread, choice_6[5:0]}),
+        .out_valid(leaf_queue_out_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
     search_path path (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(s_valid & proceeds),
-        .in_ready(path_in_ready),
-        .in_is_leaf(s_at_leaf),
-        .in_thread(s_thread),
-        .in_node({s_node[5:0], less_y}),
-        .in_coordinate(s_coordinate),
-        .in_split(s_split),
-        .out_valid(path_out_valid),
-        .out_ready(path_out_ready),
-        .out_is_leaf(path_out_is_leaf),
-        .out_thread(path_out_thread),
-        .out_node(path_out_node),
-        .out_distance2(path_out_distance2)
+        .clk(clk), .rst(rst),
+        .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf), .in_thread(s_thread),
+        .in_node({s_node[5:0], less_y}), .in_coordinate(s_coordinate), .in_split(s_split),
+        .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
+        .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
     );
 
-    float_lt less (
-        .clk(clk),
-        .rst(rst),
-        .enable(advance),
-        .a(coordinate),
-        .b(choice_4),
-        .y(less_y)
-    );
+    float_lt less (.clk(clk), .enable(advance), .a(coordinate), .b(choice_7), .y(less_y));
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2375,58 +1714,24 @@ module search_traversal (
     end
     always @(posedge clk) begin
         if (advance) begin
-            f_thread <= descends ? v_thread : choice_5;
+            f_thread <= descends ? v_thread : choice_8;
             f_node <= next_node;
             v_thread <= f_thread;
-            v_node <= {f_node[6:1], choice_7};
+            v_node <= {f_node[6:1], choice_9};
             s_thread <= v_thread;
             s_node <= v_node;
             f_is_child <= descends;
             s_at_leaf <= at_leaf;
             s_coordinate <= coordinate;
-            s_split <= choice_4;
-            v_even_split <= even_node_0[26:3];
-            v_odd_split <= odd_node_0[26:3];
-            v_dimension <= choice_7 ? odd_node_0[2:1] : even_node_0[2:1];
-            v_internal_leaf <= choice_7 ? odd_node_0[0] : even_node_0[0];
-        end
-    end
-    always @(posedge clk) begin
-        if (writes_even) begin
-            even_nodes_0[tree_address[5:1]] <= joined_9;
-        end
-        if (advance) begin
-            even_node_0 <= even_nodes_0[next_node[5:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_even) && (advance) && (tree_address[5:1]) == (next_node[5:1])) begin
-            even_node_0 <= ~even_nodes_0[next_node[5:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (writes_odd) begin
-            odd_nodes_0[tree_address[5:1]] <= joined_9;
-        end
-        if (advance) begin
-            odd_node_0 <= odd_nodes_0[next_node[5:1]];
-        end
-`ifdef RTL_ASSERT
-        if ((writes_odd) && (advance) && (tree_address[5:1]) == (next_node[5:1])) begin
-            odd_node_0 <= ~odd_nodes_0[next_node[5:1]];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {start_x, start_y, start_z};
-        end
-        if (advance) begin
-            query <= queries[f_thread];
+            s_split <= choice_7;
+            v_even_split <= even_node[26:3];
+            v_odd_split <= odd_node[26:3];
+            v_dimension <= choice_9 ? odd_node[2:1] : even_node[2:1];
+            v_internal_leaf <= choice_9 ? odd_node[0] : even_node[0];
         end
     end
 
-    wire _unused = &{1'b0, choice_3[6], s_node[6], start_k, start_number, start_radius2, tree_beats, tree_begin};
+    wire _unused = &{1'b0, choice_6[6], s_node[6], start_k, start_number, start_radius2, tree_beats, tree_begin};
 endmodule
 
 // Whether one floating-point number is less than another.
@@ -2434,7 +1739,6 @@ endmodule
 // format = f24-ftz
 module float_lt (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
@@ -2451,8 +1755,6 @@ module float_lt (
             y <= term_5 & ~((joined_2 | joined_4) == 23'd0) & ~((&a[22:15] & |term_1) | (&b[22:15] & |term_3));
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Squared distance of a query to a splitting plane.
@@ -2478,105 +1780,47 @@ module search_path (
     (* ram_style = "distributed" *)
     reg [9:0] delay_10_from_0 [0:8];
     reg [3:0] delay_10_from_0_pointer;
-    reg [9:0] delay_10_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
+    reg [9:0] delay_10_from_0_out, in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_is_leaf;
-    wire [1:0] queue_out_thread;
-    wire [6:0] queue_out_node;
-    wire [23:0] queue_out_distance2;
-    wire [23:0] add_f24_ftz_unit_y;
-    wire [23:0] mul_f24_ftz_unit_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [33:0] queue_out_data;
+    wire [23:0] add_f24_ftz_unit_y, mul_f24_ftz_unit_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_is_leaf = queue_out_is_leaf;
-    assign out_thread = queue_out_thread;
-    assign out_node = queue_out_node;
-    assign out_distance2 = queue_out_distance2;
+    assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
 
     stream_skid_w34 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d10),
-        .in_ready(queue_in_ready),
-        .in_is_leaf(delay_10_from_0_out[0]),
-        .in_thread(delay_10_from_0_out[2:1]),
-        .in_node(delay_10_from_0_out[9:3]),
-        .in_distance2(mul_f24_ftz_unit_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_is_leaf(queue_out_is_leaf),
-        .out_thread(queue_out_thread),
-        .out_node(queue_out_node),
-        .out_distance2(queue_out_distance2)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[9]), .in_ready(queue_in_ready),
+        .in_data({delay_10_from_0_out[0], delay_10_from_0_out[2:1], delay_10_from_0_out[9:3], mul_f24_ftz_unit_y}),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add add_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_coordinate),
-        .b({~in_split[23], in_split[22:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[23], in_split[22:0]}),
         .y(add_f24_ftz_unit_y)
     );
 
     float_mul mul_f24_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f24_ftz_unit_y),
-        .b(add_f24_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f24_ftz_unit_y), .b(add_f24_ftz_unit_y),
         .y(mul_f24_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_10_from_0_pointer <= 4'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
+            in_flight <= 10'd0;
         end else if (queue_in_ready) begin
             delay_10_from_0_pointer <= (delay_10_from_0_pointer == 4'd8) ? (delay_10_from_0_pointer - 4'd8) : (delay_10_from_0_pointer + 4'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
+            in_flight <= {in_flight[8:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_10_from_0[delay_10_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
         end
-        if (queue_in_ready) begin
-            delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
-        end
+        if (queue_in_ready) delay_10_from_0_out <= delay_10_from_0[delay_10_from_0_pointer];
     end
 endmodule
 
@@ -2585,31 +1829,18 @@ endmodule
 // format = f24-ftz
 module float_mul (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
-    reg [15:0] left_s1;
-    reg [15:0] right_s1;
+    reg [15:0] left_s1, right_s1;
     reg [9:0] exponent_s1;
     reg [31:0] product_s2;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
+    reg [9:0] exponent_s2, exponent_s3;
     reg [17:0] significand_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, zero_s1;
+    reg zero_s2, zero_s3;
 
     wire [7:0] a_field = a[22:15];
     wire [14:0] a_fraction = a[14:0];
@@ -2652,7 +1883,7 @@ module float_mul (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s3[17]};
+    wire _unused = &{1'b0, significand_s3[17]};
 endmodule
 
 // Floating-point sum.
@@ -2660,46 +1891,22 @@ endmodule
 // format = f24-ftz
 module float_add (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [23:0] a,
     input  wire [23:0] b,
     output reg  [23:0] y
 );
     reg [9:0] distance_s1;
-    reg [15:0] large_s1;
-    reg [15:0] small_s1;
-    reg [15:0] large_s2;
+    reg [15:0] large_s1, small_s1, large_s2;
     reg [18:0] aligned_s2;
-    reg subtract_s1;
-    reg subtract_s2;
+    reg subtract_s1, subtract_s2;
     reg [19:0] sum_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg subtract_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, subtract_s3;
     reg [19:0] value_s4;
     reg [4:0] zeros_s4;
-    reg [9:0] limit_s1;
-    reg [9:0] limit_s2;
-    reg [9:0] limit_s3;
-    reg [9:0] limit_s4;
-    reg [9:0] exponent_s5;
+    reg [9:0] limit_s1, limit_s2, limit_s3, limit_s4, exponent_s5;
     reg [17:0] significand_s5;
-    reg sign_s4;
-    reg sign_s5;
-    reg nan_s4;
-    reg nan_s5;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg zero_s4;
-    reg zero_s5;
+    reg sign_s4, sign_s5, nan_s4, nan_s5, infinite_s4, infinite_s5, zero_s4, zero_s5;
 
     wire swap = a[22:0] < b[22:0];
     wire [7:0] b_field = b[22:15];
@@ -2782,7 +1989,7 @@ module float_add (
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], rst, significand_s5[17], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[17], sum_12[0]};
 endmodule
 
 // Queue of two in registers.
@@ -2792,49 +1999,32 @@ module stream_skid_w34 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_is_leaf,
-    input  wire [1:0] in_thread,
-    input  wire [6:0] in_node,
-    input  wire [23:0] in_distance2,
+    input  wire [33:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_is_leaf,
-    output wire [1:0] out_thread,
-    output wire [6:0] out_node,
-    output wire [23:0] out_distance2
+    output wire [33:0] out_data
 );
     reg second_valid;
-    reg [33:0] head;
-    reg [33:0] second;
+    reg [33:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [33:0] in_item = {in_is_leaf, in_thread, in_node, in_distance2};
 
-    assign out_is_leaf = head[33];
-    assign out_thread = head[32:31];
-    assign out_node = head[30:24];
-    assign out_distance2 = head[23:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -2860,43 +2050,32 @@ module stream_skid_w8 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [5:0] in_leaf,
+    input  wire [7:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [5:0] out_leaf
+    output wire [7:0] out_data
 );
     reg second_valid;
-    reg [7:0] head;
-    reg [7:0] second;
+    reg [7:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [7:0] in_item = {in_thread, in_leaf};
 
-    assign out_thread = head[7:6];
-    assign out_leaf = head[5:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -2959,72 +2138,46 @@ module search_threads (
     input  wire [1:0] released_thread,
     output reg  event_thread_wait
 );
-    reg [3:0] busy;
-    reg [3:0] waiting;
-    reg [3:0] exhausted;
-    reg [3:0] wants_pop;
-    reg [3:0] wants_finish;
-    reg [3:0] behind_pop;
-    reg [3:0] chosen_pop;
+    reg [3:0] busy, waiting, exhausted, wants_pop, wants_finish, behind_pop, chosen_pop;
     reg pop_shown;
-    reg [3:0] behind_finish;
-    reg [3:0] chosen_finish;
-    reg finish_shown;
-    reg outstanding_0;
-    reg outstanding_1;
-    reg outstanding_2;
-    reg outstanding_3;
+    reg [3:0] behind_finish, chosen_finish;
+    reg finish_shown, outstanding_0, outstanding_1, outstanding_2, outstanding_3;
 
-    wire descend_queue_in_ready;
-    wire descend_queue_out_valid;
-    wire [1:0] descend_queue_out_thread;
-    wire [6:0] descend_queue_out_node;
+    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire [8:0] descend_queue_out_data;
 
     wire [3:0] free = ~busy & (4'd0 - ~busy);
     assign query_ready = |free & ~start_valid & descend_queue_in_ready;
-    wire descend_queue_out_ready = descend_ready;
     wire take = query_valid & query_ready;
     wire [3:0] released_set = {
-        released_valid & (released_thread == 2'd3),
-        released_valid & (released_thread == 2'd2),
-        released_valid & (released_thread == 2'd1),
-        released_valid & (released_thread == 2'd0)
+        released_valid & (released_thread == 2'd3), released_valid & (released_thread == 2'd2),
+        released_valid & (released_thread == 2'd1), released_valid & (released_thread == 2'd0)
     };
     wire [3:0] kept = ~released_set;
     wire [3:0] leaf_done_set = {
-        leaf_done_valid & (leaf_done_thread == 2'd3),
-        leaf_done_valid & (leaf_done_thread == 2'd2),
-        leaf_done_valid & (leaf_done_thread == 2'd1),
-        leaf_done_valid & (leaf_done_thread == 2'd0)
+        leaf_done_valid & (leaf_done_thread == 2'd3), leaf_done_valid & (leaf_done_thread == 2'd2),
+        leaf_done_valid & (leaf_done_thread == 2'd1), leaf_done_valid & (leaf_done_thread == 2'd0)
     };
     wire [3:0] skipped_set = {
-        skipped_valid & (skipped_thread == 2'd3),
-        skipped_valid & (skipped_thread == 2'd2),
-        skipped_valid & (skipped_thread == 2'd1),
-        skipped_valid & (skipped_thread == 2'd0)
+        skipped_valid & (skipped_thread == 2'd3), skipped_valid & (skipped_thread == 2'd2),
+        skipped_valid & (skipped_thread == 2'd1), skipped_valid & (skipped_thread == 2'd0)
     };
     wire [3:0] leaf_ended = leaf_done_set | skipped_set;
     wire [3:0] reached_set = {
-        reached_valid & (reached_thread == 2'd3),
-        reached_valid & (reached_thread == 2'd2),
-        reached_valid & (reached_thread == 2'd1),
-        reached_valid & (reached_thread == 2'd0)
+        reached_valid & (reached_thread == 2'd3), reached_valid & (reached_thread == 2'd2),
+        reached_valid & (reached_thread == 2'd1), reached_valid & (reached_thread == 2'd0)
     };
     wire outstanding_3_next = ((outstanding_3 + reached_set[3]) - leaf_done_set[3]) - skipped_set[3];
     wire outstanding_2_next = ((outstanding_2 + reached_set[2]) - leaf_done_set[2]) - skipped_set[2];
     wire outstanding_1_next = ((outstanding_1 + reached_set[1]) - leaf_done_set[1]) - skipped_set[1];
     wire outstanding_0_next = ((outstanding_0 + reached_set[0]) - leaf_done_set[0]) - skipped_set[0];
     wire [3:0] joined_1 = {
-        outstanding_3_next < 1'd1,
-        outstanding_2_next < 1'd1,
-        outstanding_1_next < 1'd1,
+        outstanding_3_next < 1'd1, outstanding_2_next < 1'd1, outstanding_1_next < 1'd1,
         outstanding_0_next < 1'd1
     };
     wire [3:0] empty_set = {
-        empty_valid & (empty_thread == 2'd3),
-        empty_valid & (empty_thread == 2'd2),
-        empty_valid & (empty_thread == 2'd1),
-        empty_valid & (empty_thread == 2'd0)
+        empty_valid & (empty_thread == 2'd3), empty_valid & (empty_thread == 2'd2),
+        empty_valid & (empty_thread == 2'd1), empty_valid & (empty_thread == 2'd0)
     };
     wire [3:0] exhausted_now = exhausted | empty_set;
     wire [3:0] pop_next = wants_pop & behind_pop;
@@ -3048,24 +2201,16 @@ module search_threads (
     wire [3:0] choice_6 = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
 
     assign descend_valid = descend_queue_out_valid;
-    assign descend_thread = descend_queue_out_thread;
-    assign descend_node = descend_queue_out_node;
+    assign {descend_thread, descend_node} = descend_queue_out_data;
     assign pop_valid = pop_shown;
     assign pop_thread = {|(chosen_pop & 4'd12), |(chosen_pop & 4'd10)};
     assign finish_valid = finish_shown;
     assign finish_thread = {|(chosen_finish & 4'd12), |(chosen_finish & 4'd10)};
 
     stream_skid_w9 descend_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(start_valid),
-        .in_ready(descend_queue_in_ready),
-        .in_thread(start_thread),
-        .in_node(7'd1),
-        .out_valid(descend_queue_out_valid),
-        .out_ready(descend_queue_out_ready),
-        .out_thread(descend_queue_out_thread),
-        .out_node(descend_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(start_valid), .in_ready(descend_queue_in_ready), .in_data({start_thread, 7'd1}),
+        .out_valid(descend_queue_out_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -3099,16 +2244,12 @@ module search_threads (
             outstanding_2 <= outstanding_2_next;
             outstanding_3 <= outstanding_3_next;
             event_thread_wait <= query_valid & &busy;
-            if (pop_advance & |wants_pop) begin
-                behind_pop <= ~choice_5;
-            end
+            if (pop_advance & |wants_pop) behind_pop <= ~choice_5;
             if (pop_advance) begin
                 chosen_pop <= first_pop;
                 pop_shown <= |wants_pop;
             end
-            if (finish_advance & |wants_finish) begin
-                behind_finish <= ~choice_6;
-            end
+            if (finish_advance & |wants_finish) behind_finish <= ~choice_6;
             if (finish_advance) begin
                 chosen_finish <= first_finish;
                 finish_shown <= |wants_finish;
@@ -3127,10 +2268,8 @@ module search_threads (
 
 `ifdef RTL_ASSERT
     wire [3:0] joined_7 = {
-        leaf_ended[3] & ~(outstanding_3 | reached_set[3]),
-        leaf_ended[2] & ~(outstanding_2 | reached_set[2]),
-        leaf_ended[1] & ~(outstanding_1 | reached_set[1]),
-        leaf_ended[0] & ~(outstanding_0 | reached_set[0])
+        leaf_ended[3] & ~(outstanding_3 | reached_set[3]), leaf_ended[2] & ~(outstanding_2 | reached_set[2]),
+        leaf_ended[1] & ~(outstanding_1 | reached_set[1]), leaf_ended[0] & ~(outstanding_0 | reached_set[0])
     };
 
     always @(posedge clk) begin
@@ -3155,43 +2294,32 @@ module stream_skid_w9 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [1:0] in_thread,
-    input  wire [6:0] in_node,
+    input  wire [8:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [1:0] out_thread,
-    output wire [6:0] out_node
+    output wire [8:0] out_data
 );
     reg second_valid;
-    reg [8:0] head;
-    reg [8:0] second;
+    reg [8:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [8:0] in_item = {in_thread, in_node};
 
-    assign out_thread = head[8:7];
-    assign out_node = head[6:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -3208,4 +2336,68 @@ module stream_skid_w9 (
         end
     end
 `endif
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is anything: with assertions, the old one inverted.
+module memory_1w1r_unordered #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            (* no_rw_check *)
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+`ifdef RTL_ASSERT
+                if (read && write && read_address == write_address) read_word <= ~words[read_address];
+`endif
+            end
+        end
+    endgenerate
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is the old one.
+module memory_1w1r #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+            end
+        end
+    endgenerate
 endmodule

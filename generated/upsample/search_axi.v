@@ -59,128 +59,75 @@ module search_axi (
     output wire irq
 );
     reg sets_up;
-    reg [31:0] queries_left;
-    reg [31:0] answers_left;
+    reg [31:0] queries_left, answers_left;
     reg [2:0] beat;
 
     wire core_lookup_valid;
     wire [3:0] core_lookup_thread;
     wire [20:0] core_lookup_address;
-    wire core_record_ready;
-    wire core_query_ready;
-    wire core_fetch_valid;
+    wire core_record_ready, core_query_ready, core_fetch_valid;
     wire [3:0] core_fetch_thread;
     wire [21:0] core_fetch_address;
     wire [2:0] core_fetch_beats;
-    wire core_beat_ready;
-    wire core_result_valid;
+    wire core_beat_ready, core_result_valid;
     wire [23:0] core_result_number;
-    wire core_result_last;
-    wire core_result_found;
+    wire core_result_last, core_result_found;
     wire [23:0] core_result_index;
     wire [31:0] core_result_distance2;
-    wire core_result_cached;
-    wire core_event_node;
-    wire core_event_pop;
-    wire core_event_beat;
-    wire core_event_insert;
-    wire core_event_insert_wait;
-    wire core_event_thread_wait;
-    wire core_event_point_hit;
-    wire core_event_point_miss;
-    wire core_event_tree_hit;
-    wire core_event_tree_miss;
-    wire core_event_cache_hit;
-    wire core_event_cache_miss;
-    wire registers_s_axil_awready;
-    wire registers_s_axil_wready;
-    wire registers_s_axil_bvalid;
+    wire core_result_cached, core_event_node, core_event_pop, core_event_beat, core_event_insert;
+    wire core_event_insert_wait, core_event_thread_wait, core_event_point_hit, core_event_point_miss;
+    wire core_event_tree_hit, core_event_tree_miss, core_event_cache_hit, core_event_cache_miss;
+    wire registers_s_axil_awready, registers_s_axil_wready, registers_s_axil_bvalid;
     wire [1:0] registers_s_axil_bresp;
-    wire registers_busy;
-    wire registers_start;
-    wire registers_core_reset;
-    wire registers_s_axil_arready;
+    wire registers_busy, registers_start, registers_core_reset, registers_s_axil_arready;
     wire registers_s_axil_rvalid;
     wire [31:0] registers_s_axil_rdata;
     wire [1:0] registers_s_axil_rresp;
     wire registers_irq;
-    wire [31:0] registers_points_base;
-    wire [31:0] registers_tree_base;
-    wire [31:0] registers_queries;
+    wire [31:0] registers_points_base, registers_tree_base, registers_queries;
     wire registers_cache_ball;
-    wire [31:0] registers_cache_far_scale;
-    wire [31:0] registers_cache_margin_scale;
-    wire queries_s_axis_tready;
-    wire queries_out_valid;
+    wire [31:0] registers_cache_far_scale, registers_cache_margin_scale;
+    wire queries_s_axis_tready, queries_out_valid;
     wire [23:0] queries_out_number;
     wire [5:0] queries_out_k;
-    wire [31:0] queries_out_radius2;
-    wire [31:0] queries_out_x;
-    wire [31:0] queries_out_y;
-    wire [31:0] queries_out_z;
-    wire [31:0] queries_out_reach;
-    wire queries_taken;
-    wire queries_refused;
-    wire results_in_ready;
-    wire results_m_axis_tvalid;
+    wire [31:0] queries_out_radius2, queries_out_x, queries_out_y, queries_out_z, queries_out_reach;
+    wire queries_taken, queries_refused, results_in_ready, results_m_axis_tvalid;
     wire [63:0] results_m_axis_tdata;
-    wire results_m_axis_tlast;
-    wire results_sent;
-    wire results_idle;
-    wire points_request_ready;
-    wire points_m_axi_arvalid;
+    wire results_m_axis_tlast, results_sent, results_idle, points_request_ready, points_m_axi_arvalid;
     wire [3:0] points_m_axi_arid;
     wire [31:0] points_m_axi_araddr;
     wire [7:0] points_m_axi_arlen;
     wire [2:0] points_m_axi_arsize;
     wire [1:0] points_m_axi_arburst;
-    wire points_m_axi_rready;
-    wire points_record_valid;
-    wire [31:0] points_record_x0;
-    wire [31:0] points_record_y0;
-    wire [31:0] points_record_z0;
-    wire [31:0] points_record_x1;
-    wire [31:0] points_record_y1;
-    wire [31:0] points_record_z1;
-    wire [31:0] points_record_x2;
-    wire [31:0] points_record_y2;
-    wire [31:0] points_record_z2;
-    wire [31:0] points_record_x3;
-    wire [31:0] points_record_y3;
-    wire [31:0] points_record_z3;
-    wire points_error;
-    wire points_misplaced;
-    wire fetches_in_ready;
-    wire fetches_out_valid;
-    wire [3:0] fetches_out_thread;
-    wire [21:0] fetches_out_address;
-    wire [2:0] fetches_out_beats;
-    wire tree_request_ready;
-    wire tree_m_axi_arvalid;
+    wire points_m_axi_rready, points_record_valid;
+    wire [31:0] points_record_x0, points_record_y0, points_record_z0, points_record_x1, points_record_y1;
+    wire [31:0] points_record_z1, points_record_x2, points_record_y2, points_record_z2, points_record_x3;
+    wire [31:0] points_record_y3, points_record_z3;
+    wire points_error, points_misplaced, fetches_in_ready, fetches_out_valid;
+    wire [28:0] fetches_out_data;
+    wire tree_request_ready, tree_m_axi_arvalid;
     wire [3:0] tree_m_axi_arid;
     wire [31:0] tree_m_axi_araddr;
     wire [7:0] tree_m_axi_arlen;
     wire [2:0] tree_m_axi_arsize;
     wire [1:0] tree_m_axi_arburst;
-    wire tree_m_axi_rready;
-    wire tree_record_valid;
+    wire tree_m_axi_rready, tree_record_valid;
     wire [63:0] tree_record_word;
-    wire tree_error;
-    wire tree_misplaced;
-    wire lookups_in_ready;
-    wire lookups_out_valid;
-    wire [3:0] lookups_out_thread;
-    wire [20:0] lookups_out_address;
+    wire tree_error, tree_misplaced, lookups_in_ready, lookups_out_valid;
+    wire [24:0] lookups_out_data;
 
     wire core_lookup_ready = tree_request_ready & lookups_in_ready;
     wire gives_record = tree_record_valid & lookups_out_valid;
+    wire [3:0] lookups_out_thread = lookups_out_data[24:21];
+    wire [20:0] lookups_out_address = lookups_out_data[20:0];
     wire core_fetch_ready = points_request_ready & fetches_in_ready;
     wire gives_beat = points_record_valid & fetches_out_valid;
+    wire [3:0] fetches_out_thread = fetches_out_data[28:25];
+    wire [21:0] fetches_out_address = fetches_out_data[24:3];
     wire [2:0] sum_1 = beat + 3'd1;
+    wire [2:0] fetches_out_beats = fetches_out_data[2:0];
     wire last_beat = sum_1 == fetches_out_beats;
-    wire core_result_ready = results_in_ready;
     wire choice_2 = queries_taken ? (queries_left[1:0] == 2'd2) : (queries_left[1:0] == 2'd1);
-    wire queries_out_ready = core_query_ready;
     wire [31:0] points_address = registers_points_base + {4'd0, core_fetch_address, 6'd0};
     wire points_record_ready = core_beat_ready & fetches_out_valid;
     wire beat_moves = gives_beat & core_beat_ready;
@@ -188,7 +135,7 @@ module search_axi (
     wire [31:0] tree_address = registers_tree_base + {8'd0, core_lookup_address, 3'd0};
     wire tree_record_ready = core_record_ready & lookups_out_valid;
     wire lookups_out_ready = core_record_ready & tree_record_valid;
-    wire answered = core_result_valid & core_result_ready & core_result_last;
+    wire answered = core_result_valid & results_in_ready & core_result_last;
 
     assign s_axil_awready = registers_s_axil_awready;
     assign s_axil_wready = registers_s_axil_wready;
@@ -219,261 +166,129 @@ module search_axi (
     assign irq = registers_irq;
 
     search_top core (
-        .clk(clk),
-        .rst(rst | registers_core_reset),
-        .lookup_valid(core_lookup_valid),
-        .lookup_ready(core_lookup_ready),
-        .lookup_thread(core_lookup_thread),
-        .lookup_address(core_lookup_address),
-        .record_valid(gives_record),
-        .record_ready(core_record_ready),
-        .record_thread(lookups_out_thread),
-        .record_address(lookups_out_address),
-        .record_split(tree_record_word[31:0]),
-        .record_dimension(tree_record_word[33:32]),
-        .record_internal_leaf(tree_record_word[40]),
-        .record_begin(tree_record_word[21:0]),
-        .record_beats(tree_record_word[34:32]),
-        .setup_valid(sets_up),
-        .setup_ball(registers_cache_ball),
-        .setup_far_scale(registers_cache_far_scale),
+        .clk(clk), .rst(rst | registers_core_reset),
+        .lookup_valid(core_lookup_valid), .lookup_ready(core_lookup_ready),
+        .lookup_thread(core_lookup_thread), .lookup_address(core_lookup_address),
+        .record_valid(gives_record), .record_ready(core_record_ready), .record_thread(lookups_out_thread),
+        .record_address(lookups_out_address), .record_split(tree_record_word[31:0]),
+        .record_dimension(tree_record_word[33:32]), .record_internal_leaf(tree_record_word[40]),
+        .record_begin(tree_record_word[21:0]), .record_beats(tree_record_word[34:32]),
+        .setup_valid(sets_up), .setup_ball(registers_cache_ball), .setup_far_scale(registers_cache_far_scale),
         .setup_margin_scale(registers_cache_margin_scale),
-        .query_valid(queries_out_valid),
-        .query_ready(core_query_ready),
-        .query_number(queries_out_number),
-        .query_k(queries_out_k),
-        .query_radius2(queries_out_radius2),
-        .query_x(queries_out_x),
-        .query_y(queries_out_y),
-        .query_z(queries_out_z),
-        .query_reach(queries_out_reach),
-        .fetch_valid(core_fetch_valid),
-        .fetch_ready(core_fetch_ready),
-        .fetch_thread(core_fetch_thread),
-        .fetch_address(core_fetch_address),
-        .fetch_beats(core_fetch_beats),
-        .beat_valid(gives_beat),
-        .beat_ready(core_beat_ready),
-        .beat_thread(fetches_out_thread),
-        .beat_address(fetches_out_address + {19'd0, beat}),
-        .beat_last(last_beat),
-        .beat_x0(points_record_x0),
-        .beat_y0(points_record_y0),
-        .beat_z0(points_record_z0),
-        .beat_x1(points_record_x1),
-        .beat_y1(points_record_y1),
-        .beat_z1(points_record_z1),
-        .beat_x2(points_record_x2),
-        .beat_y2(points_record_y2),
-        .beat_z2(points_record_z2),
-        .beat_x3(points_record_x3),
-        .beat_y3(points_record_y3),
-        .beat_z3(points_record_z3),
-        .result_valid(core_result_valid),
-        .result_ready(core_result_ready),
-        .result_number(core_result_number),
-        .result_last(core_result_last),
-        .result_found(core_result_found),
-        .result_index(core_result_index),
-        .result_distance2(core_result_distance2),
-        .result_cached(core_result_cached),
-        .event_node(core_event_node),
-        .event_pop(core_event_pop),
-        .event_beat(core_event_beat),
-        .event_insert(core_event_insert),
-        .event_insert_wait(core_event_insert_wait),
-        .event_thread_wait(core_event_thread_wait),
-        .event_point_hit(core_event_point_hit),
-        .event_point_miss(core_event_point_miss),
-        .event_tree_hit(core_event_tree_hit),
-        .event_tree_miss(core_event_tree_miss),
-        .event_cache_hit(core_event_cache_hit),
+        .query_valid(queries_out_valid), .query_ready(core_query_ready), .query_number(queries_out_number),
+        .query_k(queries_out_k), .query_radius2(queries_out_radius2), .query_x(queries_out_x),
+        .query_y(queries_out_y), .query_z(queries_out_z), .query_reach(queries_out_reach),
+        .fetch_valid(core_fetch_valid), .fetch_ready(core_fetch_ready), .fetch_thread(core_fetch_thread),
+        .fetch_address(core_fetch_address), .fetch_beats(core_fetch_beats),
+        .beat_valid(gives_beat), .beat_ready(core_beat_ready), .beat_thread(fetches_out_thread),
+        .beat_address(fetches_out_address + {19'd0, beat}), .beat_last(last_beat), .beat_x0(points_record_x0),
+        .beat_y0(points_record_y0), .beat_z0(points_record_z0), .beat_x1(points_record_x1),
+        .beat_y1(points_record_y1), .beat_z1(points_record_z1), .beat_x2(points_record_x2),
+        .beat_y2(points_record_y2), .beat_z2(points_record_z2), .beat_x3(points_record_x3),
+        .beat_y3(points_record_y3), .beat_z3(points_record_z3),
+        .result_valid(core_result_valid), .result_ready(results_in_ready), .result_number(core_result_number),
+        .result_last(core_result_last), .result_found(core_result_found), .result_index(core_result_index),
+        .result_distance2(core_result_distance2), .result_cached(core_result_cached),
+        .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
+        .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
+        .event_thread_wait(core_event_thread_wait), .event_point_hit(core_event_point_hit),
+        .event_point_miss(core_event_point_miss), .event_tree_hit(core_event_tree_hit),
+        .event_tree_miss(core_event_tree_miss), .event_cache_hit(core_event_cache_hit),
         .event_cache_miss(core_event_cache_miss)
     );
 
     bus_registers registers (
-        .clk(clk),
-        .rst(rst),
-        .s_axil_awvalid(s_axil_awvalid),
-        .s_axil_awready(registers_s_axil_awready),
-        .s_axil_awaddr(s_axil_awaddr),
-        .s_axil_wvalid(s_axil_wvalid),
-        .s_axil_wready(registers_s_axil_wready),
-        .s_axil_wdata(s_axil_wdata),
-        .s_axil_wstrb(s_axil_wstrb),
-        .s_axil_bvalid(registers_s_axil_bvalid),
-        .s_axil_bready(s_axil_bready),
-        .s_axil_bresp(registers_s_axil_bresp),
-        .finished(~(|answers_left) & ~registers_start & results_idle),
-        .occupied(1'd0),
-        .busy(registers_busy),
+        .clk(clk), .rst(rst),
+        .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(registers_s_axil_awready),
+        .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid), .s_axil_wready(registers_s_axil_wready),
+        .s_axil_wdata(s_axil_wdata), .s_axil_wstrb(s_axil_wstrb), .s_axil_bvalid(registers_s_axil_bvalid),
+        .s_axil_bready(s_axil_bready), .s_axil_bresp(registers_s_axil_bresp),
+        .finished(~(|answers_left) & ~registers_start & results_idle), .occupied(1'd0), .busy(registers_busy),
         .start(registers_start),
         .core_reset(registers_core_reset),
         .burst_error({points_misplaced, tree_misplaced}),
         .packet_error(queries_refused),
         .memory_error({points_error, tree_error}),
-        .packet_taken(queries_taken),
-        .packet_sent(results_sent),
-        .event_node(core_event_node),
-        .event_pop(core_event_pop),
-        .event_beat(core_event_beat),
-        .event_insert(core_event_insert),
-        .event_insert_wait(core_event_insert_wait),
-        .event_thread_wait(core_event_thread_wait),
-        .event_point_hit(core_event_point_hit),
-        .event_point_miss(core_event_point_miss),
-        .event_tree_hit(core_event_tree_hit),
-        .event_tree_miss(core_event_tree_miss),
-        .event_cache_hit(core_event_cache_hit),
+        .packet_taken(queries_taken), .packet_sent(results_sent),
+        .event_node(core_event_node), .event_pop(core_event_pop), .event_beat(core_event_beat),
+        .event_insert(core_event_insert), .event_insert_wait(core_event_insert_wait),
+        .event_thread_wait(core_event_thread_wait), .event_point_hit(core_event_point_hit),
+        .event_point_miss(core_event_point_miss), .event_tree_hit(core_event_tree_hit),
+        .event_tree_miss(core_event_tree_miss), .event_cache_hit(core_event_cache_hit),
         .event_cache_miss(core_event_cache_miss),
-        .s_axil_arvalid(s_axil_arvalid),
-        .s_axil_arready(registers_s_axil_arready),
-        .s_axil_araddr(s_axil_araddr),
-        .s_axil_rvalid(registers_s_axil_rvalid),
-        .s_axil_rready(s_axil_rready),
-        .s_axil_rdata(registers_s_axil_rdata),
-        .s_axil_rresp(registers_s_axil_rresp),
+        .s_axil_arvalid(s_axil_arvalid), .s_axil_arready(registers_s_axil_arready),
+        .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(registers_s_axil_rvalid), .s_axil_rready(s_axil_rready),
+        .s_axil_rdata(registers_s_axil_rdata), .s_axil_rresp(registers_s_axil_rresp),
         .irq(registers_irq),
         .points_base(registers_points_base),
         .tree_base(registers_tree_base),
         .queries(registers_queries),
-        .cache_ball(registers_cache_ball),
-        .cache_far_scale(registers_cache_far_scale),
+        .cache_ball(registers_cache_ball), .cache_far_scale(registers_cache_far_scale),
         .cache_margin_scale(registers_cache_margin_scale)
     );
 
     bus_packet_in queries (
-        .clk(clk),
-        .rst(rst),
-        .opens(registers_start),
-        .last((queries_left[31:2] == 30'd0) & choice_2),
-        .s_axis_tvalid(s_axis_query_tvalid),
-        .s_axis_tready(queries_s_axis_tready),
-        .s_axis_tdata(s_axis_query_tdata),
-        .s_axis_tlast(s_axis_query_tlast),
-        .out_valid(queries_out_valid),
-        .out_ready(queries_out_ready),
-        .out_number(queries_out_number),
-        .out_k(queries_out_k),
-        .out_radius2(queries_out_radius2),
-        .out_x(queries_out_x),
-        .out_y(queries_out_y),
-        .out_z(queries_out_z),
-        .out_reach(queries_out_reach),
-        .taken(queries_taken),
-        .refused(queries_refused)
+        .clk(clk), .rst(rst), .opens(registers_start), .last((queries_left[31:2] == 30'd0) & choice_2),
+        .s_axis_tvalid(s_axis_query_tvalid), .s_axis_tready(queries_s_axis_tready),
+        .s_axis_tdata(s_axis_query_tdata), .s_axis_tlast(s_axis_query_tlast),
+        .out_valid(queries_out_valid), .out_ready(core_query_ready), .out_number(queries_out_number),
+        .out_k(queries_out_k), .out_radius2(queries_out_radius2), .out_x(queries_out_x),
+        .out_y(queries_out_y), .out_z(queries_out_z), .out_reach(queries_out_reach),
+        .taken(queries_taken), .refused(queries_refused)
     );
 
     bus_packet_out results (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(core_result_valid),
-        .in_ready(results_in_ready),
-        .in_number(core_result_number),
-        .in_last(core_result_last),
-        .in_found(core_result_found),
-        .in_index(core_result_index),
-        .in_distance2(core_result_distance2),
-        .in_cached(core_result_cached),
-        .m_axis_tvalid(results_m_axis_tvalid),
-        .m_axis_tready(m_axis_result_tready),
-        .m_axis_tdata(results_m_axis_tdata),
-        .m_axis_tlast(results_m_axis_tlast),
-        .sent(results_sent),
-        .idle(results_idle)
+        .clk(clk), .rst(rst),
+        .in_valid(core_result_valid), .in_ready(results_in_ready), .in_number(core_result_number),
+        .in_last(core_result_last), .in_found(core_result_found), .in_index(core_result_index),
+        .in_distance2(core_result_distance2), .in_cached(core_result_cached),
+        .m_axis_tvalid(results_m_axis_tvalid), .m_axis_tready(m_axis_result_tready),
+        .m_axis_tdata(results_m_axis_tdata), .m_axis_tlast(results_m_axis_tlast),
+        .sent(results_sent), .idle(results_idle)
     );
 
     bus_reader_b8_r4 points (
-        .clk(clk),
-        .rst(rst),
-        .request_valid(core_fetch_valid & fetches_in_ready),
-        .request_ready(points_request_ready),
-        .request_address(points_address),
-        .request_records(core_fetch_beats),
-        .m_axi_arvalid(points_m_axi_arvalid),
-        .m_axi_arready(m_axi_arready),
-        .m_axi_arid(points_m_axi_arid),
-        .m_axi_araddr(points_m_axi_araddr),
-        .m_axi_arlen(points_m_axi_arlen),
-        .m_axi_arsize(points_m_axi_arsize),
-        .m_axi_arburst(points_m_axi_arburst),
-        .m_axi_rvalid(m_axi_rvalid),
-        .m_axi_rready(points_m_axi_rready),
-        .m_axi_rid(m_axi_rid),
-        .m_axi_rdata(m_axi_rdata),
-        .m_axi_rresp(m_axi_rresp),
-        .m_axi_rlast(m_axi_rlast),
-        .record_valid(points_record_valid),
-        .record_ready(points_record_ready),
-        .record_x0(points_record_x0),
-        .record_y0(points_record_y0),
-        .record_z0(points_record_z0),
-        .record_x1(points_record_x1),
-        .record_y1(points_record_y1),
-        .record_z1(points_record_z1),
-        .record_x2(points_record_x2),
-        .record_y2(points_record_y2),
-        .record_z2(points_record_z2),
-        .record_x3(points_record_x3),
-        .record_y3(points_record_y3),
-        .record_z3(points_record_z3),
-        .error(points_error),
-        .misplaced(points_misplaced)
+        .clk(clk), .rst(rst),
+        .request_valid(core_fetch_valid & fetches_in_ready), .request_ready(points_request_ready),
+        .request_address(points_address), .request_records(core_fetch_beats),
+        .m_axi_arvalid(points_m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(points_m_axi_arid),
+        .m_axi_araddr(points_m_axi_araddr), .m_axi_arlen(points_m_axi_arlen),
+        .m_axi_arsize(points_m_axi_arsize), .m_axi_arburst(points_m_axi_arburst), .m_axi_rvalid(m_axi_rvalid),
+        .m_axi_rready(points_m_axi_rready), .m_axi_rid(m_axi_rid), .m_axi_rdata(m_axi_rdata),
+        .m_axi_rresp(m_axi_rresp), .m_axi_rlast(m_axi_rlast),
+        .record_valid(points_record_valid), .record_ready(points_record_ready), .record_x0(points_record_x0),
+        .record_y0(points_record_y0), .record_z0(points_record_z0), .record_x1(points_record_x1),
+        .record_y1(points_record_y1), .record_z1(points_record_z1), .record_x2(points_record_x2),
+        .record_y2(points_record_y2), .record_z2(points_record_z2), .record_x3(points_record_x3),
+        .record_y3(points_record_y3), .record_z3(points_record_z3),
+        .error(points_error), .misplaced(points_misplaced)
     );
 
     stream_fifo_d16_w29 fetches (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(core_fetch_valid & points_request_ready),
-        .in_ready(fetches_in_ready),
-        .in_thread(core_fetch_thread),
-        .in_address(core_fetch_address),
-        .in_beats(core_fetch_beats),
-        .out_valid(fetches_out_valid),
-        .out_ready(fetches_out_ready),
-        .out_thread(fetches_out_thread),
-        .out_address(fetches_out_address),
-        .out_beats(fetches_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(core_fetch_valid & points_request_ready), .in_ready(fetches_in_ready),
+        .in_data({core_fetch_thread, core_fetch_address, core_fetch_beats}),
+        .out_valid(fetches_out_valid), .out_ready(fetches_out_ready), .out_data(fetches_out_data)
     );
 
     bus_reader_b1_r1 tree (
-        .clk(clk),
-        .rst(rst),
-        .request_valid(core_lookup_valid & lookups_in_ready),
-        .request_ready(tree_request_ready),
-        .request_address(tree_address),
-        .request_records(1'd1),
-        .m_axi_arvalid(tree_m_axi_arvalid),
-        .m_axi_arready(m_axi_tree_arready),
-        .m_axi_arid(tree_m_axi_arid),
-        .m_axi_araddr(tree_m_axi_araddr),
-        .m_axi_arlen(tree_m_axi_arlen),
-        .m_axi_arsize(tree_m_axi_arsize),
-        .m_axi_arburst(tree_m_axi_arburst),
-        .m_axi_rvalid(m_axi_tree_rvalid),
-        .m_axi_rready(tree_m_axi_rready),
-        .m_axi_rid(m_axi_tree_rid),
-        .m_axi_rdata(m_axi_tree_rdata),
-        .m_axi_rresp(m_axi_tree_rresp),
-        .m_axi_rlast(m_axi_tree_rlast),
-        .record_valid(tree_record_valid),
-        .record_ready(tree_record_ready),
-        .record_word(tree_record_word),
-        .error(tree_error),
-        .misplaced(tree_misplaced)
+        .clk(clk), .rst(rst),
+        .request_valid(core_lookup_valid & lookups_in_ready), .request_ready(tree_request_ready),
+        .request_address(tree_address), .request_records(1'd1),
+        .m_axi_arvalid(tree_m_axi_arvalid), .m_axi_arready(m_axi_tree_arready), .m_axi_arid(tree_m_axi_arid),
+        .m_axi_araddr(tree_m_axi_araddr), .m_axi_arlen(tree_m_axi_arlen), .m_axi_arsize(tree_m_axi_arsize),
+        .m_axi_arburst(tree_m_axi_arburst), .m_axi_rvalid(m_axi_tree_rvalid),
+        .m_axi_rready(tree_m_axi_rready), .m_axi_rid(m_axi_tree_rid), .m_axi_rdata(m_axi_tree_rdata),
+        .m_axi_rresp(m_axi_tree_rresp), .m_axi_rlast(m_axi_tree_rlast),
+        .record_valid(tree_record_valid), .record_ready(tree_record_ready), .record_word(tree_record_word),
+        .error(tree_error), .misplaced(tree_misplaced)
     );
 
-    stream_fifo_d16_w25_v2 lookups (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(core_lookup_valid & tree_request_ready),
-        .in_ready(lookups_in_ready),
-        .in_thread(core_lookup_thread),
-        .in_address(core_lookup_address),
-        .out_valid(lookups_out_valid),
-        .out_ready(lookups_out_ready),
-        .out_thread(lookups_out_thread),
-        .out_address(lookups_out_address)
+    stream_fifo_d16_w25 lookups (
+        .clk(clk), .rst(rst),
+        .in_valid(core_lookup_valid & tree_request_ready), .in_ready(lookups_in_ready),
+        .in_data({core_lookup_thread, core_lookup_address}),
+        .out_valid(lookups_out_valid), .out_ready(lookups_out_ready), .out_data(lookups_out_data)
     );
 
     always @(posedge clk) begin
@@ -486,103 +301,11 @@ module search_axi (
             sets_up <= registers_start;
             queries_left <= registers_start ? registers_queries : (queries_left - {31'd0, queries_taken});
             answers_left <= registers_start ? registers_queries : (answers_left - {31'd0, answered});
-            if (beat_moves) begin
-                beat <= last_beat ? 3'd0 : sum_1;
-            end
+            if (beat_moves) beat <= last_beat ? 3'd0 : sum_1;
         end
     end
 
     wire _unused = &{1'b0, registers_busy, tree_record_word[39:35], tree_record_word[63:41]};
-endmodule
-
-// Queue in a memory with a registered output.
-// depth = 16
-// width = 25
-module stream_fifo_d16_w25_v2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_address,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_address
-);
-    (* no_rw_check *)
-    reg [24:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [24:0] item;
-
-    wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
-
-    assign out_thread = item[24:21];
-    assign out_address = item[20:0];
-
-    always @(posedge clk) begin
-        if (rst) begin
-            held <= 5'd0;
-            waiting <= 5'd0;
-            write_address <= 4'd0;
-            read_address <= 4'd0;
-            out_valid <= 1'd0;
-        end else begin
-            held <= (held + {4'd0, push}) - {4'd0, pop};
-            waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
-        end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_address};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(held <= 5'd16)) begin
-`ifdef FORMAL
-                held_in_range: assert (0);
-`else
-                $display("assertion failed: held_in_range in %m");
-                $stop;
-`endif
-            end
-            if (!(held == (waiting + {4'd0, out_valid}))) begin
-`ifdef FORMAL
-                held_is_waiting_and_shown: assert (0);
-`else
-                $display("assertion failed: held_is_waiting_and_shown in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
 endmodule
 
 // Reads records from memory in bursts.
@@ -618,61 +341,39 @@ module bus_reader_b1_r1 (
     reg held;
     reg [28:0] address;
     reg [63:0] held_word_0;
-    reg is_wrong;
 
-    wire address_queue_in_ready;
-    wire address_queue_out_valid;
-    wire [28:0] address_queue_out_address;
-    wire [7:0] address_queue_out_length;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [63:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire address_queue_in_ready, address_queue_out_valid;
+    wire [36:0] address_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
 
     wire takes_request = ~held | address_queue_in_ready;
-    assign request_ready = takes_request;
+    wire [28:0] address_queue_out_address = address_queue_out_data[36:8];
     wire issues = held & address_queue_in_ready;
-    wire address_queue_out_ready = m_axi_arready;
-    wire record_taken = record_ready;
-    wire advance = ~record_valid | record_taken;
-    wire beat_queue_out_ready = advance;
+    wire advance = ~record_valid | record_ready;
     wire moves = beat_queue_out_valid & advance;
-    wire ends = 1'd1;
-    wire term_1 = is_wrong | (beat_queue_out_last ^ ends);
+    wire beat_queue_out_last = beat_queue_out_data[0];
 
+    assign request_ready = takes_request;
     assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 3'd0};
-    assign m_axi_arlen = address_queue_out_length;
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign m_axi_rready = beat_queue_in_ready;
     assign record_word = held_word_0;
 
     stream_skid_w37 address_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(issues),
-        .in_ready(address_queue_in_ready),
-        .in_address(address),
-        .in_length(8'd0),
-        .out_valid(address_queue_out_valid),
-        .out_ready(address_queue_out_ready),
-        .out_address(address_queue_out_address),
-        .out_length(address_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, 8'd0}),
+        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(m_axi_rvalid),
-        .in_ready(beat_queue_in_ready),
-        .in_data(m_axi_rdata),
-        .in_last(m_axi_rlast),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready), .in_data({m_axi_rdata, m_axi_rlast}),
+        .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -680,29 +381,17 @@ module bus_reader_b1_r1 (
             held <= 1'd0;
             record_valid <= 1'd0;
             error <= 1'd0;
-            is_wrong <= 1'd0;
             misplaced <= 1'd0;
         end else begin
-            if (takes_request) begin
-                held <= request_valid;
-            end
-            if (advance) begin
-                record_valid <= moves;
-            end
+            if (takes_request) held <= request_valid;
+            if (advance) record_valid <= moves;
             error <= m_axi_rvalid & beat_queue_in_ready & |m_axi_rresp;
-            misplaced <= moves & (ends & term_1);
-            if (moves) begin
-                is_wrong <= ~ends & term_1;
-            end
+            misplaced <= moves & (beat_queue_out_last ^ 1'd1);
         end
     end
     always @(posedge clk) begin
-        if (takes_request) begin
-            address <= request_address[31:3];
-        end
-        if (moves) begin
-            held_word_0 <= beat_queue_out_data;
-        end
+        if (takes_request) address <= request_address[31:3];
+        if (moves) held_word_0 <= beat_queue_out_data[64:1];
     end
 
     wire _unused = &{1'b0, m_axi_rid, request_address[2:0], request_records};
@@ -715,43 +404,32 @@ module stream_skid_w37 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [28:0] in_address,
-    input  wire [7:0] in_length,
+    input  wire [36:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [28:0] out_address,
-    output wire [7:0] out_length
+    output wire [36:0] out_data
 );
     reg second_valid;
-    reg [36:0] head;
-    reg [36:0] second;
+    reg [36:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [36:0] in_item = {in_address, in_length};
 
-    assign out_address = head[36:8];
-    assign out_length = head[7:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -778,33 +456,28 @@ module stream_fifo_d16_w29 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire [2:0] in_beats,
+    input  wire [28:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire [2:0] out_beats
+    output wire [28:0] out_data
 );
-    (* no_rw_check *)
-    reg [28:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [28:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [28:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_thread = item[28:25];
-    assign out_address = item[24:3];
-    assign out_beats = item[2:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(29), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -816,27 +489,10 @@ module stream_fifo_d16_w29 (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_address, in_beats};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -908,46 +564,29 @@ module bus_reader_b8_r4 (
     reg [25:0] address;
     reg [2:0] records;
     reg [7:0] number;
-    reg [31:0] held_x0_0;
-    reg [31:0] held_y0_0;
-    reg [31:0] held_z0_0;
-    reg [31:0] held_x1_0;
-    reg [31:0] held_y1_0;
-    reg [31:0] held_z1_0;
-    reg [31:0] held_x2_0;
-    reg [31:0] held_y2_0;
-    reg [31:0] held_z2_0;
-    reg [31:0] held_x3_0;
-    reg [31:0] held_y3_0;
-    reg [31:0] held_z3_0;
+    reg [31:0] held_x0_0, held_y0_0, held_z0_0, held_x1_0, held_y1_0, held_z1_0, held_x2_0, held_y2_0, held_z2_0;
+    reg [31:0] held_x3_0, held_y3_0, held_z3_0;
     reg is_wrong;
 
-    wire address_queue_in_ready;
-    wire address_queue_out_valid;
-    wire [25:0] address_queue_out_address;
-    wire [7:0] address_queue_out_length;
-    wire length_queue_in_ready;
-    wire length_queue_out_valid;
-    wire [7:0] length_queue_out_length;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [63:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire address_queue_in_ready, address_queue_out_valid;
+    wire [33:0] address_queue_out_data;
+    wire length_queue_in_ready, length_queue_out_valid;
+    wire [7:0] length_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
 
     wire issues = held & (address_queue_in_ready & length_queue_in_ready);
     wire [5:0] room_records = 6'd32 - {1'd0, address[4:0]};
     wire crosses = room_records < {3'd0, records};
     wire takes_request = ~held | (issues & ~crosses);
-    assign request_ready = takes_request;
+    wire [25:0] address_queue_out_address = address_queue_out_data[33:8];
     wire [5:0] burst = crosses ? room_records : {3'd0, records};
     wire [8:0] difference_1 = {burst, 3'd0} - 9'd1;
     wire [7:0] length = difference_1[7:0];
-    wire address_queue_out_ready = m_axi_arready;
-    wire record_taken = record_ready;
-    wire advance = ~record_valid | record_taken;
+    wire advance = ~record_valid | record_ready;
     wire beat_queue_out_ready = advance & length_queue_out_valid;
     wire moves = beat_queue_out_valid & beat_queue_out_ready;
-    wire ends = number == length_queue_out_length;
+    wire ends = number == length_queue_out_data;
     wire length_queue_out_ready = moves & ends;
     wire term_2 = takes_request | issues;
     wire [5:0] difference_3 = {3'd0, records} - room_records;
@@ -957,12 +596,14 @@ module bus_reader_b8_r4 (
     wire takes_beat_3 = moves & (number[2:0] == 3'd3);
     wire takes_beat_4 = moves & (number[2:0] == 3'd4);
     wire takes_beat_5 = moves & (number[2:0] == 3'd5);
+    wire beat_queue_out_last = beat_queue_out_data[0];
     wire term_4 = is_wrong | (beat_queue_out_last ^ ends);
 
+    assign request_ready = takes_request;
     assign m_axi_arvalid = address_queue_out_valid;
     assign m_axi_arid = 4'd0;
     assign m_axi_araddr = {address_queue_out_address, 6'd0};
-    assign m_axi_arlen = address_queue_out_length;
+    assign m_axi_arlen = address_queue_out_data[7:0];
     assign m_axi_arsize = 3'd3;
     assign m_axi_arburst = 2'd1;
     assign m_axi_rready = beat_queue_in_ready;
@@ -980,40 +621,22 @@ module bus_reader_b8_r4 (
     assign record_z3 = held_z3_0;
 
     stream_skid_w34 address_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(issues),
-        .in_ready(address_queue_in_ready),
-        .in_address(address),
-        .in_length(length),
-        .out_valid(address_queue_out_valid),
-        .out_ready(address_queue_out_ready),
-        .out_address(address_queue_out_address),
-        .out_length(address_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(issues), .in_ready(address_queue_in_ready), .in_data({address, length}),
+        .out_valid(address_queue_out_valid), .out_ready(m_axi_arready), .out_data(address_queue_out_data)
     );
 
     stream_fifo_d16_w8 length_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(issues),
-        .in_ready(length_queue_in_ready),
-        .in_length(length),
-        .out_valid(length_queue_out_valid),
-        .out_ready(length_queue_out_ready),
-        .out_length(length_queue_out_length)
+        .clk(clk), .rst(rst),
+        .in_valid(issues), .in_ready(length_queue_in_ready), .in_data(length),
+        .out_valid(length_queue_out_valid), .out_ready(length_queue_out_ready),
+        .out_data(length_queue_out_data)
     );
 
     stream_skid_w65 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(m_axi_rvalid),
-        .in_ready(beat_queue_in_ready),
-        .in_data(m_axi_rdata),
-        .in_last(m_axi_rlast),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(m_axi_rvalid), .in_ready(beat_queue_in_ready), .in_data({m_axi_rdata, m_axi_rlast}),
+        .out_valid(beat_queue_out_valid), .out_ready(beat_queue_out_ready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1025,12 +648,8 @@ module bus_reader_b8_r4 (
             is_wrong <= 1'd0;
             misplaced <= 1'd0;
         end else begin
-            if (takes_request) begin
-                held <= request_valid;
-            end
-            if (advance) begin
-                record_valid <= moves & (number[2:0] == 3'd7);
-            end
+            if (takes_request) held <= request_valid;
+            if (advance) record_valid <= moves & (number[2:0] == 3'd7);
             if (moves) begin
                 number <= ends ? 8'd0 : (number + 8'd1);
                 is_wrong <= ~ends & term_4;
@@ -1045,28 +664,28 @@ module bus_reader_b8_r4 (
             records <= takes_request ? request_records : difference_3[2:0];
         end
         if (takes_beat_0) begin
-            held_x0_0 <= beat_queue_out_data[31:0];
-            held_y0_0 <= beat_queue_out_data[63:32];
+            held_x0_0 <= beat_queue_out_data[32:1];
+            held_y0_0 <= beat_queue_out_data[64:33];
         end
         if (takes_beat_1) begin
-            held_z0_0 <= beat_queue_out_data[31:0];
-            held_x1_0 <= beat_queue_out_data[63:32];
+            held_z0_0 <= beat_queue_out_data[32:1];
+            held_x1_0 <= beat_queue_out_data[64:33];
         end
         if (takes_beat_2) begin
-            held_y1_0 <= beat_queue_out_data[31:0];
-            held_z1_0 <= beat_queue_out_data[63:32];
+            held_y1_0 <= beat_queue_out_data[32:1];
+            held_z1_0 <= beat_queue_out_data[64:33];
         end
         if (takes_beat_3) begin
-            held_x2_0 <= beat_queue_out_data[31:0];
-            held_y2_0 <= beat_queue_out_data[63:32];
+            held_x2_0 <= beat_queue_out_data[32:1];
+            held_y2_0 <= beat_queue_out_data[64:33];
         end
         if (takes_beat_4) begin
-            held_z2_0 <= beat_queue_out_data[31:0];
-            held_x3_0 <= beat_queue_out_data[63:32];
+            held_z2_0 <= beat_queue_out_data[32:1];
+            held_x3_0 <= beat_queue_out_data[64:33];
         end
         if (takes_beat_5) begin
-            held_y3_0 <= beat_queue_out_data[31:0];
-            held_z3_0 <= beat_queue_out_data[63:32];
+            held_y3_0 <= beat_queue_out_data[32:1];
+            held_z3_0 <= beat_queue_out_data[64:33];
         end
     end
 
@@ -1081,27 +700,28 @@ module stream_fifo_d16_w8 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [7:0] in_length,
+    input  wire [7:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [7:0] out_length
+    output wire [7:0] out_data
 );
-    (* no_rw_check *)
-    reg [7:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [7:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [7:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_length = item;
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(8), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1113,27 +733,10 @@ module stream_fifo_d16_w8 (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= in_length;
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -1167,43 +770,32 @@ module stream_skid_w34 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [25:0] in_address,
-    input  wire [7:0] in_length,
+    input  wire [33:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [25:0] out_address,
-    output wire [7:0] out_length
+    output wire [33:0] out_data
 );
     reg second_valid;
-    reg [33:0] head;
-    reg [33:0] second;
+    reg [33:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [33:0] in_item = {in_address, in_length};
 
-    assign out_address = head[33:8];
-    assign out_length = head[7:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1246,42 +838,32 @@ module bus_packet_out (
     reg held;
     reg [1:0] place;
     reg [23:0] held_number;
-    reg held_last;
-    reg held_found;
+    reg held_last, held_found;
     reg [23:0] held_index;
     reg [31:0] held_distance2;
     reg held_cached;
 
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [63:0] beat_queue_out_data;
-    wire beat_queue_out_last;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [64:0] beat_queue_out_data;
 
     wire moves = held & beat_queue_in_ready;
     wire at_end = place == 2'd2;
     wire leaves = moves & at_end;
     wire takes_record = ~held | leaves;
-    assign in_ready = takes_record;
     wire [63:0] choice_1 = place[0] ? {held_distance2, 8'd0, held_index} : {23'd0, held_found, 7'd0, held_last, 8'd0, held_number};
-    wire beat_queue_out_ready = m_axis_tready;
     wire takes = in_valid & takes_record;
+    wire beat_queue_out_last = beat_queue_out_data[0];
 
+    assign in_ready = takes_record;
     assign m_axis_tvalid = beat_queue_out_valid;
-    assign m_axis_tdata = beat_queue_out_data;
-    assign m_axis_tlast = beat_queue_out_last;
+    assign {m_axis_tdata, m_axis_tlast} = beat_queue_out_data;
     assign idle = ~held & ~beat_queue_out_valid;
 
     stream_skid_w65 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(held),
-        .in_ready(beat_queue_in_ready),
-        .in_data(place[1] ? {63'd0, held_cached} : choice_1),
-        .in_last(at_end),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_data(beat_queue_out_data),
-        .out_last(beat_queue_out_last)
+        .clk(clk), .rst(rst),
+        .in_valid(held), .in_ready(beat_queue_in_ready),
+        .in_data({place[1] ? {63'd0, held_cached} : choice_1, at_end}),
+        .out_valid(beat_queue_out_valid), .out_ready(m_axis_tready), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1291,10 +873,8 @@ module bus_packet_out (
             sent <= 1'd0;
         end else begin
             held <= takes | (held & ~leaves);
-            sent <= beat_queue_out_valid & beat_queue_out_ready & beat_queue_out_last;
-            if (moves) begin
-                place <= at_end ? 2'd0 : (place + 2'd1);
-            end
+            sent <= beat_queue_out_valid & m_axis_tready & beat_queue_out_last;
+            if (moves) place <= at_end ? 2'd0 : (place + 2'd1);
         end
     end
     always @(posedge clk) begin
@@ -1316,43 +896,32 @@ module stream_skid_w65 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [63:0] in_data,
-    input  wire in_last,
+    input  wire [64:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [63:0] out_data,
-    output wire out_last
+    output wire [64:0] out_data
 );
     reg second_valid;
-    reg [64:0] head;
-    reg [64:0] second;
+    reg [64:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [64:0] in_item = {in_data, in_last};
 
-    assign out_data = head[64:1];
-    assign out_last = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1396,23 +965,13 @@ module bus_packet_in (
     output reg  refused
 );
     reg [1:0] place;
-    reg is_overlong;
-    reg in_range;
-    reg begun;
-    reg is_open;
+    reg is_overlong, in_range, begun, is_open;
     reg [23:0] held_number_0;
     reg [5:0] held_k_0;
-    reg [31:0] held_radius2_0;
-    reg [31:0] held_x_0;
-    reg [31:0] held_y_0;
-    reg [31:0] held_z_0;
-    reg [31:0] held_reach_0;
+    reg [31:0] held_radius2_0, held_x_0, held_y_0, held_z_0, held_reach_0;
 
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire beat_queue_out_good;
-    wire [63:0] beat_queue_out_data;
-    wire [1:0] beat_queue_out_place;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [66:0] beat_queue_out_data;
 
     wire s_axis_ready = beat_queue_in_ready & (begun | is_open);
     wire takes = s_axis_tvalid & s_axis_ready;
@@ -1420,10 +979,10 @@ module bus_packet_in (
     wire term_2 = place == 2'd3;
     wire whole = takes & (s_axis_tlast & (term_2 & ~is_overlong));
     wire good = whole & in_range;
-    wire out_taken = out_ready;
-    wire advance = ~out_valid | out_taken;
-    wire beat_queue_out_ready = advance;
-    wire moves = beat_queue_out_valid & beat_queue_out_ready;
+    wire advance = ~out_valid | out_ready;
+    wire beat_queue_out_good = beat_queue_out_data[66];
+    wire moves = beat_queue_out_valid & advance;
+    wire [1:0] beat_queue_out_place = beat_queue_out_data[1:0];
     wire takes_beat_0 = moves & (beat_queue_out_place == 2'd0);
     wire takes_beat_1 = moves & (beat_queue_out_place == 2'd1);
     wire takes_beat_2 = moves & (beat_queue_out_place == 2'd2);
@@ -1439,18 +998,9 @@ module bus_packet_in (
     assign out_reach = held_reach_0;
 
     stream_skid_w67 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(term_1),
-        .in_ready(beat_queue_in_ready),
-        .in_good(good),
-        .in_data(s_axis_tdata),
-        .in_place(place),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_good(beat_queue_out_good),
-        .out_data(beat_queue_out_data),
-        .out_place(beat_queue_out_place)
+        .clk(clk), .rst(rst),
+        .in_valid(term_1), .in_ready(beat_queue_in_ready), .in_data({good, s_axis_tdata, place}),
+        .out_valid(beat_queue_out_valid), .out_ready(advance), .out_data(beat_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1463,9 +1013,7 @@ module bus_packet_in (
             taken <= 1'd0;
             refused <= 1'd0;
         end else begin
-            if (term_1) begin
-                place <= (s_axis_tlast | term_2) ? 2'd0 : (place + 2'd1);
-            end
+            if (term_1) place <= (s_axis_tlast | term_2) ? 2'd0 : (place + 2'd1);
             if (takes) begin
                 is_overlong <= ~s_axis_tlast & (is_overlong | term_2);
                 begun <= ~s_axis_tlast;
@@ -1473,9 +1021,7 @@ module bus_packet_in (
             is_open <= opens | (is_open & ~(good & last));
             taken <= good;
             refused <= (takes & ((s_axis_tlast ^ term_2) & ~is_overlong)) | (whole & ~in_range);
-            if (advance) begin
-                out_valid <= beat_queue_out_valid & beat_queue_out_good;
-            end
+            if (advance) out_valid <= beat_queue_out_valid & beat_queue_out_good;
         end
     end
     always @(posedge clk) begin
@@ -1483,20 +1029,18 @@ module bus_packet_in (
             in_range <= (6'd1 <= s_axis_tdata[37:32]) & ~(6'd32 < s_axis_tdata[37:32]);
         end
         if (takes_beat_0) begin
-            held_number_0 <= beat_queue_out_data[23:0];
-            held_k_0 <= beat_queue_out_data[37:32];
+            held_number_0 <= beat_queue_out_data[25:2];
+            held_k_0 <= beat_queue_out_data[39:34];
         end
         if (takes_beat_1) begin
-            held_radius2_0 <= beat_queue_out_data[31:0];
-            held_x_0 <= beat_queue_out_data[63:32];
+            held_radius2_0 <= beat_queue_out_data[33:2];
+            held_x_0 <= beat_queue_out_data[65:34];
         end
         if (takes_beat_2) begin
-            held_y_0 <= beat_queue_out_data[31:0];
-            held_z_0 <= beat_queue_out_data[63:32];
+            held_y_0 <= beat_queue_out_data[33:2];
+            held_z_0 <= beat_queue_out_data[65:34];
         end
-        if (takes_beat_3) begin
-            held_reach_0 <= beat_queue_out_data[31:0];
-        end
+        if (takes_beat_3) held_reach_0 <= beat_queue_out_data[33:2];
     end
 endmodule
 
@@ -1507,46 +1051,32 @@ module stream_skid_w67 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_good,
-    input  wire [63:0] in_data,
-    input  wire [1:0] in_place,
+    input  wire [66:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_good,
-    output wire [63:0] out_data,
-    output wire [1:0] out_place
+    output wire [66:0] out_data
 );
     reg second_valid;
-    reg [66:0] head;
-    reg [66:0] second;
+    reg [66:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [66:0] in_item = {in_good, in_data, in_place};
 
-    assign out_good = head[66];
-    assign out_data = head[65:2];
-    assign out_place = head[1:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1619,25 +1149,17 @@ module bus_registers (
 );
     (* ram_style = "distributed" *)
     reg [31:0] words [0:19];
-    reg has_address;
-    reg has_data;
+    reg has_address, has_data;
     reg [11:0] write_address;
     reg [31:0] write_data;
-    reg write_strobes;
-    reg write_is_okay;
-    reg interrupt_enable_bits;
-    reg [19:0] points_base_bits;
-    reg [19:0] tree_base_bits;
+    reg write_strobes, write_is_okay, interrupt_enable_bits;
+    reg [19:0] points_base_bits, tree_base_bits;
     reg [31:0] queries_bits;
     reg cache_ball_bits;
-    reg [31:0] cache_far_scale_bits;
-    reg [31:0] cache_margin_scale_bits;
-    reg clear_errors;
-    reg done;
-    reg has_read_address;
+    reg [31:0] cache_far_scale_bits, cache_margin_scale_bits;
+    reg clear_errors, done, has_read_address;
     reg [11:0] read_address;
-    reg error;
-    reg adds;
+    reg error, adds;
     reg [4:0] visited;
     reg [7:0] part_0;
     reg void_0;
@@ -1683,8 +1205,7 @@ module bus_registers (
     reg is_void;
     reg [31:0] word;
     reg [4:0] round;
-    reg for_read;
-    reg read_valid;
+    reg for_read, read_valid;
     reg [31:0] read_value;
     reg read_is_error;
 
@@ -1972,50 +1493,28 @@ module bus_registers (
             read_valid <= adds & for_read;
             s_axil_rvalid <= answers | (s_axil_rvalid & ~s_axil_rready);
             irq <= done & interrupt_enable_bits;
-            if (write_accepted & term_2) begin
-                interrupt_enable_bits <= write_data[0];
-            end
-            if (write_accepted & term_3) begin
-                points_base_bits <= write_data[31:12];
-            end
-            if (write_accepted & term_4) begin
-                tree_base_bits <= write_data[31:12];
-            end
-            if (write_accepted & term_5) begin
-                queries_bits <= write_data;
-            end
-            if (write_accepted & term_6) begin
-                cache_ball_bits <= write_data[0];
-            end
-            if (write_accepted & term_7) begin
-                cache_far_scale_bits <= write_data;
-            end
-            if (write_accepted & term_9) begin
-                cache_margin_scale_bits <= write_data;
-            end
+            if (write_accepted & term_2) interrupt_enable_bits <= write_data[0];
+            if (write_accepted & term_3) points_base_bits <= write_data[31:12];
+            if (write_accepted & term_4) tree_base_bits <= write_data[31:12];
+            if (write_accepted & term_5) queries_bits <= write_data;
+            if (write_accepted & term_6) cache_ball_bits <= write_data[0];
+            if (write_accepted & term_7) cache_far_scale_bits <= write_data;
+            if (write_accepted & term_9) cache_margin_scale_bits <= write_data;
             if (adds) begin
                 visited <= turns_aside ? found[4:0] : round;
                 for_read <= turns_aside;
             end
-            if (adds & ~turns_aside) begin
-                round <= (round == 5'd19) ? 5'd0 : (round + 5'd1);
-            end
+            if (adds & ~turns_aside) round <= (round == 5'd19) ? 5'd0 : (round + 5'd1);
         end
     end
     always @(posedge clk) begin
-        if (~has_address) begin
-            write_address <= s_axil_awaddr;
-        end
+        if (~has_address) write_address <= s_axil_awaddr;
         if (~has_data) begin
             write_data <= s_axil_wdata;
             write_strobes <= &s_axil_wstrb;
         end
-        if (judges) begin
-            write_is_okay <= write_accepted;
-        end
-        if (read_ready) begin
-            read_address <= s_axil_araddr;
-        end
+        if (judges) write_is_okay <= write_accepted;
+        if (read_ready) read_address <= s_axil_araddr;
         part <= visited[4] ? choice_57 : choice_62;
         is_void <= visited[4] ? (visited[3] ? void_19 : visited[2] ? void_19 : choice_63) : choice_68;
         read_value <= saturated;
@@ -2025,9 +1524,7 @@ module bus_registers (
         end
     end
     always @(posedge clk) begin
-        if (adds) begin
-            words[visited] <= saturated;
-        end
+        if (adds) words[visited] <= saturated;
         word <= words[visited];
     end
 
@@ -2219,27 +1716,9 @@ module bus_registers (
     end
 
     wire _unused_by_checks = &{
-        1'b0,
-        sum_74[7:0],
-        sum_75[6:0],
-        sum_76[7:0],
-        sum_77[6:0],
-        sum_78[7:0],
-        sum_79[6:0],
-        sum_80[6:0],
-        sum_81[6:0],
-        sum_82[6:0],
-        sum_83[6:0],
-        sum_84[6:0],
-        sum_85[6:0],
-        sum_86[6:0],
-        sum_87[6:0],
-        sum_88[6:0],
-        sum_89[6:0],
-        sum_90[6:0],
-        sum_91[6:0],
-        sum_92[6:0],
-        sum_93[6:0]
+        1'b0, sum_74[7:0], sum_75[6:0], sum_76[7:0], sum_77[6:0], sum_78[7:0], sum_79[6:0], sum_80[6:0],
+        sum_81[6:0], sum_82[6:0], sum_83[6:0], sum_84[6:0], sum_85[6:0], sum_86[6:0], sum_87[6:0],
+        sum_88[6:0], sum_89[6:0], sum_90[6:0], sum_91[6:0], sum_92[6:0], sum_93[6:0]
     };
 `endif
 endmodule

@@ -8,12 +8,10 @@ module search_pins (
     input  wire serial_in,
     output wire serial_out
 );
-    reg catch_lookup_valid;
-    reg drive_lookup_ready;
+    reg catch_lookup_valid, drive_lookup_ready;
     reg [3:0] catch_lookup_thread;
     reg [20:0] catch_lookup_address;
-    reg drive_record_valid;
-    reg catch_record_ready;
+    reg drive_record_valid, catch_record_ready;
     reg [3:0] drive_record_thread;
     reg [20:0] drive_record_address;
     reg [31:0] drive_record_split;
@@ -21,61 +19,30 @@ module search_pins (
     reg drive_record_internal_leaf;
     reg [21:0] drive_record_begin;
     reg [2:0] drive_record_beats;
-    reg drive_setup_valid;
-    reg drive_setup_ball;
-    reg [31:0] drive_setup_far_scale;
-    reg [31:0] drive_setup_margin_scale;
-    reg drive_query_valid;
-    reg catch_query_ready;
+    reg drive_setup_valid, drive_setup_ball;
+    reg [31:0] drive_setup_far_scale, drive_setup_margin_scale;
+    reg drive_query_valid, catch_query_ready;
     reg [23:0] drive_query_number;
     reg [5:0] drive_query_k;
-    reg [31:0] drive_query_radius2;
-    reg [31:0] drive_query_x;
-    reg [31:0] drive_query_y;
-    reg [31:0] drive_query_z;
-    reg [31:0] drive_query_reach;
-    reg catch_fetch_valid;
-    reg drive_fetch_ready;
+    reg [31:0] drive_query_radius2, drive_query_x, drive_query_y, drive_query_z, drive_query_reach;
+    reg catch_fetch_valid, drive_fetch_ready;
     reg [3:0] catch_fetch_thread;
     reg [21:0] catch_fetch_address;
     reg [2:0] catch_fetch_beats;
-    reg drive_beat_valid;
-    reg catch_beat_ready;
+    reg drive_beat_valid, catch_beat_ready;
     reg [3:0] drive_beat_thread;
     reg [21:0] drive_beat_address;
     reg drive_beat_last;
-    reg [31:0] drive_beat_x0;
-    reg [31:0] drive_beat_y0;
-    reg [31:0] drive_beat_z0;
-    reg [31:0] drive_beat_x1;
-    reg [31:0] drive_beat_y1;
-    reg [31:0] drive_beat_z1;
-    reg [31:0] drive_beat_x2;
-    reg [31:0] drive_beat_y2;
-    reg [31:0] drive_beat_z2;
-    reg [31:0] drive_beat_x3;
-    reg [31:0] drive_beat_y3;
-    reg [31:0] drive_beat_z3;
-    reg catch_result_valid;
-    reg drive_result_ready;
+    reg [31:0] drive_beat_x0, drive_beat_y0, drive_beat_z0, drive_beat_x1, drive_beat_y1, drive_beat_z1;
+    reg [31:0] drive_beat_x2, drive_beat_y2, drive_beat_z2, drive_beat_x3, drive_beat_y3, drive_beat_z3;
+    reg catch_result_valid, drive_result_ready;
     reg [23:0] catch_result_number;
-    reg catch_result_last;
-    reg catch_result_found;
+    reg catch_result_last, catch_result_found;
     reg [23:0] catch_result_index;
     reg [31:0] catch_result_distance2;
-    reg catch_result_cached;
-    reg catch_event_node;
-    reg catch_event_pop;
-    reg catch_event_beat;
-    reg catch_event_insert;
-    reg catch_event_insert_wait;
-    reg catch_event_thread_wait;
-    reg catch_event_point_hit;
-    reg catch_event_point_miss;
-    reg catch_event_tree_hit;
-    reg catch_event_tree_miss;
-    reg catch_event_cache_hit;
-    reg catch_event_cache_miss;
+    reg catch_result_cached, catch_event_node, catch_event_pop, catch_event_beat, catch_event_insert;
+    reg catch_event_insert_wait, catch_event_thread_wait, catch_event_point_hit, catch_event_point_miss;
+    reg catch_event_tree_hit, catch_event_tree_miss, catch_event_cache_hit, catch_event_cache_miss;
     reg [38:0] fold_0;
     reg [9:0] fold_1;
     reg [2:0] fold_2;
@@ -84,32 +51,18 @@ module search_pins (
     wire unit_lookup_valid;
     wire [3:0] unit_lookup_thread;
     wire [20:0] unit_lookup_address;
-    wire unit_record_ready;
-    wire unit_query_ready;
-    wire unit_fetch_valid;
+    wire unit_record_ready, unit_query_ready, unit_fetch_valid;
     wire [3:0] unit_fetch_thread;
     wire [21:0] unit_fetch_address;
     wire [2:0] unit_fetch_beats;
-    wire unit_beat_ready;
-    wire unit_result_valid;
+    wire unit_beat_ready, unit_result_valid;
     wire [23:0] unit_result_number;
-    wire unit_result_last;
-    wire unit_result_found;
+    wire unit_result_last, unit_result_found;
     wire [23:0] unit_result_index;
     wire [31:0] unit_result_distance2;
-    wire unit_result_cached;
-    wire unit_event_node;
-    wire unit_event_pop;
-    wire unit_event_beat;
-    wire unit_event_insert;
-    wire unit_event_insert_wait;
-    wire unit_event_thread_wait;
-    wire unit_event_point_hit;
-    wire unit_event_point_miss;
-    wire unit_event_tree_hit;
-    wire unit_event_tree_miss;
-    wire unit_event_cache_hit;
-    wire unit_event_cache_miss;
+    wire unit_result_cached, unit_event_node, unit_event_pop, unit_event_beat, unit_event_insert;
+    wire unit_event_insert_wait, unit_event_thread_wait, unit_event_point_hit, unit_event_point_miss;
+    wire unit_event_tree_hit, unit_event_tree_miss, unit_event_cache_hit, unit_event_cache_miss;
 
     wire term_1 = drive_result_ready ^ catch_event_cache_miss ^ catch_event_cache_hit;
     wire term_2 = catch_event_tree_hit ^ catch_event_point_miss ^ catch_event_point_hit;
@@ -154,75 +107,35 @@ module search_pins (
     assign serial_out = fold_3;
 
     search_top unit (
-        .clk(clk),
-        .rst(rst),
-        .lookup_valid(unit_lookup_valid),
-        .lookup_ready(drive_lookup_ready),
-        .lookup_thread(unit_lookup_thread),
-        .lookup_address(unit_lookup_address),
-        .record_valid(drive_record_valid),
-        .record_ready(unit_record_ready),
-        .record_thread(drive_record_thread),
-        .record_address(drive_record_address),
-        .record_split(drive_record_split),
-        .record_dimension(drive_record_dimension),
-        .record_internal_leaf(drive_record_internal_leaf),
-        .record_begin(drive_record_begin),
+        .clk(clk), .rst(rst),
+        .lookup_valid(unit_lookup_valid), .lookup_ready(drive_lookup_ready),
+        .lookup_thread(unit_lookup_thread), .lookup_address(unit_lookup_address),
+        .record_valid(drive_record_valid), .record_ready(unit_record_ready),
+        .record_thread(drive_record_thread), .record_address(drive_record_address),
+        .record_split(drive_record_split), .record_dimension(drive_record_dimension),
+        .record_internal_leaf(drive_record_internal_leaf), .record_begin(drive_record_begin),
         .record_beats(drive_record_beats),
-        .setup_valid(drive_setup_valid),
-        .setup_ball(drive_setup_ball),
-        .setup_far_scale(drive_setup_far_scale),
-        .setup_margin_scale(drive_setup_margin_scale),
-        .query_valid(drive_query_valid),
-        .query_ready(unit_query_ready),
-        .query_number(drive_query_number),
-        .query_k(drive_query_k),
-        .query_radius2(drive_query_radius2),
-        .query_x(drive_query_x),
-        .query_y(drive_query_y),
-        .query_z(drive_query_z),
-        .query_reach(drive_query_reach),
-        .fetch_valid(unit_fetch_valid),
-        .fetch_ready(drive_fetch_ready),
-        .fetch_thread(unit_fetch_thread),
-        .fetch_address(unit_fetch_address),
-        .fetch_beats(unit_fetch_beats),
-        .beat_valid(drive_beat_valid),
-        .beat_ready(unit_beat_ready),
-        .beat_thread(drive_beat_thread),
-        .beat_address(drive_beat_address),
-        .beat_last(drive_beat_last),
-        .beat_x0(drive_beat_x0),
-        .beat_y0(drive_beat_y0),
-        .beat_z0(drive_beat_z0),
-        .beat_x1(drive_beat_x1),
-        .beat_y1(drive_beat_y1),
-        .beat_z1(drive_beat_z1),
-        .beat_x2(drive_beat_x2),
-        .beat_y2(drive_beat_y2),
-        .beat_z2(drive_beat_z2),
-        .beat_x3(drive_beat_x3),
-        .beat_y3(drive_beat_y3),
-        .beat_z3(drive_beat_z3),
-        .result_valid(unit_result_valid),
-        .result_ready(drive_result_ready),
-        .result_number(unit_result_number),
-        .result_last(unit_result_last),
-        .result_found(unit_result_found),
-        .result_index(unit_result_index),
-        .result_distance2(unit_result_distance2),
+        .setup_valid(drive_setup_valid), .setup_ball(drive_setup_ball),
+        .setup_far_scale(drive_setup_far_scale), .setup_margin_scale(drive_setup_margin_scale),
+        .query_valid(drive_query_valid), .query_ready(unit_query_ready), .query_number(drive_query_number),
+        .query_k(drive_query_k), .query_radius2(drive_query_radius2), .query_x(drive_query_x),
+        .query_y(drive_query_y), .query_z(drive_query_z), .query_reach(drive_query_reach),
+        .fetch_valid(unit_fetch_valid), .fetch_ready(drive_fetch_ready), .fetch_thread(unit_fetch_thread),
+        .fetch_address(unit_fetch_address), .fetch_beats(unit_fetch_beats),
+        .beat_valid(drive_beat_valid), .beat_ready(unit_beat_ready), .beat_thread(drive_beat_thread),
+        .beat_address(drive_beat_address), .beat_last(drive_beat_last), .beat_x0(drive_beat_x0),
+        .beat_y0(drive_beat_y0), .beat_z0(drive_beat_z0), .beat_x1(drive_beat_x1), .beat_y1(drive_beat_y1),
+        .beat_z1(drive_beat_z1), .beat_x2(drive_beat_x2), .beat_y2(drive_beat_y2), .beat_z2(drive_beat_z2),
+        .beat_x3(drive_beat_x3), .beat_y3(drive_beat_y3), .beat_z3(drive_beat_z3),
+        .result_valid(unit_result_valid), .result_ready(drive_result_ready),
+        .result_number(unit_result_number), .result_last(unit_result_last), .result_found(unit_result_found),
+        .result_index(unit_result_index), .result_distance2(unit_result_distance2),
         .result_cached(unit_result_cached),
-        .event_node(unit_event_node),
-        .event_pop(unit_event_pop),
-        .event_beat(unit_event_beat),
-        .event_insert(unit_event_insert),
-        .event_insert_wait(unit_event_insert_wait),
-        .event_thread_wait(unit_event_thread_wait),
-        .event_point_hit(unit_event_point_hit),
-        .event_point_miss(unit_event_point_miss),
-        .event_tree_hit(unit_event_tree_hit),
-        .event_tree_miss(unit_event_tree_miss),
-        .event_cache_hit(unit_event_cache_hit),
+        .event_node(unit_event_node), .event_pop(unit_event_pop), .event_beat(unit_event_beat),
+        .event_insert(unit_event_insert), .event_insert_wait(unit_event_insert_wait),
+        .event_thread_wait(unit_event_thread_wait), .event_point_hit(unit_event_point_hit),
+        .event_point_miss(unit_event_point_miss), .event_tree_hit(unit_event_tree_hit),
+        .event_tree_miss(unit_event_tree_miss), .event_cache_hit(unit_event_cache_hit),
         .event_cache_miss(unit_event_cache_miss)
     );
 
@@ -296,61 +209,31 @@ module search_pins (
         catch_event_cache_hit <= unit_event_cache_hit;
         catch_event_cache_miss <= unit_event_cache_miss;
         fold_0 <= {
-            term_1 ^ catch_event_tree_miss,
-            term_2 ^ catch_event_thread_wait,
-            term_3 ^ catch_event_pop,
-            term_4 ^ catch_result_distance2[1],
-            term_5 ^ catch_result_distance2[5],
-            term_6 ^ catch_result_distance2[9],
-            term_7 ^ catch_result_distance2[13],
-            term_8 ^ catch_result_distance2[17],
-            term_9 ^ catch_result_distance2[21],
-            term_10 ^ catch_result_distance2[25],
-            term_11 ^ catch_result_distance2[29],
-            term_12 ^ catch_result_index[1],
-            term_13 ^ catch_result_index[5],
-            term_14 ^ catch_result_index[9],
-            term_15 ^ catch_result_index[13],
-            term_16 ^ catch_result_index[17],
-            term_17 ^ catch_result_index[21],
-            term_18 ^ catch_result_last,
-            term_19 ^ catch_result_number[3],
-            term_20 ^ catch_result_number[7],
-            term_21 ^ catch_result_number[11],
-            term_22 ^ catch_result_number[15],
-            term_23 ^ catch_result_number[19],
-            term_24 ^ catch_result_number[23],
-            term_25 ^ catch_fetch_beats[1],
-            term_26 ^ catch_fetch_address[2],
-            term_27 ^ catch_fetch_address[6],
-            term_28 ^ catch_fetch_address[10],
-            term_29 ^ catch_fetch_address[14],
-            term_30 ^ catch_fetch_address[18],
-            term_31 ^ catch_fetch_thread[0],
-            term_32 ^ catch_fetch_valid,
-            term_33 ^ catch_lookup_address[1],
-            term_34 ^ catch_lookup_address[5],
-            term_35 ^ catch_lookup_address[9],
-            term_36 ^ catch_lookup_address[13],
-            term_37 ^ catch_lookup_address[17],
-            term_38 ^ catch_lookup_thread[0],
-            term_39 ^ catch_lookup_valid
+            term_1 ^ catch_event_tree_miss, term_2 ^ catch_event_thread_wait, term_3 ^ catch_event_pop,
+            term_4 ^ catch_result_distance2[1], term_5 ^ catch_result_distance2[5],
+            term_6 ^ catch_result_distance2[9], term_7 ^ catch_result_distance2[13],
+            term_8 ^ catch_result_distance2[17], term_9 ^ catch_result_distance2[21],
+            term_10 ^ catch_result_distance2[25], term_11 ^ catch_result_distance2[29],
+            term_12 ^ catch_result_index[1], term_13 ^ catch_result_index[5], term_14 ^ catch_result_index[9],
+            term_15 ^ catch_result_index[13], term_16 ^ catch_result_index[17], term_17 ^ catch_result_index[21],
+            term_18 ^ catch_result_last, term_19 ^ catch_result_number[3], term_20 ^ catch_result_number[7],
+            term_21 ^ catch_result_number[11], term_22 ^ catch_result_number[15],
+            term_23 ^ catch_result_number[19], term_24 ^ catch_result_number[23], term_25 ^ catch_fetch_beats[1],
+            term_26 ^ catch_fetch_address[2], term_27 ^ catch_fetch_address[6], term_28 ^ catch_fetch_address[10],
+            term_29 ^ catch_fetch_address[14], term_30 ^ catch_fetch_address[18], term_31 ^ catch_fetch_thread[0],
+            term_32 ^ catch_fetch_valid, term_33 ^ catch_lookup_address[1], term_34 ^ catch_lookup_address[5],
+            term_35 ^ catch_lookup_address[9], term_36 ^ catch_lookup_address[13],
+            term_37 ^ catch_lookup_address[17], term_38 ^ catch_lookup_thread[0], term_39 ^ catch_lookup_valid
         };
         fold_1 <= {
-            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3],
-            fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
-            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11],
-            fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
-            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19],
-            fold_0[20] ^ fold_0[21] ^ fold_0[22] ^ fold_0[23],
-            fold_0[24] ^ fold_0[25] ^ fold_0[26] ^ fold_0[27],
-            fold_0[28] ^ fold_0[29] ^ fold_0[30] ^ fold_0[31],
-            fold_0[32] ^ fold_0[33] ^ fold_0[34] ^ fold_0[35],
-            fold_0[36] ^ fold_0[37] ^ fold_0[38]
+            fold_0[0] ^ fold_0[1] ^ fold_0[2] ^ fold_0[3], fold_0[4] ^ fold_0[5] ^ fold_0[6] ^ fold_0[7],
+            fold_0[8] ^ fold_0[9] ^ fold_0[10] ^ fold_0[11], fold_0[12] ^ fold_0[13] ^ fold_0[14] ^ fold_0[15],
+            fold_0[16] ^ fold_0[17] ^ fold_0[18] ^ fold_0[19], fold_0[20] ^ fold_0[21] ^ fold_0[22] ^ fold_0[23],
+            fold_0[24] ^ fold_0[25] ^ fold_0[26] ^ fold_0[27], fold_0[28] ^ fold_0[29] ^ fold_0[30] ^ fold_0[31],
+            fold_0[32] ^ fold_0[33] ^ fold_0[34] ^ fold_0[35], fold_0[36] ^ fold_0[37] ^ fold_0[38]
         };
         fold_2 <= {
-            fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3],
-            fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],
+            fold_1[0] ^ fold_1[1] ^ fold_1[2] ^ fold_1[3], fold_1[4] ^ fold_1[5] ^ fold_1[6] ^ fold_1[7],
             fold_1[8] ^ fold_1[9]
         };
         fold_3 <= fold_2[0] ^ fold_2[1] ^ fold_2[2];

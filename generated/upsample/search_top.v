@@ -76,31 +76,20 @@ module search_top (
 );
     wire neighbor_cache_result_valid;
     wire [23:0] neighbor_cache_result_number;
-    wire neighbor_cache_result_last;
-    wire neighbor_cache_result_found;
+    wire neighbor_cache_result_last, neighbor_cache_result_found;
     wire [23:0] neighbor_cache_result_index;
     wire [31:0] neighbor_cache_result_distance2;
-    wire neighbor_cache_result_cached;
-    wire neighbor_cache_query_ready;
-    wire neighbor_cache_search_valid;
+    wire neighbor_cache_result_cached, neighbor_cache_query_ready, neighbor_cache_search_valid;
     wire [23:0] neighbor_cache_search_number;
     wire [5:0] neighbor_cache_search_k;
-    wire [31:0] neighbor_cache_search_radius2;
-    wire [31:0] neighbor_cache_search_x;
-    wire [31:0] neighbor_cache_search_y;
+    wire [31:0] neighbor_cache_search_radius2, neighbor_cache_search_x, neighbor_cache_search_y;
     wire [31:0] neighbor_cache_search_z;
-    wire neighbor_cache_event_cache_hit;
-    wire neighbor_cache_event_cache_miss;
-    wire neighbor_cache_found_ready;
-    wire threads_query_ready;
-    wire threads_start_valid;
+    wire neighbor_cache_event_cache_hit, neighbor_cache_event_cache_miss, neighbor_cache_found_ready;
+    wire threads_query_ready, threads_start_valid;
     wire [3:0] threads_start_thread;
     wire [23:0] threads_start_number;
     wire [5:0] threads_start_k;
-    wire [31:0] threads_start_radius2;
-    wire [31:0] threads_start_x;
-    wire [31:0] threads_start_y;
-    wire [31:0] threads_start_z;
+    wire [31:0] threads_start_radius2, threads_start_x, threads_start_y, threads_start_z;
     wire threads_descend_valid;
     wire [3:0] threads_descend_thread;
     wire [20:0] threads_descend_node;
@@ -108,18 +97,13 @@ module search_top (
     wire [3:0] threads_pop_thread;
     wire threads_finish_valid;
     wire [3:0] threads_finish_thread;
-    wire threads_event_thread_wait;
-    wire traversal_descend_ready;
-    wire traversal_resume_ready;
-    wire traversal_leaf_valid;
+    wire threads_event_thread_wait, traversal_descend_ready, traversal_resume_ready, traversal_leaf_valid;
     wire [3:0] traversal_leaf_thread;
     wire [19:0] traversal_leaf_leaf;
     wire traversal_node_valid;
     wire [3:0] traversal_node_thread;
     wire [20:0] traversal_node_node;
-    wire traversal_record_ready;
-    wire traversal_event_node;
-    wire traversal_push_valid;
+    wire traversal_record_ready, traversal_event_node, traversal_push_valid;
     wire [3:0] traversal_push_thread;
     wire [20:0] traversal_push_node;
     wire [31:0] traversal_push_distance2;
@@ -128,70 +112,50 @@ module search_top (
     wire stack_top_empty;
     wire [20:0] stack_top_node;
     wire [31:0] stack_top_distance2;
-    wire recursion_in_ready;
-    wire recursion_resume_valid;
+    wire recursion_in_ready, recursion_resume_valid;
     wire [3:0] recursion_resume_thread;
     wire [20:0] recursion_resume_node;
     wire recursion_pop_valid;
     wire [3:0] recursion_pop_thread;
     wire recursion_empty_valid;
     wire [3:0] recursion_empty_thread;
-    wire recursion_event_pop;
-    wire leaf_beat_ready;
-    wire leaf_candidates_valid;
+    wire recursion_event_pop, leaf_beat_ready, leaf_candidates_valid;
     wire [3:0] leaf_candidates_thread;
     wire [21:0] leaf_candidates_address;
     wire leaf_candidates_last;
-    wire [31:0] leaf_candidates_distance0;
-    wire [31:0] leaf_candidates_distance1;
-    wire [31:0] leaf_candidates_distance2;
+    wire [31:0] leaf_candidates_distance0, leaf_candidates_distance1, leaf_candidates_distance2;
     wire [31:0] leaf_candidates_distance3;
-    wire sieve_candidates_ready;
-    wire sieve_kept_valid;
+    wire sieve_candidates_ready, sieve_kept_valid;
     wire [3:0] sieve_kept_thread;
     wire [21:0] sieve_kept_address;
     wire sieve_kept_last;
-    wire [31:0] sieve_kept_distance0;
-    wire [31:0] sieve_kept_distance1;
-    wire [31:0] sieve_kept_distance2;
-    wire [31:0] sieve_kept_distance3;
+    wire [31:0] sieve_kept_distance0, sieve_kept_distance1, sieve_kept_distance2, sieve_kept_distance3;
     wire sieve_skipped_valid;
     wire [3:0] sieve_skipped_thread;
-    wire queue_candidates_ready;
-    wire queue_finish_ready;
-    wire queue_radius_valid;
+    wire queue_candidates_ready, queue_finish_ready, queue_radius_valid;
     wire [3:0] queue_radius_thread;
     wire [31:0] queue_radius_radius2;
-    wire queue_event_insert;
-    wire queue_released_valid;
+    wire queue_event_insert, queue_released_valid;
     wire [3:0] queue_released_thread;
     wire queue_result_valid;
     wire [23:0] queue_result_number;
-    wire queue_result_last;
-    wire queue_result_found;
+    wire queue_result_last, queue_result_found;
     wire [23:0] queue_result_index;
     wire [31:0] queue_result_distance2;
-    wire queue_event_beat;
-    wire queue_event_insert_wait;
-    wire tree_cache_node_ready;
-    wire tree_cache_leaf_ready;
+    wire queue_event_beat, queue_event_insert_wait, tree_cache_node_ready, tree_cache_leaf_ready;
     wire tree_cache_record_valid;
     wire [3:0] tree_cache_record_thread;
     wire [20:0] tree_cache_record_node;
     wire [31:0] tree_cache_record_split;
     wire [1:0] tree_cache_record_dimension;
-    wire tree_cache_record_internal_leaf;
-    wire tree_cache_fetch_valid;
+    wire tree_cache_record_internal_leaf, tree_cache_fetch_valid;
     wire [3:0] tree_cache_fetch_thread;
     wire [21:0] tree_cache_fetch_address;
     wire [2:0] tree_cache_fetch_beats;
     wire tree_cache_lookup_valid;
     wire [3:0] tree_cache_lookup_thread;
     wire [20:0] tree_cache_lookup_address;
-    wire tree_cache_fill_ready;
-    wire tree_cache_event_tree_hit;
-    wire tree_cache_event_tree_miss;
-    wire point_cache_fetch_ready;
+    wire tree_cache_fill_ready, tree_cache_event_tree_hit, tree_cache_event_tree_miss, point_cache_fetch_ready;
     wire point_cache_miss_valid;
     wire [3:0] point_cache_miss_thread;
     wire [21:0] point_cache_miss_address;
@@ -200,49 +164,21 @@ module search_top (
     wire [3:0] point_cache_beat_thread;
     wire [21:0] point_cache_beat_address;
     wire point_cache_beat_last;
-    wire [31:0] point_cache_beat_x0;
-    wire [31:0] point_cache_beat_y0;
-    wire [31:0] point_cache_beat_z0;
-    wire [31:0] point_cache_beat_x1;
-    wire [31:0] point_cache_beat_y1;
-    wire [31:0] point_cache_beat_z1;
-    wire [31:0] point_cache_beat_x2;
-    wire [31:0] point_cache_beat_y2;
-    wire [31:0] point_cache_beat_z2;
-    wire [31:0] point_cache_beat_x3;
-    wire [31:0] point_cache_beat_y3;
-    wire [31:0] point_cache_beat_z3;
-    wire point_cache_fill_ready;
-    wire point_cache_event_point_hit;
-    wire point_cache_event_point_miss;
-
-    assign record_ready = tree_cache_fill_ready;
-    assign query_ready = neighbor_cache_query_ready;
-    assign beat_ready = point_cache_fill_ready;
-    wire neighbor_cache_result_ready = result_ready;
-    wire neighbor_cache_search_ready = threads_query_ready;
-    wire threads_descend_ready = traversal_descend_ready;
-    wire threads_pop_ready = recursion_in_ready;
-    wire threads_finish_ready = queue_finish_ready;
-    wire traversal_leaf_ready = tree_cache_leaf_ready;
-    wire traversal_node_ready = tree_cache_node_ready;
-    wire recursion_resume_ready = traversal_resume_ready;
-    wire leaf_candidates_ready = sieve_candidates_ready;
-    wire sieve_kept_ready = queue_candidates_ready;
-    wire queue_result_ready = neighbor_cache_found_ready;
-    wire tree_cache_record_ready = traversal_record_ready;
-    wire tree_cache_fetch_ready = point_cache_fetch_ready;
-    wire tree_cache_lookup_ready = lookup_ready;
-    wire point_cache_miss_ready = fetch_ready;
-    wire point_cache_beat_ready = leaf_beat_ready;
+    wire [31:0] point_cache_beat_x0, point_cache_beat_y0, point_cache_beat_z0, point_cache_beat_x1;
+    wire [31:0] point_cache_beat_y1, point_cache_beat_z1, point_cache_beat_x2, point_cache_beat_y2;
+    wire [31:0] point_cache_beat_z2, point_cache_beat_x3, point_cache_beat_y3, point_cache_beat_z3;
+    wire point_cache_fill_ready, point_cache_event_point_hit, point_cache_event_point_miss;
 
     assign lookup_valid = tree_cache_lookup_valid;
     assign lookup_thread = tree_cache_lookup_thread;
     assign lookup_address = tree_cache_lookup_address;
+    assign record_ready = tree_cache_fill_ready;
+    assign query_ready = neighbor_cache_query_ready;
     assign fetch_valid = point_cache_miss_valid;
     assign fetch_thread = point_cache_miss_thread;
     assign fetch_address = point_cache_miss_address;
     assign fetch_beats = point_cache_miss_beats;
+    assign beat_ready = point_cache_fill_ready;
     assign result_valid = neighbor_cache_result_valid;
     assign result_number = neighbor_cache_result_number;
     assign result_last = neighbor_cache_result_last;
@@ -264,382 +200,196 @@ module search_top (
     assign event_cache_miss = neighbor_cache_event_cache_miss;
 
     search_neighbor_cache neighbor_cache (
-        .clk(clk),
-        .rst(rst),
-        .setup_valid(setup_valid),
-        .setup_ball(setup_ball),
-        .setup_far_scale(setup_far_scale),
+        .clk(clk), .rst(rst),
+        .setup_valid(setup_valid), .setup_ball(setup_ball), .setup_far_scale(setup_far_scale),
         .setup_margin_scale(setup_margin_scale),
-        .result_valid(neighbor_cache_result_valid),
-        .result_ready(neighbor_cache_result_ready),
-        .result_number(neighbor_cache_result_number),
-        .result_last(neighbor_cache_result_last),
-        .result_found(neighbor_cache_result_found),
-        .result_index(neighbor_cache_result_index),
-        .result_distance2(neighbor_cache_result_distance2),
-        .result_cached(neighbor_cache_result_cached),
-        .query_valid(query_valid),
-        .query_ready(neighbor_cache_query_ready),
-        .query_number(query_number),
-        .query_k(query_k),
-        .query_radius2(query_radius2),
-        .query_x(query_x),
-        .query_y(query_y),
-        .query_z(query_z),
-        .query_reach(query_reach),
-        .search_valid(neighbor_cache_search_valid),
-        .search_ready(neighbor_cache_search_ready),
-        .search_number(neighbor_cache_search_number),
-        .search_k(neighbor_cache_search_k),
-        .search_radius2(neighbor_cache_search_radius2),
-        .search_x(neighbor_cache_search_x),
-        .search_y(neighbor_cache_search_y),
-        .search_z(neighbor_cache_search_z),
-        .event_cache_hit(neighbor_cache_event_cache_hit),
-        .event_cache_miss(neighbor_cache_event_cache_miss),
-        .found_valid(queue_result_valid),
-        .found_ready(neighbor_cache_found_ready),
-        .found_number(queue_result_number),
-        .found_last(queue_result_last),
-        .found_found(queue_result_found),
-        .found_index(queue_result_index),
-        .found_distance2(queue_result_distance2)
+        .result_valid(neighbor_cache_result_valid), .result_ready(result_ready),
+        .result_number(neighbor_cache_result_number), .result_last(neighbor_cache_result_last),
+        .result_found(neighbor_cache_result_found), .result_index(neighbor_cache_result_index),
+        .result_distance2(neighbor_cache_result_distance2), .result_cached(neighbor_cache_result_cached),
+        .query_valid(query_valid), .query_ready(neighbor_cache_query_ready), .query_number(query_number),
+        .query_k(query_k), .query_radius2(query_radius2), .query_x(query_x), .query_y(query_y),
+        .query_z(query_z), .query_reach(query_reach),
+        .search_valid(neighbor_cache_search_valid), .search_ready(threads_query_ready),
+        .search_number(neighbor_cache_search_number), .search_k(neighbor_cache_search_k),
+        .search_radius2(neighbor_cache_search_radius2), .search_x(neighbor_cache_search_x),
+        .search_y(neighbor_cache_search_y), .search_z(neighbor_cache_search_z),
+        .event_cache_hit(neighbor_cache_event_cache_hit), .event_cache_miss(neighbor_cache_event_cache_miss),
+        .found_valid(queue_result_valid), .found_ready(neighbor_cache_found_ready),
+        .found_number(queue_result_number), .found_last(queue_result_last), .found_found(queue_result_found),
+        .found_index(queue_result_index), .found_distance2(queue_result_distance2)
     );
 
     search_threads threads (
-        .clk(clk),
-        .rst(rst),
-        .query_valid(neighbor_cache_search_valid),
-        .query_ready(threads_query_ready),
-        .query_number(neighbor_cache_search_number),
-        .query_k(neighbor_cache_search_k),
-        .query_radius2(neighbor_cache_search_radius2),
-        .query_x(neighbor_cache_search_x),
-        .query_y(neighbor_cache_search_y),
-        .query_z(neighbor_cache_search_z),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .descend_valid(threads_descend_valid),
-        .descend_ready(threads_descend_ready),
-        .descend_thread(threads_descend_thread),
-        .descend_node(threads_descend_node),
-        .pop_valid(threads_pop_valid),
-        .pop_ready(threads_pop_ready),
-        .pop_thread(threads_pop_thread),
-        .finish_valid(threads_finish_valid),
-        .finish_ready(threads_finish_ready),
+        .clk(clk), .rst(rst),
+        .query_valid(neighbor_cache_search_valid), .query_ready(threads_query_ready),
+        .query_number(neighbor_cache_search_number), .query_k(neighbor_cache_search_k),
+        .query_radius2(neighbor_cache_search_radius2), .query_x(neighbor_cache_search_x),
+        .query_y(neighbor_cache_search_y), .query_z(neighbor_cache_search_z),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
+        .descend_thread(threads_descend_thread), .descend_node(threads_descend_node),
+        .pop_valid(threads_pop_valid), .pop_ready(recursion_in_ready), .pop_thread(threads_pop_thread),
+        .finish_valid(threads_finish_valid), .finish_ready(queue_finish_ready),
         .finish_thread(threads_finish_thread),
-        .reached_valid(traversal_reached_valid),
-        .reached_thread(traversal_reached_thread),
-        .leaf_done_valid(queue_radius_valid),
-        .leaf_done_thread(queue_radius_thread),
-        .skipped_valid(sieve_skipped_valid),
-        .skipped_thread(sieve_skipped_thread),
-        .empty_valid(recursion_empty_valid),
-        .empty_thread(recursion_empty_thread),
-        .released_valid(queue_released_valid),
-        .released_thread(queue_released_thread),
+        .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread),
+        .leaf_done_valid(queue_radius_valid), .leaf_done_thread(queue_radius_thread),
+        .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread),
+        .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
+        .released_valid(queue_released_valid), .released_thread(queue_released_thread),
         .event_thread_wait(threads_event_thread_wait)
     );
 
     search_traversal traversal (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .descend_valid(threads_descend_valid),
-        .descend_ready(traversal_descend_ready),
-        .descend_thread(threads_descend_thread),
-        .descend_node(threads_descend_node),
-        .resume_valid(recursion_resume_valid),
-        .resume_ready(traversal_resume_ready),
-        .resume_thread(recursion_resume_thread),
-        .resume_node(recursion_resume_node),
-        .leaf_valid(traversal_leaf_valid),
-        .leaf_ready(traversal_leaf_ready),
-        .leaf_thread(traversal_leaf_thread),
-        .leaf_leaf(traversal_leaf_leaf),
-        .node_valid(traversal_node_valid),
-        .node_ready(traversal_node_ready),
-        .node_thread(traversal_node_thread),
-        .node_node(traversal_node_node),
-        .record_valid(tree_cache_record_valid),
-        .record_ready(traversal_record_ready),
-        .record_thread(tree_cache_record_thread),
-        .record_node(tree_cache_record_node),
-        .record_split(tree_cache_record_split),
-        .record_dimension(tree_cache_record_dimension),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .descend_valid(threads_descend_valid), .descend_ready(traversal_descend_ready),
+        .descend_thread(threads_descend_thread), .descend_node(threads_descend_node),
+        .resume_valid(recursion_resume_valid), .resume_ready(traversal_resume_ready),
+        .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
+        .leaf_valid(traversal_leaf_valid), .leaf_ready(tree_cache_leaf_ready),
+        .leaf_thread(traversal_leaf_thread), .leaf_leaf(traversal_leaf_leaf),
+        .node_valid(traversal_node_valid), .node_ready(tree_cache_node_ready),
+        .node_thread(traversal_node_thread), .node_node(traversal_node_node),
+        .record_valid(tree_cache_record_valid), .record_ready(traversal_record_ready),
+        .record_thread(tree_cache_record_thread), .record_node(tree_cache_record_node),
+        .record_split(tree_cache_record_split), .record_dimension(tree_cache_record_dimension),
         .record_internal_leaf(tree_cache_record_internal_leaf),
         .event_node(traversal_event_node),
-        .push_valid(traversal_push_valid),
-        .push_thread(traversal_push_thread),
-        .push_node(traversal_push_node),
-        .push_distance2(traversal_push_distance2),
-        .reached_valid(traversal_reached_valid),
-        .reached_thread(traversal_reached_thread)
+        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
+        .reached_valid(traversal_reached_valid), .reached_thread(traversal_reached_thread)
     );
 
     search_stack stack (
-        .clk(clk),
-        .rst(rst),
-        .push_valid(traversal_push_valid),
-        .push_thread(traversal_push_thread),
-        .push_node(traversal_push_node),
-        .push_distance2(traversal_push_distance2),
-        .pop_valid(recursion_pop_valid),
-        .pop_thread(recursion_pop_thread),
-        .top_empty(stack_top_empty),
-        .top_node(stack_top_node),
-        .top_distance2(stack_top_distance2)
+        .clk(clk), .rst(rst),
+        .push_valid(traversal_push_valid), .push_thread(traversal_push_thread),
+        .push_node(traversal_push_node), .push_distance2(traversal_push_distance2),
+        .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
+        .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2)
     );
 
     search_recursion recursion (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .in_valid(threads_pop_valid),
-        .in_ready(recursion_in_ready),
-        .in_thread(threads_pop_thread),
-        .top_empty(stack_top_empty),
-        .top_node(stack_top_node),
-        .top_distance2(stack_top_distance2),
-        .resume_valid(recursion_resume_valid),
-        .resume_ready(recursion_resume_ready),
-        .resume_thread(recursion_resume_thread),
-        .resume_node(recursion_resume_node),
-        .pop_valid(recursion_pop_valid),
-        .pop_thread(recursion_pop_thread),
-        .empty_valid(recursion_empty_valid),
-        .empty_thread(recursion_empty_thread),
+        .in_valid(threads_pop_valid), .in_ready(recursion_in_ready), .in_thread(threads_pop_thread),
+        .top_empty(stack_top_empty), .top_node(stack_top_node), .top_distance2(stack_top_distance2),
+        .resume_valid(recursion_resume_valid), .resume_ready(traversal_resume_ready),
+        .resume_thread(recursion_resume_thread), .resume_node(recursion_resume_node),
+        .pop_valid(recursion_pop_valid), .pop_thread(recursion_pop_thread),
+        .empty_valid(recursion_empty_valid), .empty_thread(recursion_empty_thread),
         .event_pop(recursion_event_pop)
     );
 
     search_leaf leaf (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .beat_valid(point_cache_beat_valid),
-        .beat_ready(leaf_beat_ready),
-        .beat_thread(point_cache_beat_thread),
-        .beat_address(point_cache_beat_address),
-        .beat_last(point_cache_beat_last),
-        .beat_x0(point_cache_beat_x0),
-        .beat_y0(point_cache_beat_y0),
-        .beat_z0(point_cache_beat_z0),
-        .beat_x1(point_cache_beat_x1),
-        .beat_y1(point_cache_beat_y1),
-        .beat_z1(point_cache_beat_z1),
-        .beat_x2(point_cache_beat_x2),
-        .beat_y2(point_cache_beat_y2),
-        .beat_z2(point_cache_beat_z2),
-        .beat_x3(point_cache_beat_x3),
-        .beat_y3(point_cache_beat_y3),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .beat_valid(point_cache_beat_valid), .beat_ready(leaf_beat_ready),
+        .beat_thread(point_cache_beat_thread), .beat_address(point_cache_beat_address),
+        .beat_last(point_cache_beat_last), .beat_x0(point_cache_beat_x0), .beat_y0(point_cache_beat_y0),
+        .beat_z0(point_cache_beat_z0), .beat_x1(point_cache_beat_x1), .beat_y1(point_cache_beat_y1),
+        .beat_z1(point_cache_beat_z1), .beat_x2(point_cache_beat_x2), .beat_y2(point_cache_beat_y2),
+        .beat_z2(point_cache_beat_z2), .beat_x3(point_cache_beat_x3), .beat_y3(point_cache_beat_y3),
         .beat_z3(point_cache_beat_z3),
-        .candidates_valid(leaf_candidates_valid),
-        .candidates_ready(leaf_candidates_ready),
-        .candidates_thread(leaf_candidates_thread),
-        .candidates_address(leaf_candidates_address),
-        .candidates_last(leaf_candidates_last),
-        .candidates_distance0(leaf_candidates_distance0),
-        .candidates_distance1(leaf_candidates_distance1),
-        .candidates_distance2(leaf_candidates_distance2),
+        .candidates_valid(leaf_candidates_valid), .candidates_ready(sieve_candidates_ready),
+        .candidates_thread(leaf_candidates_thread), .candidates_address(leaf_candidates_address),
+        .candidates_last(leaf_candidates_last), .candidates_distance0(leaf_candidates_distance0),
+        .candidates_distance1(leaf_candidates_distance1), .candidates_distance2(leaf_candidates_distance2),
         .candidates_distance3(leaf_candidates_distance3)
     );
 
     search_sieve sieve (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
-        .candidates_valid(leaf_candidates_valid),
-        .candidates_ready(sieve_candidates_ready),
-        .candidates_thread(leaf_candidates_thread),
-        .candidates_address(leaf_candidates_address),
-        .candidates_last(leaf_candidates_last),
-        .candidates_distance0(leaf_candidates_distance0),
-        .candidates_distance1(leaf_candidates_distance1),
-        .candidates_distance2(leaf_candidates_distance2),
+        .candidates_valid(leaf_candidates_valid), .candidates_ready(sieve_candidates_ready),
+        .candidates_thread(leaf_candidates_thread), .candidates_address(leaf_candidates_address),
+        .candidates_last(leaf_candidates_last), .candidates_distance0(leaf_candidates_distance0),
+        .candidates_distance1(leaf_candidates_distance1), .candidates_distance2(leaf_candidates_distance2),
         .candidates_distance3(leaf_candidates_distance3),
-        .kept_valid(sieve_kept_valid),
-        .kept_ready(sieve_kept_ready),
-        .kept_thread(sieve_kept_thread),
-        .kept_address(sieve_kept_address),
-        .kept_last(sieve_kept_last),
-        .kept_distance0(sieve_kept_distance0),
-        .kept_distance1(sieve_kept_distance1),
-        .kept_distance2(sieve_kept_distance2),
+        .kept_valid(sieve_kept_valid), .kept_ready(queue_candidates_ready), .kept_thread(sieve_kept_thread),
+        .kept_address(sieve_kept_address), .kept_last(sieve_kept_last), .kept_distance0(sieve_kept_distance0),
+        .kept_distance1(sieve_kept_distance1), .kept_distance2(sieve_kept_distance2),
         .kept_distance3(sieve_kept_distance3),
-        .skipped_valid(sieve_skipped_valid),
-        .skipped_thread(sieve_skipped_thread)
+        .skipped_valid(sieve_skipped_valid), .skipped_thread(sieve_skipped_thread)
     );
 
     search_queue queue (
-        .clk(clk),
-        .rst(rst),
-        .start_valid(threads_start_valid),
-        .start_thread(threads_start_thread),
-        .start_number(threads_start_number),
-        .start_k(threads_start_k),
-        .start_radius2(threads_start_radius2),
-        .start_x(threads_start_x),
-        .start_y(threads_start_y),
-        .start_z(threads_start_z),
-        .candidates_valid(sieve_kept_valid),
-        .candidates_ready(queue_candidates_ready),
-        .candidates_thread(sieve_kept_thread),
-        .candidates_address(sieve_kept_address),
-        .candidates_last(sieve_kept_last),
-        .candidates_distance0(sieve_kept_distance0),
-        .candidates_distance1(sieve_kept_distance1),
-        .candidates_distance2(sieve_kept_distance2),
+        .clk(clk), .rst(rst),
+        .start_valid(threads_start_valid), .start_thread(threads_start_thread),
+        .start_number(threads_start_number), .start_k(threads_start_k), .start_radius2(threads_start_radius2),
+        .start_x(threads_start_x), .start_y(threads_start_y), .start_z(threads_start_z),
+        .candidates_valid(sieve_kept_valid), .candidates_ready(queue_candidates_ready),
+        .candidates_thread(sieve_kept_thread), .candidates_address(sieve_kept_address),
+        .candidates_last(sieve_kept_last), .candidates_distance0(sieve_kept_distance0),
+        .candidates_distance1(sieve_kept_distance1), .candidates_distance2(sieve_kept_distance2),
         .candidates_distance3(sieve_kept_distance3),
-        .finish_valid(threads_finish_valid),
-        .finish_ready(queue_finish_ready),
+        .finish_valid(threads_finish_valid), .finish_ready(queue_finish_ready),
         .finish_thread(threads_finish_thread),
-        .radius_valid(queue_radius_valid),
-        .radius_thread(queue_radius_thread),
+        .radius_valid(queue_radius_valid), .radius_thread(queue_radius_thread),
         .radius_radius2(queue_radius_radius2),
         .event_insert(queue_event_insert),
-        .released_valid(queue_released_valid),
-        .released_thread(queue_released_thread),
-        .result_valid(queue_result_valid),
-        .result_ready(queue_result_ready),
-        .result_number(queue_result_number),
-        .result_last(queue_result_last),
-        .result_found(queue_result_found),
-        .result_index(queue_result_index),
+        .released_valid(queue_released_valid), .released_thread(queue_released_thread),
+        .result_valid(queue_result_valid), .result_ready(neighbor_cache_found_ready),
+        .result_number(queue_result_number), .result_last(queue_result_last),
+        .result_found(queue_result_found), .result_index(queue_result_index),
         .result_distance2(queue_result_distance2),
-        .event_beat(queue_event_beat),
-        .event_insert_wait(queue_event_insert_wait)
+        .event_beat(queue_event_beat), .event_insert_wait(queue_event_insert_wait)
     );
 
     search_tree_cache tree_cache (
-        .clk(clk),
-        .rst(rst),
-        .node_valid(traversal_node_valid),
-        .node_ready(tree_cache_node_ready),
-        .node_thread(traversal_node_thread),
-        .node_node(traversal_node_node),
-        .leaf_valid(traversal_leaf_valid),
-        .leaf_ready(tree_cache_leaf_ready),
-        .leaf_thread(traversal_leaf_thread),
-        .leaf_leaf(traversal_leaf_leaf),
-        .record_valid(tree_cache_record_valid),
-        .record_ready(tree_cache_record_ready),
-        .record_thread(tree_cache_record_thread),
-        .record_node(tree_cache_record_node),
-        .record_split(tree_cache_record_split),
-        .record_dimension(tree_cache_record_dimension),
+        .clk(clk), .rst(rst),
+        .node_valid(traversal_node_valid), .node_ready(tree_cache_node_ready),
+        .node_thread(traversal_node_thread), .node_node(traversal_node_node),
+        .leaf_valid(traversal_leaf_valid), .leaf_ready(tree_cache_leaf_ready),
+        .leaf_thread(traversal_leaf_thread), .leaf_leaf(traversal_leaf_leaf),
+        .record_valid(tree_cache_record_valid), .record_ready(traversal_record_ready),
+        .record_thread(tree_cache_record_thread), .record_node(tree_cache_record_node),
+        .record_split(tree_cache_record_split), .record_dimension(tree_cache_record_dimension),
         .record_internal_leaf(tree_cache_record_internal_leaf),
-        .fetch_valid(tree_cache_fetch_valid),
-        .fetch_ready(tree_cache_fetch_ready),
-        .fetch_thread(tree_cache_fetch_thread),
-        .fetch_address(tree_cache_fetch_address),
+        .fetch_valid(tree_cache_fetch_valid), .fetch_ready(point_cache_fetch_ready),
+        .fetch_thread(tree_cache_fetch_thread), .fetch_address(tree_cache_fetch_address),
         .fetch_beats(tree_cache_fetch_beats),
-        .lookup_valid(tree_cache_lookup_valid),
-        .lookup_ready(tree_cache_lookup_ready),
-        .lookup_thread(tree_cache_lookup_thread),
-        .lookup_address(tree_cache_lookup_address),
-        .fill_valid(record_valid),
-        .fill_ready(tree_cache_fill_ready),
-        .fill_thread(record_thread),
-        .fill_address(record_address),
-        .fill_split(record_split),
-        .fill_dimension(record_dimension),
-        .fill_internal_leaf(record_internal_leaf),
-        .fill_begin(record_begin),
-        .fill_beats(record_beats),
-        .event_tree_hit(tree_cache_event_tree_hit),
-        .event_tree_miss(tree_cache_event_tree_miss)
+        .lookup_valid(tree_cache_lookup_valid), .lookup_ready(lookup_ready),
+        .lookup_thread(tree_cache_lookup_thread), .lookup_address(tree_cache_lookup_address),
+        .fill_valid(record_valid), .fill_ready(tree_cache_fill_ready), .fill_thread(record_thread),
+        .fill_address(record_address), .fill_split(record_split), .fill_dimension(record_dimension),
+        .fill_internal_leaf(record_internal_leaf), .fill_begin(record_begin), .fill_beats(record_beats),
+        .event_tree_hit(tree_cache_event_tree_hit), .event_tree_miss(tree_cache_event_tree_miss)
     );
 
     search_point_cache point_cache (
-        .clk(clk),
-        .rst(rst),
-        .fetch_valid(tree_cache_fetch_valid),
-        .fetch_ready(point_cache_fetch_ready),
-        .fetch_thread(tree_cache_fetch_thread),
-        .fetch_address(tree_cache_fetch_address),
+        .clk(clk), .rst(rst),
+        .fetch_valid(tree_cache_fetch_valid), .fetch_ready(point_cache_fetch_ready),
+        .fetch_thread(tree_cache_fetch_thread), .fetch_address(tree_cache_fetch_address),
         .fetch_beats(tree_cache_fetch_beats),
-        .miss_valid(point_cache_miss_valid),
-        .miss_ready(point_cache_miss_ready),
-        .miss_thread(point_cache_miss_thread),
-        .miss_address(point_cache_miss_address),
-        .miss_beats(point_cache_miss_beats),
-        .beat_valid(point_cache_beat_valid),
-        .beat_ready(point_cache_beat_ready),
-        .beat_thread(point_cache_beat_thread),
-        .beat_address(point_cache_beat_address),
-        .beat_last(point_cache_beat_last),
-        .beat_x0(point_cache_beat_x0),
-        .beat_y0(point_cache_beat_y0),
-        .beat_z0(point_cache_beat_z0),
-        .beat_x1(point_cache_beat_x1),
-        .beat_y1(point_cache_beat_y1),
-        .beat_z1(point_cache_beat_z1),
-        .beat_x2(point_cache_beat_x2),
-        .beat_y2(point_cache_beat_y2),
-        .beat_z2(point_cache_beat_z2),
-        .beat_x3(point_cache_beat_x3),
-        .beat_y3(point_cache_beat_y3),
+        .miss_valid(point_cache_miss_valid), .miss_ready(fetch_ready), .miss_thread(point_cache_miss_thread),
+        .miss_address(point_cache_miss_address), .miss_beats(point_cache_miss_beats),
+        .beat_valid(point_cache_beat_valid), .beat_ready(leaf_beat_ready),
+        .beat_thread(point_cache_beat_thread), .beat_address(point_cache_beat_address),
+        .beat_last(point_cache_beat_last), .beat_x0(point_cache_beat_x0), .beat_y0(point_cache_beat_y0),
+        .beat_z0(point_cache_beat_z0), .beat_x1(point_cache_beat_x1), .beat_y1(point_cache_beat_y1),
+        .beat_z1(point_cache_beat_z1), .beat_x2(point_cache_beat_x2), .beat_y2(point_cache_beat_y2),
+        .beat_z2(point_cache_beat_z2), .beat_x3(point_cache_beat_x3), .beat_y3(point_cache_beat_y3),
         .beat_z3(point_cache_beat_z3),
-        .fill_valid(beat_valid),
-        .fill_ready(point_cache_fill_ready),
-        .fill_thread(beat_thread),
-        .fill_address(beat_address),
-        .fill_last(beat_last),
-        .fill_x0(beat_x0),
-        .fill_y0(beat_y0),
-        .fill_z0(beat_z0),
-        .fill_x1(beat_x1),
-        .fill_y1(beat_y1),
-        .fill_z1(beat_z1),
-        .fill_x2(beat_x2),
-        .fill_y2(beat_y2),
-        .fill_z2(beat_z2),
-        .fill_x3(beat_x3),
-        .fill_y3(beat_y3),
-        .fill_z3(beat_z3),
-        .event_point_hit(point_cache_event_point_hit),
-        .event_point_miss(point_cache_event_point_miss)
+        .fill_valid(beat_valid), .fill_ready(point_cache_fill_ready), .fill_thread(beat_thread),
+        .fill_address(beat_address), .fill_last(beat_last), .fill_x0(beat_x0), .fill_y0(beat_y0),
+        .fill_z0(beat_z0), .fill_x1(beat_x1), .fill_y1(beat_y1), .fill_z1(beat_z1), .fill_x2(beat_x2),
+        .fill_y2(beat_y2), .fill_z2(beat_z2), .fill_x3(beat_x3), .fill_y3(beat_y3), .fill_z3(beat_z3),
+        .event_point_hit(point_cache_event_point_hit), .event_point_miss(point_cache_event_point_miss)
     );
 endmodule
 
@@ -696,14 +446,10 @@ module search_point_cache (
     output reg  event_point_hit,
     output reg  event_point_miss
 );
-    (* no_rw_check *)
-    reg [383:0] points [0:255];
-    reg [21:0] tags [0:63];
     reg fill_under_way;
     reg [5:0] fill_slot_before;
     reg [2:0] fill_count;
-    reg fill_kept_before;
-    reg l_valid;
+    reg fill_kept_before, l_valid;
     reg [3:0] l_thread;
     reg [21:0] l_address;
     reg [2:0] l_beats;
@@ -714,100 +460,51 @@ module search_point_cache (
     reg [2:0] run_beats;
     reg [5:0] run_slot;
     reg [63:0] present;
-    reg [21:0] tag;
+    wire [21:0] tag;
     reg [2:0] run_count;
-    reg [383:0] read;
-    reg r_valid;
-    reg r_read;
+    wire [383:0] read;
+    reg r_valid, r_read;
     reg [3:0] r_thread;
     reg [21:0] r_address;
     reg r_last;
-    reg [31:0] r_x0;
-    reg [31:0] r_y0;
-    reg [31:0] r_z0;
-    reg [31:0] r_x1;
-    reg [31:0] r_y1;
-    reg [31:0] r_z1;
-    reg [31:0] r_x2;
-    reg [31:0] r_y2;
-    reg [31:0] r_z2;
-    reg [31:0] r_x3;
-    reg [31:0] r_y3;
-    reg [31:0] r_z3;
+    reg [31:0] r_x0, r_y0, r_z0, r_x1, r_y1, r_z1, r_x2, r_y2, r_z2, r_x3, r_y3, r_z3;
 
-    wire fetch_queue_in_ready;
-    wire fetch_queue_out_valid;
-    wire [3:0] fetch_queue_out_thread;
-    wire [21:0] fetch_queue_out_address;
-    wire [2:0] fetch_queue_out_beats;
-    wire [5:0] fetch_queue_out_slot;
-    wire miss_queue_in_ready;
-    wire miss_queue_out_valid;
-    wire [3:0] miss_queue_out_thread;
-    wire [21:0] miss_queue_out_address;
-    wire [2:0] miss_queue_out_beats;
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [3:0] beat_queue_out_thread;
-    wire [21:0] beat_queue_out_address;
-    wire beat_queue_out_last;
-    wire [31:0] beat_queue_out_x0;
-    wire [31:0] beat_queue_out_y0;
-    wire [31:0] beat_queue_out_z0;
-    wire [31:0] beat_queue_out_x1;
-    wire [31:0] beat_queue_out_y1;
-    wire [31:0] beat_queue_out_z1;
-    wire [31:0] beat_queue_out_x2;
-    wire [31:0] beat_queue_out_y2;
-    wire [31:0] beat_queue_out_z2;
-    wire [31:0] beat_queue_out_x3;
-    wire [31:0] beat_queue_out_y3;
-    wire [31:0] beat_queue_out_z3;
-    wire fill_queue_in_ready;
-    wire fill_queue_out_valid;
-    wire [3:0] fill_queue_out_thread;
-    wire [21:0] fill_queue_out_address;
-    wire fill_queue_out_last;
-    wire [31:0] fill_queue_out_x0;
-    wire [31:0] fill_queue_out_y0;
-    wire [31:0] fill_queue_out_z0;
-    wire [31:0] fill_queue_out_x1;
-    wire [31:0] fill_queue_out_y1;
-    wire [31:0] fill_queue_out_z1;
-    wire [31:0] fill_queue_out_x2;
-    wire [31:0] fill_queue_out_y2;
-    wire [31:0] fill_queue_out_z2;
-    wire [31:0] fill_queue_out_x3;
-    wire [31:0] fill_queue_out_y3;
-    wire [31:0] fill_queue_out_z3;
-    wire [5:0] fill_queue_out_slot;
+    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire [34:0] fetch_queue_out_data;
+    wire miss_queue_in_ready, miss_queue_out_valid;
+    wire [28:0] miss_queue_out_data;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [410:0] beat_queue_out_data;
+    wire fill_queue_in_ready, fill_queue_out_valid;
+    wire [416:0] fill_queue_out_data;
 
-    assign fetch_ready = fetch_queue_in_ready;
-    assign fill_ready = fill_queue_in_ready;
-    wire [5:0] term_1 = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12];
-    wire [63:0] shifted_2 = present >> l_slot;
-    wire hit = shifted_2[0] & (tag == l_address);
-    wire hits = l_valid & (hit & ~run_valid);
-    wire misses = l_valid & (~hit & miss_queue_in_ready);
-    wire advance_l = ~l_valid | (hits | misses);
-    wire fetch_queue_out_ready = advance_l;
-    wire miss_queue_out_ready = miss_ready;
     wire advance_r = ~r_valid | beat_queue_in_ready;
-    wire beat_queue_out_ready = beat_ready;
-    wire [5:0] term_3 = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12];
     wire runs = run_valid & ~fill_under_way;
     wire fill_queue_out_ready = advance_r & ~runs;
     wire fill_taken = fill_queue_out_valid & fill_queue_out_ready;
-    wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
-    wire term_4 = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
-    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | term_4);
+    wire [5:0] fill_queue_out_slot = fill_queue_out_data[5:0];
+    wire [5:0] fetch_queue_out_slot = fetch_queue_out_data[5:0];
+    wire term_1 = fetch_queue_out_valid & (fetch_queue_out_slot == fill_queue_out_slot);
+    wire may_keep = ~((l_valid & (l_slot == fill_queue_out_slot)) | term_1);
     wire fill_kept = fill_under_way ? fill_kept_before : may_keep;
-    wire run_step = advance_r & runs;
-    wire [2:0] sum_5 = run_count + 3'd1;
-    wire run_last = sum_5 == run_beats;
-    wire enter = hits;
     wire store = fill_taken & fill_kept;
-    wire term_6 = store & ~fill_under_way;
+    wire [5:0] fill_slot = fill_under_way ? fill_slot_before : fill_queue_out_slot;
+    wire run_step = advance_r & runs;
+    wire term_2 = store & ~fill_under_way;
+    wire [21:0] fill_queue_out_address = fill_queue_out_data[412:391];
+    wire [63:0] shifted_3 = present >> l_slot;
+    wire hit = shifted_3[0] & (tag == l_address);
+    wire hits = l_valid & (hit & ~run_valid);
+    wire misses = l_valid & (~hit & miss_queue_in_ready);
+    wire advance_l = ~l_valid | (hits | misses);
+    wire [5:0] term_4 = fetch_address[5:0] ^ fetch_address[11:6] ^ fetch_address[17:12];
+    wire [5:0] term_5 = fill_address[5:0] ^ fill_address[11:6] ^ fill_address[17:12];
+    wire fill_queue_out_last = fill_queue_out_data[390];
+    wire [3:0] fetch_queue_out_thread = fetch_queue_out_data[34:31];
+    wire [21:0] fetch_queue_out_address = fetch_queue_out_data[30:9];
+    wire [2:0] fetch_queue_out_beats = fetch_queue_out_data[8:6];
+    wire [2:0] sum_6 = run_count + 3'd1;
+    wire run_last = sum_6 == run_beats;
     wire term_7 = fill_slot == 6'd63;
     wire term_8 = fill_slot == 6'd62;
     wire term_9 = fill_slot == 6'd61;
@@ -873,270 +570,106 @@ module search_point_cache (
     wire term_69 = fill_slot == 6'd1;
     wire term_70 = fill_slot == 6'd0;
     wire [63:0] joined_71 = {
-        term_6 & term_7,
-        term_6 & term_8,
-        term_6 & term_9,
-        term_6 & term_10,
-        term_6 & term_11,
-        term_6 & term_12,
-        term_6 & term_13,
-        term_6 & term_14,
-        term_6 & term_15,
-        term_6 & term_16,
-        term_6 & term_17,
-        term_6 & term_18,
-        term_6 & term_19,
-        term_6 & term_20,
-        term_6 & term_21,
-        term_6 & term_22,
-        term_6 & term_23,
-        term_6 & term_24,
-        term_6 & term_25,
-        term_6 & term_26,
-        term_6 & term_27,
-        term_6 & term_28,
-        term_6 & term_29,
-        term_6 & term_30,
-        term_6 & term_31,
-        term_6 & term_32,
-        term_6 & term_33,
-        term_6 & term_34,
-        term_6 & term_35,
-        term_6 & term_36,
-        term_6 & term_37,
-        term_6 & term_38,
-        term_6 & term_39,
-        term_6 & term_40,
-        term_6 & term_41,
-        term_6 & term_42,
-        term_6 & term_43,
-        term_6 & term_44,
-        term_6 & term_45,
-        term_6 & term_46,
-        term_6 & term_47,
-        term_6 & term_48,
-        term_6 & term_49,
-        term_6 & term_50,
-        term_6 & term_51,
-        term_6 & term_52,
-        term_6 & term_53,
-        term_6 & term_54,
-        term_6 & term_55,
-        term_6 & term_56,
-        term_6 & term_57,
-        term_6 & term_58,
-        term_6 & term_59,
-        term_6 & term_60,
-        term_6 & term_61,
-        term_6 & term_62,
-        term_6 & term_63,
-        term_6 & term_64,
-        term_6 & term_65,
-        term_6 & term_66,
-        term_6 & term_67,
-        term_6 & term_68,
-        term_6 & term_69,
-        term_6 & term_70
+        term_2 & term_7, term_2 & term_8, term_2 & term_9, term_2 & term_10, term_2 & term_11,
+        term_2 & term_12, term_2 & term_13, term_2 & term_14, term_2 & term_15, term_2 & term_16,
+        term_2 & term_17, term_2 & term_18, term_2 & term_19, term_2 & term_20, term_2 & term_21,
+        term_2 & term_22, term_2 & term_23, term_2 & term_24, term_2 & term_25, term_2 & term_26,
+        term_2 & term_27, term_2 & term_28, term_2 & term_29, term_2 & term_30, term_2 & term_31,
+        term_2 & term_32, term_2 & term_33, term_2 & term_34, term_2 & term_35, term_2 & term_36,
+        term_2 & term_37, term_2 & term_38, term_2 & term_39, term_2 & term_40, term_2 & term_41,
+        term_2 & term_42, term_2 & term_43, term_2 & term_44, term_2 & term_45, term_2 & term_46,
+        term_2 & term_47, term_2 & term_48, term_2 & term_49, term_2 & term_50, term_2 & term_51,
+        term_2 & term_52, term_2 & term_53, term_2 & term_54, term_2 & term_55, term_2 & term_56,
+        term_2 & term_57, term_2 & term_58, term_2 & term_59, term_2 & term_60, term_2 & term_61,
+        term_2 & term_62, term_2 & term_63, term_2 & term_64, term_2 & term_65, term_2 & term_66,
+        term_2 & term_67, term_2 & term_68, term_2 & term_69, term_2 & term_70
     };
     wire term_72 = store & fill_queue_out_last;
     wire [63:0] joined_73 = {
-        term_72 & term_7,
-        term_72 & term_8,
-        term_72 & term_9,
-        term_72 & term_10,
-        term_72 & term_11,
-        term_72 & term_12,
-        term_72 & term_13,
-        term_72 & term_14,
-        term_72 & term_15,
-        term_72 & term_16,
-        term_72 & term_17,
-        term_72 & term_18,
-        term_72 & term_19,
-        term_72 & term_20,
-        term_72 & term_21,
-        term_72 & term_22,
-        term_72 & term_23,
-        term_72 & term_24,
-        term_72 & term_25,
-        term_72 & term_26,
-        term_72 & term_27,
-        term_72 & term_28,
-        term_72 & term_29,
-        term_72 & term_30,
-        term_72 & term_31,
-        term_72 & term_32,
-        term_72 & term_33,
-        term_72 & term_34,
-        term_72 & term_35,
-        term_72 & term_36,
-        term_72 & term_37,
-        term_72 & term_38,
-        term_72 & term_39,
-        term_72 & term_40,
-        term_72 & term_41,
-        term_72 & term_42,
-        term_72 & term_43,
-        term_72 & term_44,
-        term_72 & term_45,
-        term_72 & term_46,
-        term_72 & term_47,
-        term_72 & term_48,
-        term_72 & term_49,
-        term_72 & term_50,
-        term_72 & term_51,
-        term_72 & term_52,
-        term_72 & term_53,
-        term_72 & term_54,
-        term_72 & term_55,
-        term_72 & term_56,
-        term_72 & term_57,
-        term_72 & term_58,
-        term_72 & term_59,
-        term_72 & term_60,
-        term_72 & term_61,
-        term_72 & term_62,
-        term_72 & term_63,
-        term_72 & term_64,
-        term_72 & term_65,
-        term_72 & term_66,
-        term_72 & term_67,
-        term_72 & term_68,
-        term_72 & term_69,
-        term_72 & term_70
+        term_72 & term_7, term_72 & term_8, term_72 & term_9, term_72 & term_10, term_72 & term_11,
+        term_72 & term_12, term_72 & term_13, term_72 & term_14, term_72 & term_15, term_72 & term_16,
+        term_72 & term_17, term_72 & term_18, term_72 & term_19, term_72 & term_20, term_72 & term_21,
+        term_72 & term_22, term_72 & term_23, term_72 & term_24, term_72 & term_25, term_72 & term_26,
+        term_72 & term_27, term_72 & term_28, term_72 & term_29, term_72 & term_30, term_72 & term_31,
+        term_72 & term_32, term_72 & term_33, term_72 & term_34, term_72 & term_35, term_72 & term_36,
+        term_72 & term_37, term_72 & term_38, term_72 & term_39, term_72 & term_40, term_72 & term_41,
+        term_72 & term_42, term_72 & term_43, term_72 & term_44, term_72 & term_45, term_72 & term_46,
+        term_72 & term_47, term_72 & term_48, term_72 & term_49, term_72 & term_50, term_72 & term_51,
+        term_72 & term_52, term_72 & term_53, term_72 & term_54, term_72 & term_55, term_72 & term_56,
+        term_72 & term_57, term_72 & term_58, term_72 & term_59, term_72 & term_60, term_72 & term_61,
+        term_72 & term_62, term_72 & term_63, term_72 & term_64, term_72 & term_65, term_72 & term_66,
+        term_72 & term_67, term_72 & term_68, term_72 & term_69, term_72 & term_70
     };
+    wire [3:0] fill_queue_out_thread = fill_queue_out_data[416:413];
+    wire [31:0] fill_queue_out_x0 = fill_queue_out_data[389:358];
+    wire [31:0] fill_queue_out_y0 = fill_queue_out_data[357:326];
+    wire [31:0] fill_queue_out_z0 = fill_queue_out_data[325:294];
+    wire [31:0] fill_queue_out_x1 = fill_queue_out_data[293:262];
+    wire [31:0] fill_queue_out_y1 = fill_queue_out_data[261:230];
+    wire [31:0] fill_queue_out_z1 = fill_queue_out_data[229:198];
+    wire [31:0] fill_queue_out_x2 = fill_queue_out_data[197:166];
+    wire [31:0] fill_queue_out_y2 = fill_queue_out_data[165:134];
+    wire [31:0] fill_queue_out_z2 = fill_queue_out_data[133:102];
+    wire [31:0] fill_queue_out_x3 = fill_queue_out_data[101:70];
+    wire [31:0] fill_queue_out_y3 = fill_queue_out_data[69:38];
+    wire [31:0] fill_queue_out_z3 = fill_queue_out_data[37:6];
 
+    assign fetch_ready = fetch_queue_in_ready;
     assign miss_valid = miss_queue_out_valid;
-    assign miss_thread = miss_queue_out_thread;
-    assign miss_address = miss_queue_out_address;
-    assign miss_beats = miss_queue_out_beats;
+    assign {miss_thread, miss_address, miss_beats} = miss_queue_out_data;
     assign beat_valid = beat_queue_out_valid;
-    assign beat_thread = beat_queue_out_thread;
-    assign beat_address = beat_queue_out_address;
-    assign beat_last = beat_queue_out_last;
-    assign beat_x0 = beat_queue_out_x0;
-    assign beat_y0 = beat_queue_out_y0;
-    assign beat_z0 = beat_queue_out_z0;
-    assign beat_x1 = beat_queue_out_x1;
-    assign beat_y1 = beat_queue_out_y1;
-    assign beat_z1 = beat_queue_out_z1;
-    assign beat_x2 = beat_queue_out_x2;
-    assign beat_y2 = beat_queue_out_y2;
-    assign beat_z2 = beat_queue_out_z2;
-    assign beat_x3 = beat_queue_out_x3;
-    assign beat_y3 = beat_queue_out_y3;
-    assign beat_z3 = beat_queue_out_z3;
+    assign {
+        beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
+        beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
+    } = beat_queue_out_data;
+    assign fill_ready = fill_queue_in_ready;
+
+    memory_1w1r_unordered #(.WIDTH(384), .DEPTH(256)) points (
+        .clk(clk),
+        .write(store), .write_address({fill_slot, fill_count[1:0]}), .write_data(fill_queue_out_data[389:6]),
+        .read(run_step), .read_address({run_slot, run_count[1:0]}), .read_data(read)
+    );
+
+    memory_1w1r #(.WIDTH(22), .DEPTH(64)) tags (
+        .clk(clk),
+        .write(term_2), .write_address(fill_slot), .write_data(fill_queue_out_address),
+        .read(advance_l), .read_address(fetch_queue_out_slot), .read_data(tag)
+    );
 
     stream_skid_w35 fetch_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(fetch_valid),
-        .in_ready(fetch_queue_in_ready),
-        .in_thread(fetch_thread),
-        .in_address(fetch_address),
-        .in_beats(fetch_beats),
-        .in_slot(term_1 ^ {2'd0, fetch_address[21:18]}),
-        .out_valid(fetch_queue_out_valid),
-        .out_ready(fetch_queue_out_ready),
-        .out_thread(fetch_queue_out_thread),
-        .out_address(fetch_queue_out_address),
-        .out_beats(fetch_queue_out_beats),
-        .out_slot(fetch_queue_out_slot)
+        .clk(clk), .rst(rst),
+        .in_valid(fetch_valid), .in_ready(fetch_queue_in_ready),
+        .in_data({fetch_thread, fetch_address, fetch_beats, term_4 ^ {2'd0, fetch_address[21:18]}}),
+        .out_valid(fetch_queue_out_valid), .out_ready(advance_l), .out_data(fetch_queue_out_data)
     );
 
     stream_skid_w29 miss_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(misses),
-        .in_ready(miss_queue_in_ready),
-        .in_thread(l_thread),
-        .in_address(l_address),
-        .in_beats(l_beats),
-        .out_valid(miss_queue_out_valid),
-        .out_ready(miss_queue_out_ready),
-        .out_thread(miss_queue_out_thread),
-        .out_address(miss_queue_out_address),
-        .out_beats(miss_queue_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(misses), .in_ready(miss_queue_in_ready), .in_data({l_thread, l_address, l_beats}),
+        .out_valid(miss_queue_out_valid), .out_ready(miss_ready), .out_data(miss_queue_out_data)
     );
 
     stream_skid_w411 beat_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(r_valid & advance_r),
-        .in_ready(beat_queue_in_ready),
-        .in_thread(r_thread),
-        .in_address(r_address),
-        .in_last(r_last),
-        .in_x0(r_read ? read[383:352] : r_x0),
-        .in_y0(r_read ? read[351:320] : r_y0),
-        .in_z0(r_read ? read[319:288] : r_z0),
-        .in_x1(r_read ? read[287:256] : r_x1),
-        .in_y1(r_read ? read[255:224] : r_y1),
-        .in_z1(r_read ? read[223:192] : r_z1),
-        .in_x2(r_read ? read[191:160] : r_x2),
-        .in_y2(r_read ? read[159:128] : r_y2),
-        .in_z2(r_read ? read[127:96] : r_z2),
-        .in_x3(r_read ? read[95:64] : r_x3),
-        .in_y3(r_read ? read[63:32] : r_y3),
-        .in_z3(r_read ? read[31:0] : r_z3),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_thread(beat_queue_out_thread),
-        .out_address(beat_queue_out_address),
-        .out_last(beat_queue_out_last),
-        .out_x0(beat_queue_out_x0),
-        .out_y0(beat_queue_out_y0),
-        .out_z0(beat_queue_out_z0),
-        .out_x1(beat_queue_out_x1),
-        .out_y1(beat_queue_out_y1),
-        .out_z1(beat_queue_out_z1),
-        .out_x2(beat_queue_out_x2),
-        .out_y2(beat_queue_out_y2),
-        .out_z2(beat_queue_out_z2),
-        .out_x3(beat_queue_out_x3),
-        .out_y3(beat_queue_out_y3),
-        .out_z3(beat_queue_out_z3)
+        .clk(clk), .rst(rst),
+        .in_valid(r_valid & advance_r), .in_ready(beat_queue_in_ready),
+        .in_data({
+            r_thread, r_address, r_last, r_read ? read[383:352] : r_x0, r_read ? read[351:320] : r_y0,
+            r_read ? read[319:288] : r_z0, r_read ? read[287:256] : r_x1, r_read ? read[255:224] : r_y1,
+            r_read ? read[223:192] : r_z1, r_read ? read[191:160] : r_x2, r_read ? read[159:128] : r_y2,
+            r_read ? read[127:96] : r_z2, r_read ? read[95:64] : r_x3, r_read ? read[63:32] : r_y3,
+            r_read ? read[31:0] : r_z3
+        }),
+        .out_valid(beat_queue_out_valid), .out_ready(beat_ready), .out_data(beat_queue_out_data)
     );
 
     stream_skid_w417 fill_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(fill_valid),
-        .in_ready(fill_queue_in_ready),
-        .in_thread(fill_thread),
-        .in_address(fill_address),
-        .in_last(fill_last),
-        .in_x0(fill_x0),
-        .in_y0(fill_y0),
-        .in_z0(fill_z0),
-        .in_x1(fill_x1),
-        .in_y1(fill_y1),
-        .in_z1(fill_z1),
-        .in_x2(fill_x2),
-        .in_y2(fill_y2),
-        .in_z2(fill_z2),
-        .in_x3(fill_x3),
-        .in_y3(fill_y3),
-        .in_z3(fill_z3),
-        .in_slot(term_3 ^ {2'd0, fill_address[21:18]}),
-        .out_valid(fill_queue_out_valid),
-        .out_ready(fill_queue_out_ready),
-        .out_thread(fill_queue_out_thread),
-        .out_address(fill_queue_out_address),
-        .out_last(fill_queue_out_last),
-        .out_x0(fill_queue_out_x0),
-        .out_y0(fill_queue_out_y0),
-        .out_z0(fill_queue_out_z0),
-        .out_x1(fill_queue_out_x1),
-        .out_y1(fill_queue_out_y1),
-        .out_z1(fill_queue_out_z1),
-        .out_x2(fill_queue_out_x2),
-        .out_y2(fill_queue_out_y2),
-        .out_z2(fill_queue_out_z2),
-        .out_x3(fill_queue_out_x3),
-        .out_y3(fill_queue_out_y3),
-        .out_z3(fill_queue_out_z3),
-        .out_slot(fill_queue_out_slot)
+        .clk(clk), .rst(rst),
+        .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
+        .in_data({
+            fill_thread, fill_address, fill_last, fill_x0, fill_y0, fill_z0, fill_x1, fill_y1, fill_z1, fill_x2,
+            fill_y2, fill_z2, fill_x3, fill_y3, fill_z3, term_5 ^ {2'd0, fill_address[21:18]}
+        }),
+        .out_valid(fill_queue_out_valid), .out_ready(fill_queue_out_ready), .out_data(fill_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1155,33 +688,25 @@ module search_point_cache (
                 fill_under_way <= ~fill_queue_out_last;
                 fill_count <= fill_queue_out_last ? 3'd0 : (fill_count + 3'd1);
             end
-            if (advance_l) begin
-                l_valid <= fetch_queue_out_valid;
-            end
+            if (advance_l) l_valid <= fetch_queue_out_valid;
             run_valid <= hits | (run_valid & ~(run_step & run_last));
             present <= (present & ~joined_71) | joined_73;
             event_point_hit <= hits;
             event_point_miss <= misses;
-            if (run_step) begin
-                run_count <= run_last ? 3'd0 : sum_5;
-            end
-            if (advance_r) begin
-                r_valid <= runs | fill_queue_out_valid;
-            end
+            if (run_step) run_count <= run_last ? 3'd0 : sum_6;
+            if (advance_r) r_valid <= runs | fill_queue_out_valid;
         end
     end
     always @(posedge clk) begin
         fill_slot_before <= fill_slot;
-        if (fill_taken) begin
-            fill_kept_before <= fill_kept;
-        end
+        if (fill_taken) fill_kept_before <= fill_kept;
         if (advance_l) begin
             l_thread <= fetch_queue_out_thread;
             l_address <= fetch_queue_out_address;
             l_beats <= fetch_queue_out_beats;
             l_slot <= fetch_queue_out_slot;
         end
-        if (enter) begin
+        if (hits) begin
             run_thread <= l_thread;
             run_address <= l_address;
             run_beats <= l_beats;
@@ -1206,42 +731,8 @@ module search_point_cache (
             r_z3 <= fill_queue_out_z3;
         end
     end
-    always @(posedge clk) begin
-        if (store) begin
-            points[{fill_slot, fill_count[1:0]}] <= {
-                fill_queue_out_x0,
-                fill_queue_out_y0,
-                fill_queue_out_z0,
-                fill_queue_out_x1,
-                fill_queue_out_y1,
-                fill_queue_out_z1,
-                fill_queue_out_x2,
-                fill_queue_out_y2,
-                fill_queue_out_z2,
-                fill_queue_out_x3,
-                fill_queue_out_y3,
-                fill_queue_out_z3
-            };
-        end
-        if (run_step) begin
-            read <= points[{run_slot, run_count[1:0]}];
-        end
-`ifdef RTL_ASSERT
-        if ((store) && (run_step) && ({fill_slot, fill_count[1:0]}) == ({run_slot, run_count[1:0]})) begin
-            read <= ~points[{run_slot, run_count[1:0]}];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (term_6) begin
-            tags[fill_slot] <= fill_queue_out_address;
-        end
-        if (advance_l) begin
-            tag <= tags[fetch_queue_out_slot];
-        end
-    end
 
-    wire _unused = &{1'b0, shifted_2[63:1]};
+    wire _unused = &{1'b0, shifted_3[63:1]};
 
 `ifdef RTL_ASSERT
     wire [63:0] shifted_74 = present >> run_slot;
@@ -1270,102 +761,32 @@ module stream_skid_w417 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_x0,
-    input  wire [31:0] in_y0,
-    input  wire [31:0] in_z0,
-    input  wire [31:0] in_x1,
-    input  wire [31:0] in_y1,
-    input  wire [31:0] in_z1,
-    input  wire [31:0] in_x2,
-    input  wire [31:0] in_y2,
-    input  wire [31:0] in_z2,
-    input  wire [31:0] in_x3,
-    input  wire [31:0] in_y3,
-    input  wire [31:0] in_z3,
-    input  wire [5:0] in_slot,
+    input  wire [416:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_x0,
-    output wire [31:0] out_y0,
-    output wire [31:0] out_z0,
-    output wire [31:0] out_x1,
-    output wire [31:0] out_y1,
-    output wire [31:0] out_z1,
-    output wire [31:0] out_x2,
-    output wire [31:0] out_y2,
-    output wire [31:0] out_z2,
-    output wire [31:0] out_x3,
-    output wire [31:0] out_y3,
-    output wire [31:0] out_z3,
-    output wire [5:0] out_slot
+    output wire [416:0] out_data
 );
     reg second_valid;
-    reg [416:0] head;
-    reg [416:0] second;
+    reg [416:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [416:0] in_item = {
-        in_thread,
-        in_address,
-        in_last,
-        in_x0,
-        in_y0,
-        in_z0,
-        in_x1,
-        in_y1,
-        in_z1,
-        in_x2,
-        in_y2,
-        in_z2,
-        in_x3,
-        in_y3,
-        in_z3,
-        in_slot
-    };
 
-    assign out_thread = head[416:413];
-    assign out_address = head[412:391];
-    assign out_last = head[390];
-    assign out_x0 = head[389:358];
-    assign out_y0 = head[357:326];
-    assign out_z0 = head[325:294];
-    assign out_x1 = head[293:262];
-    assign out_y1 = head[261:230];
-    assign out_z1 = head[229:198];
-    assign out_x2 = head[197:166];
-    assign out_y2 = head[165:134];
-    assign out_z2 = head[133:102];
-    assign out_x3 = head[101:70];
-    assign out_y3 = head[69:38];
-    assign out_z3 = head[37:6];
-    assign out_slot = head[5:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1391,49 +812,32 @@ module stream_skid_w35 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire [2:0] in_beats,
-    input  wire [5:0] in_slot,
+    input  wire [34:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire [2:0] out_beats,
-    output wire [5:0] out_slot
+    output wire [34:0] out_data
 );
     reg second_valid;
-    reg [34:0] head;
-    reg [34:0] second;
+    reg [34:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [34:0] in_item = {in_thread, in_address, in_beats, in_slot};
 
-    assign out_thread = head[34:31];
-    assign out_address = head[30:9];
-    assign out_beats = head[8:6];
-    assign out_slot = head[5:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1494,187 +898,122 @@ module search_tree_cache (
     output reg  event_tree_hit,
     output reg  event_tree_miss
 );
-    reg [47:0] lines [0:511];
     reg [9:0] cleared_lines;
-    reg b_valid;
-    reg c_valid;
+    reg b_valid, c_valid;
     reg [3:0] b_thread;
     reg [20:0] b_address;
     reg [3:0] c_thread;
     reg [20:0] c_address;
-    reg b_is_leaf;
-    reg c_is_leaf;
-    reg [47:0] b_line;
+    reg b_is_leaf, c_is_leaf;
+    wire [47:0] b_line;
     reg line_valid;
     reg [11:0] line_tag;
     reg [34:0] line_word;
 
-    wire node_queue_in_ready;
-    wire node_queue_out_valid;
-    wire [3:0] node_queue_out_thread;
-    wire [20:0] node_queue_out_node;
-    wire leaf_queue_in_ready;
-    wire leaf_queue_out_valid;
-    wire [3:0] leaf_queue_out_thread;
-    wire [19:0] leaf_queue_out_leaf;
-    wire record_queue_in_ready;
-    wire record_queue_out_valid;
-    wire [3:0] record_queue_out_thread;
-    wire [20:0] record_queue_out_node;
-    wire [31:0] record_queue_out_split;
-    wire [1:0] record_queue_out_dimension;
-    wire record_queue_out_internal_leaf;
-    wire fetch_queue_in_ready;
-    wire fetch_queue_out_valid;
-    wire [3:0] fetch_queue_out_thread;
-    wire [21:0] fetch_queue_out_address;
-    wire [2:0] fetch_queue_out_beats;
-    wire lookup_queue_in_ready;
-    wire lookup_queue_out_valid;
-    wire [3:0] lookup_queue_out_thread;
-    wire [20:0] lookup_queue_out_address;
-    wire fill_queue_in_ready;
-    wire fill_queue_out_valid;
-    wire [3:0] fill_queue_out_thread;
-    wire [20:0] fill_queue_out_address;
-    wire [31:0] fill_queue_out_split;
-    wire [1:0] fill_queue_out_dimension;
-    wire fill_queue_out_internal_leaf;
-    wire [21:0] fill_queue_out_begin;
-    wire [2:0] fill_queue_out_beats;
+    wire node_queue_in_ready, node_queue_out_valid;
+    wire [24:0] node_queue_out_data;
+    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire [23:0] leaf_queue_out_data;
+    wire record_queue_in_ready, record_queue_out_valid;
+    wire [59:0] record_queue_out_data;
+    wire fetch_queue_in_ready, fetch_queue_out_valid;
+    wire [28:0] fetch_queue_out_data;
+    wire lookup_queue_in_ready, lookup_queue_out_valid;
+    wire [24:0] lookup_queue_out_data;
+    wire fill_queue_in_ready, fill_queue_out_valid;
+    wire [84:0] fill_queue_out_data;
 
-    assign node_ready = node_queue_in_ready;
-    assign leaf_ready = leaf_queue_in_ready;
-    assign fill_ready = fill_queue_in_ready;
-    wire deepest = c_address[20] & ~c_is_leaf;
-    wire hit = deepest | (line_valid & (line_tag == c_address[20:9]));
     wire cleared = cleared_lines[9];
+    wire [20:0] fill_queue_out_address = fill_queue_out_data[80:60];
     wire choice_1 = fill_queue_out_address[20] ? fetch_queue_in_ready : record_queue_in_ready;
     wire fill_queue_out_ready = cleared & choice_1;
     wire fills = fill_queue_out_valid & fill_queue_out_ready;
+    wire [34:0] choice_2 = fill_queue_out_address[20] ? {10'd0, fill_queue_out_data[24:0]} : fill_queue_out_data[59:25];
+    wire deepest = c_address[20] & ~c_is_leaf;
+    wire hit = deepest | (line_valid & (line_tag == c_address[20:9]));
     wire fills_fetch = fills & fill_queue_out_address[20];
     wire fills_record = fills & ~fill_queue_out_address[20];
-    wire choice_2 = c_is_leaf ? (fetch_queue_in_ready & ~fills_fetch) : (record_queue_in_ready & ~fills_record);
-    wire hits = c_valid & (hit & choice_2);
+    wire choice_3 = c_is_leaf ? (fetch_queue_in_ready & ~fills_fetch) : (record_queue_in_ready & ~fills_record);
+    wire hits = c_valid & (hit & choice_3);
     wire misses = c_valid & (~hit & lookup_queue_in_ready);
     wire advance = ~c_valid | (hits | misses);
+    wire [19:0] leaf_queue_out_leaf = leaf_queue_out_data[19:0];
+    wire [20:0] node_queue_out_node = node_queue_out_data[20:0];
+    wire [20:0] choice_4 = leaf_queue_out_valid ? {1'd1, leaf_queue_out_leaf} : node_queue_out_node;
     wire node_queue_out_ready = advance & (cleared & ~leaf_queue_out_valid);
     wire leaf_queue_out_ready = advance & cleared;
-    wire record_queue_out_ready = record_ready;
-    wire fetch_queue_out_ready = fetch_ready;
-    wire lookup_queue_out_ready = lookup_ready;
-    wire [20:0] choice_3 = leaf_queue_out_valid ? {1'd1, leaf_queue_out_leaf} : node_queue_out_node;
-    wire [34:0] joined_4 = {fill_queue_out_split, fill_queue_out_dimension, fill_queue_out_internal_leaf};
-    wire [34:0] choice_5 = fill_queue_out_address[20] ? {10'd0, fill_queue_out_begin, fill_queue_out_beats} : joined_4;
+    wire [3:0] fill_queue_out_thread = fill_queue_out_data[84:81];
+    wire [31:0] fill_queue_out_split = fill_queue_out_data[59:28];
+    wire [31:0] choice_5 = fills_record ? fill_queue_out_split : deepest ? 32'd0 : line_word[34:3];
+    wire [1:0] fill_queue_out_dimension = fill_queue_out_data[27:26];
+    wire [1:0] choice_6 = fills_record ? fill_queue_out_dimension : deepest ? 2'd0 : line_word[2:1];
+    wire fill_queue_out_internal_leaf = fill_queue_out_data[25];
+    wire choice_7 = fills_record ? fill_queue_out_internal_leaf : deepest ? 1'd0 : line_word[0];
+    wire [21:0] fill_queue_out_begin = fill_queue_out_data[24:3];
+    wire [2:0] fill_queue_out_beats = fill_queue_out_data[2:0];
+    wire [3:0] leaf_queue_out_thread = leaf_queue_out_data[23:20];
+    wire [3:0] node_queue_out_thread = node_queue_out_data[24:21];
 
+    assign node_ready = node_queue_in_ready;
+    assign leaf_ready = leaf_queue_in_ready;
     assign record_valid = record_queue_out_valid;
-    assign record_thread = record_queue_out_thread;
-    assign record_node = record_queue_out_node;
-    assign record_split = record_queue_out_split;
-    assign record_dimension = record_queue_out_dimension;
-    assign record_internal_leaf = record_queue_out_internal_leaf;
+    assign {record_thread, record_node, record_split, record_dimension, record_internal_leaf} = record_queue_out_data;
     assign fetch_valid = fetch_queue_out_valid;
-    assign fetch_thread = fetch_queue_out_thread;
-    assign fetch_address = fetch_queue_out_address;
-    assign fetch_beats = fetch_queue_out_beats;
+    assign {fetch_thread, fetch_address, fetch_beats} = fetch_queue_out_data;
     assign lookup_valid = lookup_queue_out_valid;
-    assign lookup_thread = lookup_queue_out_thread;
-    assign lookup_address = lookup_queue_out_address;
+    assign {lookup_thread, lookup_address} = lookup_queue_out_data;
+    assign fill_ready = fill_queue_in_ready;
+
+    memory_1w1r #(.WIDTH(48), .DEPTH(512)) lines (
+        .clk(clk),
+        .write(fills | ~cleared), .write_address(cleared ? fill_queue_out_address[8:0] : cleared_lines[8:0]),
+        .write_data({cleared, cleared ? fill_queue_out_address[20:9] : 12'd0, cleared ? choice_2 : 35'd0}),
+        .read(advance), .read_address(choice_4[8:0]), .read_data(b_line)
+    );
 
     stream_fifo_d16_w25 node_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(node_valid),
-        .in_ready(node_queue_in_ready),
-        .in_thread(node_thread),
-        .in_node(node_node),
-        .out_valid(node_queue_out_valid),
-        .out_ready(node_queue_out_ready),
-        .out_thread(node_queue_out_thread),
-        .out_node(node_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(node_valid), .in_ready(node_queue_in_ready), .in_data({node_thread, node_node}),
+        .out_valid(node_queue_out_valid), .out_ready(node_queue_out_ready), .out_data(node_queue_out_data)
     );
 
     stream_fifo_d32_w24 leaf_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(leaf_valid),
-        .in_ready(leaf_queue_in_ready),
-        .in_thread(leaf_thread),
-        .in_leaf(leaf_leaf),
-        .out_valid(leaf_queue_out_valid),
-        .out_ready(leaf_queue_out_ready),
-        .out_thread(leaf_queue_out_thread),
-        .out_leaf(leaf_queue_out_leaf)
+        .clk(clk), .rst(rst),
+        .in_valid(leaf_valid), .in_ready(leaf_queue_in_ready), .in_data({leaf_thread, leaf_leaf}),
+        .out_valid(leaf_queue_out_valid), .out_ready(leaf_queue_out_ready), .out_data(leaf_queue_out_data)
     );
 
     stream_skid_w60 record_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(fills_record | (hits & ~c_is_leaf)),
-        .in_ready(record_queue_in_ready),
-        .in_thread(fills_record ? fill_queue_out_thread : c_thread),
-        .in_node(fills_record ? fill_queue_out_address : c_address),
-        .in_split(fills_record ? fill_queue_out_split : deepest ? 32'd0 : line_word[34:3]),
-        .in_dimension(fills_record ? fill_queue_out_dimension : deepest ? 2'd0 : line_word[2:1]),
-        .in_internal_leaf(fills_record ? fill_queue_out_internal_leaf : deepest ? 1'd0 : line_word[0]),
-        .out_valid(record_queue_out_valid),
-        .out_ready(record_queue_out_ready),
-        .out_thread(record_queue_out_thread),
-        .out_node(record_queue_out_node),
-        .out_split(record_queue_out_split),
-        .out_dimension(record_queue_out_dimension),
-        .out_internal_leaf(record_queue_out_internal_leaf)
+        .clk(clk), .rst(rst),
+        .in_valid(fills_record | (hits & ~c_is_leaf)), .in_ready(record_queue_in_ready),
+        .in_data({
+            fills_record ? fill_queue_out_thread : c_thread, fills_record ? fill_queue_out_address : c_address,
+            choice_5, choice_6, choice_7
+        }),
+        .out_valid(record_queue_out_valid), .out_ready(record_ready), .out_data(record_queue_out_data)
     );
 
     stream_skid_w29 fetch_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(fills_fetch | (hits & c_is_leaf)),
-        .in_ready(fetch_queue_in_ready),
-        .in_thread(fills_fetch ? fill_queue_out_thread : c_thread),
-        .in_address(fills_fetch ? fill_queue_out_begin : line_word[24:3]),
-        .in_beats(fills_fetch ? fill_queue_out_beats : line_word[2:0]),
-        .out_valid(fetch_queue_out_valid),
-        .out_ready(fetch_queue_out_ready),
-        .out_thread(fetch_queue_out_thread),
-        .out_address(fetch_queue_out_address),
-        .out_beats(fetch_queue_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(fills_fetch | (hits & c_is_leaf)), .in_ready(fetch_queue_in_ready),
+        .in_data({
+            fills_fetch ? fill_queue_out_thread : c_thread, fills_fetch ? fill_queue_out_begin : line_word[24:3],
+            fills_fetch ? fill_queue_out_beats : line_word[2:0]
+        }),
+        .out_valid(fetch_queue_out_valid), .out_ready(fetch_ready), .out_data(fetch_queue_out_data)
     );
 
-    stream_skid_w25_v2 lookup_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(misses),
-        .in_ready(lookup_queue_in_ready),
-        .in_thread(c_thread),
-        .in_address(c_address),
-        .out_valid(lookup_queue_out_valid),
-        .out_ready(lookup_queue_out_ready),
-        .out_thread(lookup_queue_out_thread),
-        .out_address(lookup_queue_out_address)
+    stream_skid_w25 lookup_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(misses), .in_ready(lookup_queue_in_ready), .in_data({c_thread, c_address}),
+        .out_valid(lookup_queue_out_valid), .out_ready(lookup_ready), .out_data(lookup_queue_out_data)
     );
 
     stream_skid_w85 fill_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(fill_valid),
-        .in_ready(fill_queue_in_ready),
-        .in_thread(fill_thread),
-        .in_address(fill_address),
-        .in_split(fill_split),
-        .in_dimension(fill_dimension),
-        .in_internal_leaf(fill_internal_leaf),
-        .in_begin(fill_begin),
-        .in_beats(fill_beats),
-        .out_valid(fill_queue_out_valid),
-        .out_ready(fill_queue_out_ready),
-        .out_thread(fill_queue_out_thread),
-        .out_address(fill_queue_out_address),
-        .out_split(fill_queue_out_split),
-        .out_dimension(fill_queue_out_dimension),
-        .out_internal_leaf(fill_queue_out_internal_leaf),
-        .out_begin(fill_queue_out_begin),
-        .out_beats(fill_queue_out_beats)
+        .clk(clk), .rst(rst),
+        .in_valid(fill_valid), .in_ready(fill_queue_in_ready),
+        .in_data({fill_thread, fill_address, fill_split, fill_dimension, fill_internal_leaf, fill_begin, fill_beats}),
+        .out_valid(fill_queue_out_valid), .out_ready(fill_queue_out_ready), .out_data(fill_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -1685,9 +1024,7 @@ module search_tree_cache (
             event_tree_hit <= 1'd0;
             event_tree_miss <= 1'd0;
         end else begin
-            if (~cleared) begin
-                cleared_lines <= cleared_lines + 10'd1;
-            end
+            if (~cleared) cleared_lines <= cleared_lines + 10'd1;
             if (advance) begin
                 b_valid <= cleared & (leaf_queue_out_valid | node_queue_out_valid);
                 c_valid <= b_valid;
@@ -1699,7 +1036,7 @@ module search_tree_cache (
     always @(posedge clk) begin
         if (advance) begin
             b_thread <= leaf_queue_out_valid ? leaf_queue_out_thread : node_queue_out_thread;
-            b_address <= choice_3;
+            b_address <= choice_4;
             c_thread <= b_thread;
             c_address <= b_address;
             b_is_leaf <= leaf_queue_out_valid;
@@ -1707,14 +1044,6 @@ module search_tree_cache (
             line_valid <= b_line[47];
             line_tag <= b_line[46:35];
             line_word <= b_line[34:0];
-        end
-    end
-    always @(posedge clk) begin
-        if (fills | ~cleared) begin
-            lines[cleared ? fill_queue_out_address[8:0] : cleared_lines[8:0]] <= {cleared, cleared ? fill_queue_out_address[20:9] : 12'd0, cleared ? choice_5 : 35'd0};
-        end
-        if (advance) begin
-            b_line <= lines[choice_3[8:0]];
         end
     end
 endmodule
@@ -1726,120 +1055,32 @@ module stream_skid_w85 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_address,
-    input  wire [31:0] in_split,
-    input  wire [1:0] in_dimension,
-    input  wire in_internal_leaf,
-    input  wire [21:0] in_begin,
-    input  wire [2:0] in_beats,
+    input  wire [84:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_address,
-    output wire [31:0] out_split,
-    output wire [1:0] out_dimension,
-    output wire out_internal_leaf,
-    output wire [21:0] out_begin,
-    output wire [2:0] out_beats
+    output wire [84:0] out_data
 );
     reg second_valid;
-    reg [84:0] head;
-    reg [84:0] second;
+    reg [84:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [84:0] in_item = {in_thread, in_address, in_split, in_dimension, in_internal_leaf, in_begin, in_beats};
 
-    assign out_thread = head[84:81];
-    assign out_address = head[80:60];
-    assign out_split = head[59:28];
-    assign out_dimension = head[27:26];
-    assign out_internal_leaf = head[25];
-    assign out_begin = head[24:3];
-    assign out_beats = head[2:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
-    end
-
-`ifdef RTL_ASSERT
-    always @(posedge clk) begin
-        if (!rst) begin
-            if (!(out_valid | in_ready)) begin
-`ifdef FORMAL
-                second_waits_behind_head: assert (0);
-`else
-                $display("assertion failed: second_waits_behind_head in %m");
-                $stop;
-`endif
-            end
-        end
-    end
-`endif
-endmodule
-
-// Queue of two in registers.
-// width = 25
-module stream_skid_w25_v2 (
-    input  wire clk,
-    input  wire rst,
-    input  wire in_valid,
-    output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_address,
-    output reg  out_valid,
-    input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_address
-);
-    reg second_valid;
-    reg [24:0] head;
-    reg [24:0] second;
-
-    assign in_ready = ~second_valid;
-    wire advance = ~out_valid | out_ready;
-    wire some_item = second_valid | in_valid;
-    wire [24:0] in_item = {in_thread, in_address};
-
-    assign out_thread = head[24:21];
-    assign out_address = head[20:0];
-
-    always @(posedge clk) begin
-        if (rst) begin
-            out_valid <= 1'd0;
-            second_valid <= 1'd0;
-        end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
-            second_valid <= ~advance & some_item;
-        end
-    end
-    always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1865,46 +1106,32 @@ module stream_skid_w29 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire [2:0] in_beats,
+    input  wire [28:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire [2:0] out_beats
+    output wire [28:0] out_data
 );
     reg second_valid;
-    reg [28:0] head;
-    reg [28:0] second;
+    reg [28:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [28:0] in_item = {in_thread, in_address, in_beats};
 
-    assign out_thread = head[28:25];
-    assign out_address = head[24:3];
-    assign out_beats = head[2:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -1931,30 +1158,28 @@ module stream_fifo_d32_w24 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [19:0] in_leaf,
+    input  wire [23:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [19:0] out_leaf
+    output wire [23:0] out_data
 );
-    (* no_rw_check *)
-    reg [23:0] entries [0:31];
-    reg [5:0] held;
-    reg [5:0] waiting;
-    reg [4:0] write_address;
-    reg [4:0] read_address;
-    reg [23:0] item;
+    reg [5:0] held, waiting;
+    reg [4:0] write_address, read_address;
+    wire [23:0] item;
 
     wire has_room = ~held[5];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_thread = item[23:20];
-    assign out_leaf = item[19:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(24), .DEPTH(32)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -1966,27 +1191,10 @@ module stream_fifo_d32_w24 (
         end else begin
             held <= (held + {5'd0, push}) - {5'd0, pop};
             waiting <= (waiting + {5'd0, push}) - {5'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 5'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 5'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 5'd1;
+            if (fetch) read_address <= read_address + 5'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_leaf};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -2021,30 +1229,28 @@ module stream_fifo_d16_w25 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_node,
+    input  wire [24:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_node
+    output wire [24:0] out_data
 );
-    (* no_rw_check *)
-    reg [24:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [24:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [24:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_thread = item[24:21];
-    assign out_node = item[20:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(25), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -2056,27 +1262,10 @@ module stream_fifo_d16_w25 (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_node};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -2148,53 +1337,34 @@ module search_queue (
 );
     (* ram_style = "distributed" *)
     reg [186:0] arrivals [0:1];
-    reg [1823:0] rows [0:15];
-    reg [93:0] queries [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
     reg [1:0] arrivals_count;
-    reg arrivals_write_address;
-    reg arrivals_read_address;
-    reg owned;
+    reg arrivals_write_address, arrivals_read_address, owned;
     reg [3:0] owner;
     reg [1823:0] working;
     reg [15:0] fresh;
-    reg beat_valid;
-    reg beat_reads;
-    reg [3:0] beat_pending;
-    reg [3:0] beat_thread;
+    reg beat_valid, beat_reads;
+    reg [3:0] beat_pending, beat_thread;
     reg [21:0] beat_address;
     reg beat_last;
-    reg [31:0] beat_distance0;
-    reg [31:0] beat_distance1;
-    reg [31:0] beat_distance2;
-    reg [31:0] beat_distance3;
-    reg item_valid;
-    reg item_reads;
-    reg item_inserts;
-    reg item_last;
+    reg [31:0] beat_distance0, beat_distance1, beat_distance2, beat_distance3;
+    reg item_valid, item_reads, item_inserts, item_last;
     reg [3:0] item_thread;
     reg item_fresh;
-    reg new_found;
     reg [23:0] new_index;
-    reg [31:0] new_distance2;
-    reg [31:0] nearer;
+    reg [31:0] new_distance2, nearer;
     reg new_last;
     reg [3:0] new_thread;
     reg [31:0] farthest;
     reg [3:0] farthest_thread;
-    reg farthest_valid;
-    reg fetching;
-    reg sending;
-    reg readout_idle;
+    reg farthest_valid, fetching, sending, readout_idle;
     reg [3:0] readout_thread;
-    reg fetch_from_working;
-    reg fetch_from_nothing;
-    reg [1823:0] stored;
-    reg [93:0] query;
-    reg item_found;
+    reg fetch_from_working, fetch_from_nothing;
+    wire [1823:0] stored;
+    wire [93:0] query;
     reg [23:0] item_index;
     reg [31:0] item_distance2;
     reg [15:0] from_leaf;
@@ -2202,12 +1372,10 @@ module search_queue (
     reg [23:0] sent_number;
     reg [5:0] position;
 
-    wire finish_queue_in_ready;
-    wire finish_queue_out_valid;
-    wire [3:0] finish_queue_out_thread;
+    wire finish_queue_in_ready, finish_queue_out_valid;
+    wire [3:0] finish_queue_out_data;
 
     assign candidates_ready = ~(arrivals_count == 2'd2);
-    assign finish_ready = finish_queue_in_ready;
     wire [5:0] next_position = position + 6'd1;
     wire choice_1 = next_position[1] ? (next_position[0] ? sent_row[1823] : sent_row[1766]) : next_position[0] ? sent_row[1709] : sent_row[1652];
     wire choice_2 = next_position[1] ? (next_position[0] ? sent_row[1595] : sent_row[1538]) : next_position[0] ? sent_row[1481] : sent_row[1424];
@@ -2250,316 +1418,168 @@ module search_queue (
     wire [31:0] choice_38 = position[1] ? (position[0] ? sent_row[430:399] : sent_row[373:342]) : position[0] ? sent_row[316:285] : sent_row[259:228];
     wire [31:0] choice_39 = position[1] ? (position[0] ? sent_row[202:171] : sent_row[145:114]) : position[0] ? sent_row[88:57] : sent_row[31:0];
     wire [31:0] choice_40 = position[3] ? (position[2] ? choice_36 : choice_37) : position[2] ? choice_38 : choice_39;
+    wire write_back = item_reads & owned;
+    wire choice_41 = nearer[31] ? (nearer[30] ? working[1766] : 1'd1) : working[1823];
+    wire [23:0] choice_42 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
+    wire [31:0] choice_43 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
+    wire choice_44 = nearer[30] ? (nearer[29] ? working[1709] : 1'd1) : working[1766];
+    wire [23:0] choice_45 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
+    wire [31:0] choice_46 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
+    wire choice_47 = nearer[29] ? (nearer[28] ? working[1652] : 1'd1) : working[1709];
+    wire [23:0] choice_48 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
+    wire [31:0] choice_49 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
+    wire choice_50 = nearer[28] ? (nearer[27] ? working[1595] : 1'd1) : working[1652];
+    wire [23:0] choice_51 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
+    wire [31:0] choice_52 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
+    wire choice_53 = nearer[27] ? (nearer[26] ? working[1538] : 1'd1) : working[1595];
+    wire [23:0] choice_54 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
+    wire [31:0] choice_55 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
+    wire choice_56 = nearer[26] ? (nearer[25] ? working[1481] : 1'd1) : working[1538];
+    wire [23:0] choice_57 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
+    wire [31:0] choice_58 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
+    wire choice_59 = nearer[25] ? (nearer[24] ? working[1424] : 1'd1) : working[1481];
+    wire [23:0] choice_60 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
+    wire [31:0] choice_61 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
+    wire choice_62 = nearer[24] ? (nearer[23] ? working[1367] : 1'd1) : working[1424];
+    wire [23:0] choice_63 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
+    wire [31:0] choice_64 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
+    wire choice_65 = nearer[23] ? (nearer[22] ? working[1310] : 1'd1) : working[1367];
+    wire [23:0] choice_66 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
+    wire [31:0] choice_67 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
+    wire choice_68 = nearer[22] ? (nearer[21] ? working[1253] : 1'd1) : working[1310];
+    wire [23:0] choice_69 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
+    wire [31:0] choice_70 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
+    wire choice_71 = nearer[21] ? (nearer[20] ? working[1196] : 1'd1) : working[1253];
+    wire [23:0] choice_72 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
+    wire [31:0] choice_73 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
+    wire choice_74 = nearer[20] ? (nearer[19] ? working[1139] : 1'd1) : working[1196];
+    wire [23:0] choice_75 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
+    wire [31:0] choice_76 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
+    wire choice_77 = nearer[19] ? (nearer[18] ? working[1082] : 1'd1) : working[1139];
+    wire [23:0] choice_78 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
+    wire [31:0] choice_79 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
+    wire choice_80 = nearer[18] ? (nearer[17] ? working[1025] : 1'd1) : working[1082];
+    wire [23:0] choice_81 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
+    wire [31:0] choice_82 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
+    wire choice_83 = nearer[17] ? (nearer[16] ? working[968] : 1'd1) : working[1025];
+    wire [23:0] choice_84 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
+    wire [31:0] choice_85 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
+    wire choice_86 = nearer[16] ? (nearer[15] ? working[911] : 1'd1) : working[968];
+    wire [23:0] choice_87 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
+    wire [31:0] choice_88 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
+    wire choice_89 = nearer[15] ? (nearer[14] ? working[854] : 1'd1) : working[911];
+    wire [23:0] choice_90 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
+    wire [31:0] choice_91 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
+    wire choice_92 = nearer[14] ? (nearer[13] ? working[797] : 1'd1) : working[854];
+    wire [23:0] choice_93 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
+    wire [31:0] choice_94 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
+    wire choice_95 = nearer[13] ? (nearer[12] ? working[740] : 1'd1) : working[797];
+    wire [23:0] choice_96 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
+    wire [31:0] choice_97 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
+    wire choice_98 = nearer[12] ? (nearer[11] ? working[683] : 1'd1) : working[740];
+    wire [23:0] choice_99 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
+    wire [31:0] choice_100 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
+    wire choice_101 = nearer[11] ? (nearer[10] ? working[626] : 1'd1) : working[683];
+    wire [23:0] choice_102 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
+    wire [31:0] choice_103 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
+    wire choice_104 = nearer[10] ? (nearer[9] ? working[569] : 1'd1) : working[626];
+    wire [23:0] choice_105 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
+    wire [31:0] choice_106 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
+    wire choice_107 = nearer[9] ? (nearer[8] ? working[512] : 1'd1) : working[569];
+    wire [23:0] choice_108 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
+    wire [31:0] choice_109 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
+    wire choice_110 = nearer[8] ? (nearer[7] ? working[455] : 1'd1) : working[512];
+    wire [23:0] choice_111 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
+    wire [31:0] choice_112 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
+    wire choice_113 = nearer[7] ? (nearer[6] ? working[398] : 1'd1) : working[455];
+    wire [23:0] choice_114 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
+    wire [31:0] choice_115 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
+    wire choice_116 = nearer[6] ? (nearer[5] ? working[341] : 1'd1) : working[398];
+    wire [23:0] choice_117 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
+    wire [31:0] choice_118 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
+    wire choice_119 = nearer[5] ? (nearer[4] ? working[284] : 1'd1) : working[341];
+    wire [23:0] choice_120 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
+    wire [31:0] choice_121 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
+    wire choice_122 = nearer[4] ? (nearer[3] ? working[227] : 1'd1) : working[284];
+    wire [23:0] choice_123 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
+    wire [31:0] choice_124 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
+    wire choice_125 = nearer[3] ? (nearer[2] ? working[170] : 1'd1) : working[227];
+    wire [23:0] choice_126 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
+    wire [31:0] choice_127 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
+    wire choice_128 = nearer[2] ? (nearer[1] ? working[113] : 1'd1) : working[170];
+    wire [23:0] choice_129 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
+    wire [31:0] choice_130 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
+    wire choice_131 = nearer[1] ? (nearer[0] ? working[56] : 1'd1) : working[113];
+    wire [23:0] choice_132 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
+    wire [31:0] choice_133 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
+    wire [1823:0] inserted_row = {
+        choice_41, choice_42, choice_43, choice_44, choice_45, choice_46, choice_47, choice_48, choice_49,
+        choice_50, choice_51, choice_52, choice_53, choice_54, choice_55, choice_56, choice_57, choice_58,
+        choice_59, choice_60, choice_61, choice_62, choice_63, choice_64, choice_65, choice_66, choice_67,
+        choice_68, choice_69, choice_70, choice_71, choice_72, choice_73, choice_74, choice_75, choice_76,
+        choice_77, choice_78, choice_79, choice_80, choice_81, choice_82, choice_83, choice_84, choice_85,
+        choice_86, choice_87, choice_88, choice_89, choice_90, choice_91, choice_92, choice_93, choice_94,
+        choice_95, choice_96, choice_97, choice_98, choice_99, choice_100, choice_101, choice_102, choice_103,
+        choice_104, choice_105, choice_106, choice_107, choice_108, choice_109, choice_110, choice_111,
+        choice_112, choice_113, choice_114, choice_115, choice_116, choice_117, choice_118, choice_119,
+        choice_120, choice_121, choice_122, choice_123, choice_124, choice_125, choice_126, choice_127,
+        choice_128, choice_129, choice_130, choice_131, choice_132, choice_133,
+        nearer[0] ? 1'd1 : working[56], nearer[0] ? new_index : working[55:32],
+        nearer[0] ? new_distance2 : working[31:0]
+    };
     wire readout_reads = finish_queue_out_valid & readout_idle;
-    wire finished_owns = owned & (owner == finish_queue_out_thread);
+    wire [3:0] read_thread = readout_reads ? finish_queue_out_data : beat_thread;
+    wire finished_owns = owned & (owner == finish_queue_out_data);
     wire readout_starts = readout_reads & ~(item_reads & finished_owns);
-    wire finish_queue_out_ready = readout_starts;
-    wire term_41 = candidates_valid & candidates_ready;
+    wire term_134 = candidates_valid & candidates_ready;
     wire waits = beat_reads & readout_reads;
     wire moves = beat_valid & ~waits;
-    wire term_42 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
-    wire stays = beat_valid & (term_42 | (beat_pending[3] & |beat_pending[2:0]));
+    wire term_135 = (beat_pending[1] & beat_pending[0]) | (beat_pending[2] & |beat_pending[1:0]);
+    wire stays = beat_valid & (term_135 | (beat_pending[3] & |beat_pending[2:0]));
     wire done = moves & ~stays;
     wire beat_free = ~beat_valid | done;
     wire [3:0] tail = item_valid ? item_thread : owner;
     wire [186:0] arrivals_head = arrivals[arrivals_read_address];
     wire follows_tail = (item_valid | owned) & (tail == arrivals_head[186:183]);
     wire follows_beat = beat_thread == arrivals_head[186:183];
-    wire term_43 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
-    wire take = |arrivals_count & term_43;
+    wire term_136 = beat_free & ~(beat_valid & (follows_tail & ~follows_beat));
+    wire take = |arrivals_count & term_136;
     wire [1823:0] initial_row = {
-        25'd0,
-        query[31] ? 32'd0 : query[63:32],
-        25'd0,
-        query[30] ? 32'd0 : query[63:32],
-        25'd0,
-        query[29] ? 32'd0 : query[63:32],
-        25'd0,
-        query[28] ? 32'd0 : query[63:32],
-        25'd0,
-        query[27] ? 32'd0 : query[63:32],
-        25'd0,
-        query[26] ? 32'd0 : query[63:32],
-        25'd0,
-        query[25] ? 32'd0 : query[63:32],
-        25'd0,
-        query[24] ? 32'd0 : query[63:32],
-        25'd0,
-        query[23] ? 32'd0 : query[63:32],
-        25'd0,
-        query[22] ? 32'd0 : query[63:32],
-        25'd0,
-        query[21] ? 32'd0 : query[63:32],
-        25'd0,
-        query[20] ? 32'd0 : query[63:32],
-        25'd0,
-        query[19] ? 32'd0 : query[63:32],
-        25'd0,
-        query[18] ? 32'd0 : query[63:32],
-        25'd0,
-        query[17] ? 32'd0 : query[63:32],
-        25'd0,
-        query[16] ? 32'd0 : query[63:32],
-        25'd0,
-        query[15] ? 32'd0 : query[63:32],
-        25'd0,
-        query[14] ? 32'd0 : query[63:32],
-        25'd0,
-        query[13] ? 32'd0 : query[63:32],
-        25'd0,
-        query[12] ? 32'd0 : query[63:32],
-        25'd0,
-        query[11] ? 32'd0 : query[63:32],
-        25'd0,
-        query[10] ? 32'd0 : query[63:32],
-        25'd0,
-        query[9] ? 32'd0 : query[63:32],
-        25'd0,
-        query[8] ? 32'd0 : query[63:32],
-        25'd0,
-        query[7] ? 32'd0 : query[63:32],
-        25'd0,
-        query[6] ? 32'd0 : query[63:32],
-        25'd0,
-        query[5] ? 32'd0 : query[63:32],
-        25'd0,
-        query[4] ? 32'd0 : query[63:32],
-        25'd0,
-        query[3] ? 32'd0 : query[63:32],
-        25'd0,
-        query[2] ? 32'd0 : query[63:32],
-        25'd0,
-        query[1] ? 32'd0 : query[63:32],
-        25'd0,
-        query[0] ? 32'd0 : query[63:32]
-    };
-    wire choice_44 = nearer[31] ? (nearer[30] ? working[1766] : new_found) : working[1823];
-    wire [23:0] choice_45 = nearer[31] ? (nearer[30] ? working[1765:1742] : new_index) : working[1822:1799];
-    wire [31:0] choice_46 = nearer[31] ? (nearer[30] ? working[1741:1710] : new_distance2) : working[1798:1767];
-    wire choice_47 = nearer[30] ? (nearer[29] ? working[1709] : new_found) : working[1766];
-    wire [23:0] choice_48 = nearer[30] ? (nearer[29] ? working[1708:1685] : new_index) : working[1765:1742];
-    wire [31:0] choice_49 = nearer[30] ? (nearer[29] ? working[1684:1653] : new_distance2) : working[1741:1710];
-    wire choice_50 = nearer[29] ? (nearer[28] ? working[1652] : new_found) : working[1709];
-    wire [23:0] choice_51 = nearer[29] ? (nearer[28] ? working[1651:1628] : new_index) : working[1708:1685];
-    wire [31:0] choice_52 = nearer[29] ? (nearer[28] ? working[1627:1596] : new_distance2) : working[1684:1653];
-    wire choice_53 = nearer[28] ? (nearer[27] ? working[1595] : new_found) : working[1652];
-    wire [23:0] choice_54 = nearer[28] ? (nearer[27] ? working[1594:1571] : new_index) : working[1651:1628];
-    wire [31:0] choice_55 = nearer[28] ? (nearer[27] ? working[1570:1539] : new_distance2) : working[1627:1596];
-    wire choice_56 = nearer[27] ? (nearer[26] ? working[1538] : new_found) : working[1595];
-    wire [23:0] choice_57 = nearer[27] ? (nearer[26] ? working[1537:1514] : new_index) : working[1594:1571];
-    wire [31:0] choice_58 = nearer[27] ? (nearer[26] ? working[1513:1482] : new_distance2) : working[1570:1539];
-    wire choice_59 = nearer[26] ? (nearer[25] ? working[1481] : new_found) : working[1538];
-    wire [23:0] choice_60 = nearer[26] ? (nearer[25] ? working[1480:1457] : new_index) : working[1537:1514];
-    wire [31:0] choice_61 = nearer[26] ? (nearer[25] ? working[1456:1425] : new_distance2) : working[1513:1482];
-    wire choice_62 = nearer[25] ? (nearer[24] ? working[1424] : new_found) : working[1481];
-    wire [23:0] choice_63 = nearer[25] ? (nearer[24] ? working[1423:1400] : new_index) : working[1480:1457];
-    wire [31:0] choice_64 = nearer[25] ? (nearer[24] ? working[1399:1368] : new_distance2) : working[1456:1425];
-    wire choice_65 = nearer[24] ? (nearer[23] ? working[1367] : new_found) : working[1424];
-    wire [23:0] choice_66 = nearer[24] ? (nearer[23] ? working[1366:1343] : new_index) : working[1423:1400];
-    wire [31:0] choice_67 = nearer[24] ? (nearer[23] ? working[1342:1311] : new_distance2) : working[1399:1368];
-    wire choice_68 = nearer[23] ? (nearer[22] ? working[1310] : new_found) : working[1367];
-    wire [23:0] choice_69 = nearer[23] ? (nearer[22] ? working[1309:1286] : new_index) : working[1366:1343];
-    wire [31:0] choice_70 = nearer[23] ? (nearer[22] ? working[1285:1254] : new_distance2) : working[1342:1311];
-    wire choice_71 = nearer[22] ? (nearer[21] ? working[1253] : new_found) : working[1310];
-    wire [23:0] choice_72 = nearer[22] ? (nearer[21] ? working[1252:1229] : new_index) : working[1309:1286];
-    wire [31:0] choice_73 = nearer[22] ? (nearer[21] ? working[1228:1197] : new_distance2) : working[1285:1254];
-    wire choice_74 = nearer[21] ? (nearer[20] ? working[1196] : new_found) : working[1253];
-    wire [23:0] choice_75 = nearer[21] ? (nearer[20] ? working[1195:1172] : new_index) : working[1252:1229];
-    wire [31:0] choice_76 = nearer[21] ? (nearer[20] ? working[1171:1140] : new_distance2) : working[1228:1197];
-    wire choice_77 = nearer[20] ? (nearer[19] ? working[1139] : new_found) : working[1196];
-    wire [23:0] choice_78 = nearer[20] ? (nearer[19] ? working[1138:1115] : new_index) : working[1195:1172];
-    wire [31:0] choice_79 = nearer[20] ? (nearer[19] ? working[1114:1083] : new_distance2) : working[1171:1140];
-    wire choice_80 = nearer[19] ? (nearer[18] ? working[1082] : new_found) : working[1139];
-    wire [23:0] choice_81 = nearer[19] ? (nearer[18] ? working[1081:1058] : new_index) : working[1138:1115];
-    wire [31:0] choice_82 = nearer[19] ? (nearer[18] ? working[1057:1026] : new_distance2) : working[1114:1083];
-    wire choice_83 = nearer[18] ? (nearer[17] ? working[1025] : new_found) : working[1082];
-    wire [23:0] choice_84 = nearer[18] ? (nearer[17] ? working[1024:1001] : new_index) : working[1081:1058];
-    wire [31:0] choice_85 = nearer[18] ? (nearer[17] ? working[1000:969] : new_distance2) : working[1057:1026];
-    wire choice_86 = nearer[17] ? (nearer[16] ? working[968] : new_found) : working[1025];
-    wire [23:0] choice_87 = nearer[17] ? (nearer[16] ? working[967:944] : new_index) : working[1024:1001];
-    wire [31:0] choice_88 = nearer[17] ? (nearer[16] ? working[943:912] : new_distance2) : working[1000:969];
-    wire choice_89 = nearer[16] ? (nearer[15] ? working[911] : new_found) : working[968];
-    wire [23:0] choice_90 = nearer[16] ? (nearer[15] ? working[910:887] : new_index) : working[967:944];
-    wire [31:0] choice_91 = nearer[16] ? (nearer[15] ? working[886:855] : new_distance2) : working[943:912];
-    wire choice_92 = nearer[15] ? (nearer[14] ? working[854] : new_found) : working[911];
-    wire [23:0] choice_93 = nearer[15] ? (nearer[14] ? working[853:830] : new_index) : working[910:887];
-    wire [31:0] choice_94 = nearer[15] ? (nearer[14] ? working[829:798] : new_distance2) : working[886:855];
-    wire choice_95 = nearer[14] ? (nearer[13] ? working[797] : new_found) : working[854];
-    wire [23:0] choice_96 = nearer[14] ? (nearer[13] ? working[796:773] : new_index) : working[853:830];
-    wire [31:0] choice_97 = nearer[14] ? (nearer[13] ? working[772:741] : new_distance2) : working[829:798];
-    wire choice_98 = nearer[13] ? (nearer[12] ? working[740] : new_found) : working[797];
-    wire [23:0] choice_99 = nearer[13] ? (nearer[12] ? working[739:716] : new_index) : working[796:773];
-    wire [31:0] choice_100 = nearer[13] ? (nearer[12] ? working[715:684] : new_distance2) : working[772:741];
-    wire choice_101 = nearer[12] ? (nearer[11] ? working[683] : new_found) : working[740];
-    wire [23:0] choice_102 = nearer[12] ? (nearer[11] ? working[682:659] : new_index) : working[739:716];
-    wire [31:0] choice_103 = nearer[12] ? (nearer[11] ? working[658:627] : new_distance2) : working[715:684];
-    wire choice_104 = nearer[11] ? (nearer[10] ? working[626] : new_found) : working[683];
-    wire [23:0] choice_105 = nearer[11] ? (nearer[10] ? working[625:602] : new_index) : working[682:659];
-    wire [31:0] choice_106 = nearer[11] ? (nearer[10] ? working[601:570] : new_distance2) : working[658:627];
-    wire choice_107 = nearer[10] ? (nearer[9] ? working[569] : new_found) : working[626];
-    wire [23:0] choice_108 = nearer[10] ? (nearer[9] ? working[568:545] : new_index) : working[625:602];
-    wire [31:0] choice_109 = nearer[10] ? (nearer[9] ? working[544:513] : new_distance2) : working[601:570];
-    wire choice_110 = nearer[9] ? (nearer[8] ? working[512] : new_found) : working[569];
-    wire [23:0] choice_111 = nearer[9] ? (nearer[8] ? working[511:488] : new_index) : working[568:545];
-    wire [31:0] choice_112 = nearer[9] ? (nearer[8] ? working[487:456] : new_distance2) : working[544:513];
-    wire choice_113 = nearer[8] ? (nearer[7] ? working[455] : new_found) : working[512];
-    wire [23:0] choice_114 = nearer[8] ? (nearer[7] ? working[454:431] : new_index) : working[511:488];
-    wire [31:0] choice_115 = nearer[8] ? (nearer[7] ? working[430:399] : new_distance2) : working[487:456];
-    wire choice_116 = nearer[7] ? (nearer[6] ? working[398] : new_found) : working[455];
-    wire [23:0] choice_117 = nearer[7] ? (nearer[6] ? working[397:374] : new_index) : working[454:431];
-    wire [31:0] choice_118 = nearer[7] ? (nearer[6] ? working[373:342] : new_distance2) : working[430:399];
-    wire choice_119 = nearer[6] ? (nearer[5] ? working[341] : new_found) : working[398];
-    wire [23:0] choice_120 = nearer[6] ? (nearer[5] ? working[340:317] : new_index) : working[397:374];
-    wire [31:0] choice_121 = nearer[6] ? (nearer[5] ? working[316:285] : new_distance2) : working[373:342];
-    wire choice_122 = nearer[5] ? (nearer[4] ? working[284] : new_found) : working[341];
-    wire [23:0] choice_123 = nearer[5] ? (nearer[4] ? working[283:260] : new_index) : working[340:317];
-    wire [31:0] choice_124 = nearer[5] ? (nearer[4] ? working[259:228] : new_distance2) : working[316:285];
-    wire choice_125 = nearer[4] ? (nearer[3] ? working[227] : new_found) : working[284];
-    wire [23:0] choice_126 = nearer[4] ? (nearer[3] ? working[226:203] : new_index) : working[283:260];
-    wire [31:0] choice_127 = nearer[4] ? (nearer[3] ? working[202:171] : new_distance2) : working[259:228];
-    wire choice_128 = nearer[3] ? (nearer[2] ? working[170] : new_found) : working[227];
-    wire [23:0] choice_129 = nearer[3] ? (nearer[2] ? working[169:146] : new_index) : working[226:203];
-    wire [31:0] choice_130 = nearer[3] ? (nearer[2] ? working[145:114] : new_distance2) : working[202:171];
-    wire choice_131 = nearer[2] ? (nearer[1] ? working[113] : new_found) : working[170];
-    wire [23:0] choice_132 = nearer[2] ? (nearer[1] ? working[112:89] : new_index) : working[169:146];
-    wire [31:0] choice_133 = nearer[2] ? (nearer[1] ? working[88:57] : new_distance2) : working[145:114];
-    wire choice_134 = nearer[1] ? (nearer[0] ? working[56] : new_found) : working[113];
-    wire [23:0] choice_135 = nearer[1] ? (nearer[0] ? working[55:32] : new_index) : working[112:89];
-    wire [31:0] choice_136 = nearer[1] ? (nearer[0] ? working[31:0] : new_distance2) : working[88:57];
-    wire [1823:0] inserted_row = {
-        choice_44,
-        choice_45,
-        choice_46,
-        choice_47,
-        choice_48,
-        choice_49,
-        choice_50,
-        choice_51,
-        choice_52,
-        choice_53,
-        choice_54,
-        choice_55,
-        choice_56,
-        choice_57,
-        choice_58,
-        choice_59,
-        choice_60,
-        choice_61,
-        choice_62,
-        choice_63,
-        choice_64,
-        choice_65,
-        choice_66,
-        choice_67,
-        choice_68,
-        choice_69,
-        choice_70,
-        choice_71,
-        choice_72,
-        choice_73,
-        choice_74,
-        choice_75,
-        choice_76,
-        choice_77,
-        choice_78,
-        choice_79,
-        choice_80,
-        choice_81,
-        choice_82,
-        choice_83,
-        choice_84,
-        choice_85,
-        choice_86,
-        choice_87,
-        choice_88,
-        choice_89,
-        choice_90,
-        choice_91,
-        choice_92,
-        choice_93,
-        choice_94,
-        choice_95,
-        choice_96,
-        choice_97,
-        choice_98,
-        choice_99,
-        choice_100,
-        choice_101,
-        choice_102,
-        choice_103,
-        choice_104,
-        choice_105,
-        choice_106,
-        choice_107,
-        choice_108,
-        choice_109,
-        choice_110,
-        choice_111,
-        choice_112,
-        choice_113,
-        choice_114,
-        choice_115,
-        choice_116,
-        choice_117,
-        choice_118,
-        choice_119,
-        choice_120,
-        choice_121,
-        choice_122,
-        choice_123,
-        choice_124,
-        choice_125,
-        choice_126,
-        choice_127,
-        choice_128,
-        choice_129,
-        choice_130,
-        choice_131,
-        choice_132,
-        choice_133,
-        choice_134,
-        choice_135,
-        choice_136,
-        nearer[0] ? new_found : working[56],
-        nearer[0] ? new_index : working[55:32],
-        nearer[0] ? new_distance2 : working[31:0]
+        25'd0, query[31] ? 32'd0 : query[63:32], 25'd0, query[30] ? 32'd0 : query[63:32], 25'd0,
+        query[29] ? 32'd0 : query[63:32], 25'd0, query[28] ? 32'd0 : query[63:32], 25'd0,
+        query[27] ? 32'd0 : query[63:32], 25'd0, query[26] ? 32'd0 : query[63:32], 25'd0,
+        query[25] ? 32'd0 : query[63:32], 25'd0, query[24] ? 32'd0 : query[63:32], 25'd0,
+        query[23] ? 32'd0 : query[63:32], 25'd0, query[22] ? 32'd0 : query[63:32], 25'd0,
+        query[21] ? 32'd0 : query[63:32], 25'd0, query[20] ? 32'd0 : query[63:32], 25'd0,
+        query[19] ? 32'd0 : query[63:32], 25'd0, query[18] ? 32'd0 : query[63:32], 25'd0,
+        query[17] ? 32'd0 : query[63:32], 25'd0, query[16] ? 32'd0 : query[63:32], 25'd0,
+        query[15] ? 32'd0 : query[63:32], 25'd0, query[14] ? 32'd0 : query[63:32], 25'd0,
+        query[13] ? 32'd0 : query[63:32], 25'd0, query[12] ? 32'd0 : query[63:32], 25'd0,
+        query[11] ? 32'd0 : query[63:32], 25'd0, query[10] ? 32'd0 : query[63:32], 25'd0,
+        query[9] ? 32'd0 : query[63:32], 25'd0, query[8] ? 32'd0 : query[63:32], 25'd0,
+        query[7] ? 32'd0 : query[63:32], 25'd0, query[6] ? 32'd0 : query[63:32], 25'd0,
+        query[5] ? 32'd0 : query[63:32], 25'd0, query[4] ? 32'd0 : query[63:32], 25'd0,
+        query[3] ? 32'd0 : query[63:32], 25'd0, query[2] ? 32'd0 : query[63:32], 25'd0,
+        query[1] ? 32'd0 : query[63:32], 25'd0, query[0] ? 32'd0 : query[63:32]
     };
     wire reads = moves & beat_reads;
     wire [15:0] joined_137 = {
-        reads & (beat_thread == 4'd15),
-        reads & (beat_thread == 4'd14),
-        reads & (beat_thread == 4'd13),
-        reads & (beat_thread == 4'd12),
-        reads & (beat_thread == 4'd11),
-        reads & (beat_thread == 4'd10),
-        reads & (beat_thread == 4'd9),
-        reads & (beat_thread == 4'd8),
-        reads & (beat_thread == 4'd7),
-        reads & (beat_thread == 4'd6),
-        reads & (beat_thread == 4'd5),
-        reads & (beat_thread == 4'd4),
-        reads & (beat_thread == 4'd3),
-        reads & (beat_thread == 4'd2),
-        reads & (beat_thread == 4'd1),
+        reads & (beat_thread == 4'd15), reads & (beat_thread == 4'd14), reads & (beat_thread == 4'd13),
+        reads & (beat_thread == 4'd12), reads & (beat_thread == 4'd11), reads & (beat_thread == 4'd10),
+        reads & (beat_thread == 4'd9), reads & (beat_thread == 4'd8), reads & (beat_thread == 4'd7),
+        reads & (beat_thread == 4'd6), reads & (beat_thread == 4'd5), reads & (beat_thread == 4'd4),
+        reads & (beat_thread == 4'd3), reads & (beat_thread == 4'd2), reads & (beat_thread == 4'd1),
         reads & (beat_thread == 4'd0)
     };
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15),
-        start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13),
-        start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11),
-        start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9),
-        start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7),
-        start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5),
-        start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3),
-        start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1),
-        start_valid & (start_thread == 4'd0)
+        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
     wire [15:0] shifted_138 = fresh >> arrivals_head[186:183];
     wire is_fresh = shifted_138[0];
@@ -2575,53 +1595,31 @@ module search_queue (
     wire [3:0] joined_146 = {
         (arrivals_head[63:32] < arrivals_head[31:0]) & term_141,
         (arrivals_head[95:64] < arrivals_head[31:0]) & term_142,
-        (arrivals_head[127:96] < arrivals_head[31:0]) & term_143,
-        term_145
+        (arrivals_head[127:96] < arrivals_head[31:0]) & term_143, term_145
     };
     wire [3:0] chosen = beat_pending & (4'd0 - beat_pending);
     wire [3:0] rest = beat_pending & ~chosen;
     wire farthest_is_known = farthest_is_current & (farthest_thread == beat_thread);
     wire [3:0] joined_147 = {
-        ~farthest_is_known | (beat_distance3 < farthest),
-        ~farthest_is_known | (beat_distance2 < farthest),
-        ~farthest_is_known | (beat_distance1 < farthest),
-        ~farthest_is_known | (beat_distance0 < farthest)
+        ~farthest_is_known | (beat_distance3 < farthest), ~farthest_is_known | (beat_distance2 < farthest),
+        ~farthest_is_known | (beat_distance1 < farthest), ~farthest_is_known | (beat_distance0 < farthest)
     };
     wire [3:0] left = waits ? beat_pending : (rest & joined_147);
     wire [15:0] shifted_148 = fresh >> beat_thread;
     wire [31:0] joined_149 = {
-        item_distance2 < stored[1798:1767],
-        item_distance2 < stored[1741:1710],
-        item_distance2 < stored[1684:1653],
-        item_distance2 < stored[1627:1596],
-        item_distance2 < stored[1570:1539],
-        item_distance2 < stored[1513:1482],
-        item_distance2 < stored[1456:1425],
-        item_distance2 < stored[1399:1368],
-        item_distance2 < stored[1342:1311],
-        item_distance2 < stored[1285:1254],
-        item_distance2 < stored[1228:1197],
-        item_distance2 < stored[1171:1140],
-        item_distance2 < stored[1114:1083],
-        item_distance2 < stored[1057:1026],
-        item_distance2 < stored[1000:969],
-        item_distance2 < stored[943:912],
-        item_distance2 < stored[886:855],
-        item_distance2 < stored[829:798],
-        item_distance2 < stored[772:741],
-        item_distance2 < stored[715:684],
-        item_distance2 < stored[658:627],
-        item_distance2 < stored[601:570],
-        item_distance2 < stored[544:513],
-        item_distance2 < stored[487:456],
-        item_distance2 < stored[430:399],
-        item_distance2 < stored[373:342],
-        item_distance2 < stored[316:285],
-        item_distance2 < stored[259:228],
-        item_distance2 < stored[202:171],
-        item_distance2 < stored[145:114],
-        item_distance2 < stored[88:57],
-        item_distance2 < stored[31:0]
+        item_distance2 < stored[1798:1767], item_distance2 < stored[1741:1710],
+        item_distance2 < stored[1684:1653], item_distance2 < stored[1627:1596],
+        item_distance2 < stored[1570:1539], item_distance2 < stored[1513:1482],
+        item_distance2 < stored[1456:1425], item_distance2 < stored[1399:1368],
+        item_distance2 < stored[1342:1311], item_distance2 < stored[1285:1254],
+        item_distance2 < stored[1228:1197], item_distance2 < stored[1171:1140],
+        item_distance2 < stored[1114:1083], item_distance2 < stored[1057:1026],
+        item_distance2 < stored[1000:969], item_distance2 < stored[943:912], item_distance2 < stored[886:855],
+        item_distance2 < stored[829:798], item_distance2 < stored[772:741], item_distance2 < stored[715:684],
+        item_distance2 < stored[658:627], item_distance2 < stored[601:570], item_distance2 < stored[544:513],
+        item_distance2 < stored[487:456], item_distance2 < stored[430:399], item_distance2 < stored[373:342],
+        item_distance2 < stored[316:285], item_distance2 < stored[259:228], item_distance2 < stored[202:171],
+        item_distance2 < stored[145:114], item_distance2 < stored[88:57], item_distance2 < stored[31:0]
     };
     wire term_150 = item_distance2 < working[1741:1710];
     wire term_151 = item_distance2 < new_distance2;
@@ -2678,28 +1676,9 @@ module search_queue (
     wire term_202 = item_distance2 < working[88:57];
     wire term_203 = item_distance2 < working[31:0];
     wire [31:0] joined_204 = {
-        choice_152,
-        choice_154,
-        choice_156,
-        choice_158,
-        choice_160,
-        choice_162,
-        choice_164,
-        choice_166,
-        choice_168,
-        choice_170,
-        choice_172,
-        choice_174,
-        choice_176,
-        choice_178,
-        choice_180,
-        choice_182,
-        choice_184,
-        choice_186,
-        choice_188,
-        choice_190,
-        choice_192,
-        choice_194,
+        choice_152, choice_154, choice_156, choice_158, choice_160, choice_162, choice_164, choice_166,
+        choice_168, choice_170, choice_172, choice_174, choice_176, choice_178, choice_180, choice_182,
+        choice_184, choice_186, choice_188, choice_190, choice_192, choice_194,
         nearer[9] ? (nearer[8] ? term_195 : term_151) : term_193,
         nearer[8] ? (nearer[7] ? term_196 : term_151) : term_195,
         nearer[7] ? (nearer[6] ? term_197 : term_151) : term_196,
@@ -2708,38 +1687,28 @@ module search_queue (
         nearer[4] ? (nearer[3] ? term_200 : term_151) : term_199,
         nearer[3] ? (nearer[2] ? term_201 : term_151) : term_200,
         nearer[2] ? (nearer[1] ? term_202 : term_151) : term_201,
-        nearer[1] ? (nearer[0] ? term_203 : term_151) : term_202,
-        nearer[0] ? term_151 : term_203
+        nearer[1] ? (nearer[0] ? term_203 : term_151) : term_202, nearer[0] ? term_151 : term_203
     };
     wire [31:0] nearer_entries = item_reads ? (item_fresh ? ~query[31:0] : joined_149) : joined_204;
     wire result_transfer = sending & result_ready;
     wire result_ends = result_transfer & last_result;
-    wire [15:0] shifted_205 = fresh >> finish_queue_out_thread;
+    wire [15:0] shifted_205 = fresh >> finish_queue_out_data;
     wire [31:0] choice_206 = chosen[1] ? beat_distance1 : chosen[2] ? beat_distance2 : beat_distance3;
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15),
-        radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13),
-        radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11),
-        radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9),
-        radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7),
-        radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5),
-        radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3),
-        radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1),
-        radius_valid & (radius_thread == 4'd0)
+        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] shifted_207 = from_leaf >> candidates_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_thread];
     wire [31:0] query_radius2 = query_radii[candidates_thread];
-    wire write_back = item_reads & owned;
-    wire [3:0] read_thread = readout_reads ? finish_queue_out_thread : beat_thread;
 
+    assign finish_ready = finish_queue_in_ready;
     assign result_valid = sending;
     assign result_number = sent_number;
     assign result_last = last_result;
@@ -2747,15 +1716,30 @@ module search_queue (
     assign result_index = position[4] ? choice_25 : choice_30;
     assign result_distance2 = position[4] ? choice_35 : choice_40;
 
-    stream_skid_w4 finish_queue (
+    memory_1w1r #(.WIDTH(1824), .DEPTH(16)) rows (
         .clk(clk),
-        .rst(rst),
-        .in_valid(finish_valid),
-        .in_ready(finish_queue_in_ready),
-        .in_thread(finish_thread),
-        .out_valid(finish_queue_out_valid),
-        .out_ready(finish_queue_out_ready),
-        .out_thread(finish_queue_out_thread)
+        .write(write_back), .write_address(owner), .write_data(inserted_row),
+        .read(1'd1), .read_address(read_thread), .read_data(stored)
+    );
+
+    memory_1w1r #(.WIDTH(94), .DEPTH(16)) queries (
+        .clk(clk),
+        .write(start_valid), .write_address(start_thread),
+        .write_data({
+            start_number, start_k, start_radius2, start_k < 6'd1, start_k < 6'd2, start_k < 6'd3, start_k < 6'd4,
+            start_k < 6'd5, start_k < 6'd6, start_k < 6'd7, start_k < 6'd8, start_k < 6'd9, start_k < 6'd10,
+            start_k < 6'd11, start_k < 6'd12, start_k < 6'd13, start_k < 6'd14, start_k < 6'd15, start_k < 6'd16,
+            start_k < 6'd17, start_k < 6'd18, start_k < 6'd19, start_k < 6'd20, start_k < 6'd21, start_k < 6'd22,
+            start_k < 6'd23, start_k < 6'd24, start_k < 6'd25, start_k < 6'd26, start_k < 6'd27, start_k < 6'd28,
+            start_k < 6'd29, start_k < 6'd30, start_k < 6'd31, start_k < 6'd32
+        }),
+        .read(1'd1), .read_address(read_thread), .read_data(query)
+    );
+
+    stream_skid_w4 finish_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(finish_valid), .in_ready(finish_queue_in_ready), .in_data(finish_thread),
+        .out_valid(finish_queue_out_valid), .out_ready(readout_starts), .out_data(finish_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -2784,7 +1768,7 @@ module search_queue (
             event_beat <= 1'd0;
             event_insert_wait <= 1'd0;
         end else begin
-            arrivals_count <= (arrivals_count + {1'd0, term_41}) - {1'd0, take};
+            arrivals_count <= (arrivals_count + {1'd0, term_134}) - {1'd0, take};
             owned <= owned | item_valid;
             fresh <= (fresh & ~joined_137) | query_set;
             beat_valid <= take | (stays | waits);
@@ -2805,33 +1789,25 @@ module search_queue (
             released_valid <= fetching;
             event_beat <= done;
             event_insert_wait <= moves & stays;
-            if (term_41) begin
-                arrivals_write_address <= arrivals_write_address + 1'd1;
-            end
-            if (take) begin
-                arrivals_read_address <= arrivals_read_address + 1'd1;
-            end
+            if (term_134) arrivals_write_address <= arrivals_write_address + 1'd1;
+            if (take) arrivals_read_address <= arrivals_read_address + 1'd1;
         end
     end
     always @(posedge clk) begin
-        if (item_valid) begin
-            owner <= item_thread;
-        end
+        if (item_valid) owner <= item_thread;
         working <= item_reads ? (item_fresh ? initial_row : stored) : inserted_row;
         beat_pending <= take ? joined_146 : left;
         item_thread <= beat_thread;
         item_fresh <= shifted_148[0];
-        new_found <= item_found;
         new_index <= item_index;
         new_distance2 <= item_distance2;
         new_thread <= item_thread;
         radius_thread <= new_thread;
-        radius_radius2 <= choice_46;
-        farthest <= choice_46;
+        radius_radius2 <= choice_43;
+        farthest <= choice_43;
         farthest_thread <= owner;
         fetch_from_working <= finished_owns;
         fetch_from_nothing <= shifted_205[0];
-        item_found <= 1'd1;
         item_index <= {beat_address, |(chosen & 4'd12), |(chosen & 4'd10)};
         item_distance2 <= chosen[0] ? beat_distance0 : choice_206;
         released_thread <= readout_thread;
@@ -2844,9 +1820,7 @@ module search_queue (
             beat_distance2 <= arrivals_head[95:64];
             beat_distance3 <= arrivals_head[63:32];
         end
-        if (readout_starts) begin
-            readout_thread <= finish_queue_out_thread;
-        end
+        if (readout_starts) readout_thread <= finish_queue_out_data;
         if (fetching) begin
             sent_row <= fetch_from_nothing ? initial_row : fetch_from_working ? working : stored;
             sent_number <= query[93:70];
@@ -2856,86 +1830,22 @@ module search_queue (
         end
     end
     always @(posedge clk) begin
-        if (term_41) begin
+        if (term_134) begin
             arrivals[arrivals_write_address] <= {
-                candidates_thread,
-                candidates_address,
-                candidates_last,
-                candidates_distance0,
-                candidates_distance1,
-                candidates_distance2,
-                candidates_distance3,
-                shifted_207[0] ? leaf_radius2 : query_radius2
+                candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
+                candidates_distance2, candidates_distance3, shifted_207[0] ? leaf_radius2 : query_radius2
             };
         end
     end
     always @(posedge clk) begin
-        if (write_back) begin
-            rows[owner] <= inserted_row;
-        end
-        stored <= rows[read_thread];
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {
-                start_number,
-                start_k,
-                start_radius2,
-                start_k < 6'd1,
-                start_k < 6'd2,
-                start_k < 6'd3,
-                start_k < 6'd4,
-                start_k < 6'd5,
-                start_k < 6'd6,
-                start_k < 6'd7,
-                start_k < 6'd8,
-                start_k < 6'd9,
-                start_k < 6'd10,
-                start_k < 6'd11,
-                start_k < 6'd12,
-                start_k < 6'd13,
-                start_k < 6'd14,
-                start_k < 6'd15,
-                start_k < 6'd16,
-                start_k < 6'd17,
-                start_k < 6'd18,
-                start_k < 6'd19,
-                start_k < 6'd20,
-                start_k < 6'd21,
-                start_k < 6'd22,
-                start_k < 6'd23,
-                start_k < 6'd24,
-                start_k < 6'd25,
-                start_k < 6'd26,
-                start_k < 6'd27,
-                start_k < 6'd28,
-                start_k < 6'd29,
-                start_k < 6'd30,
-                start_k < 6'd31,
-                start_k < 6'd32
-            };
-        end
-        query <= queries[read_thread];
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
-    end
-    always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{
-        1'b0,
-        shifted_138[15:1],
-        shifted_148[15:1],
-        shifted_205[15:1],
-        shifted_207[15:1],
-        start_x,
-        start_y,
+        1'b0, shifted_138[15:1], shifted_148[15:1], shifted_205[15:1], shifted_207[15:1], start_x, start_y,
         start_z
     };
 
@@ -3023,94 +1933,57 @@ module search_sieve (
     reg [3:0] s1_thread;
     reg [21:0] s1_address;
     reg s1_last;
-    reg [31:0] s1_distance0;
-    reg [31:0] s1_distance1;
-    reg [31:0] s1_distance2;
-    reg [31:0] s1_distance3;
+    reg [31:0] s1_distance0, s1_distance1, s1_distance2, s1_distance3;
     reg [15:0] from_leaf;
     reg [31:0] radius2;
-    reg s2_valid;
-    reg s2_survives;
+    reg s2_valid, s2_survives;
     reg [3:0] s2_thread;
     reg [21:0] s2_address;
     reg s2_last;
-    reg [31:0] s2_distance0;
-    reg [31:0] s2_distance1;
-    reg [31:0] s2_distance2;
-    reg [31:0] s2_distance3;
-    reg held_valid;
-    reg held_last;
+    reg [31:0] s2_distance0, s2_distance1, s2_distance2, s2_distance3;
+    reg held_valid, held_last;
     reg [3:0] held_thread;
     reg [21:0] held_address;
-    reg [31:0] held_distance0;
-    reg [31:0] held_distance1;
-    reg [31:0] held_distance2;
-    reg [31:0] held_distance3;
+    reg [31:0] held_distance0, held_distance1, held_distance2, held_distance3;
 
-    wire candidates_queue_in_ready;
-    wire candidates_queue_out_valid;
-    wire [3:0] candidates_queue_out_thread;
-    wire [21:0] candidates_queue_out_address;
-    wire candidates_queue_out_last;
-    wire [31:0] candidates_queue_out_distance0;
-    wire [31:0] candidates_queue_out_distance1;
-    wire [31:0] candidates_queue_out_distance2;
-    wire [31:0] candidates_queue_out_distance3;
-    wire kept_queue_in_ready;
-    wire kept_queue_out_valid;
-    wire [3:0] kept_queue_out_thread;
-    wire [21:0] kept_queue_out_address;
-    wire kept_queue_out_last;
-    wire [31:0] kept_queue_out_distance0;
-    wire [31:0] kept_queue_out_distance1;
-    wire [31:0] kept_queue_out_distance2;
-    wire [31:0] kept_queue_out_distance3;
+    wire candidates_queue_in_ready, candidates_queue_out_valid;
+    wire [154:0] candidates_queue_out_data;
+    wire kept_queue_in_ready, kept_queue_out_valid;
+    wire [154:0] kept_queue_out_data;
 
-    assign candidates_ready = candidates_queue_in_ready;
     wire closed = held_valid & held_last;
     wire near = s2_valid & s2_survives;
     wire displaced = closed | (held_valid & near);
     wire proceeds = ~displaced | kept_queue_in_ready;
     wire decides = ~s2_valid | proceeds;
     wire advance = ~s1_valid | decides;
-    wire candidates_queue_out_ready = advance;
     wire leaves = displaced & kept_queue_in_ready;
-    wire kept_queue_out_ready = kept_ready;
+    wire [3:0] candidates_queue_out_thread = candidates_queue_out_data[154:151];
+    wire [21:0] candidates_queue_out_address = candidates_queue_out_data[150:129];
+    wire candidates_queue_out_last = candidates_queue_out_data[128];
+    wire [31:0] candidates_queue_out_distance0 = candidates_queue_out_data[127:96];
+    wire [31:0] candidates_queue_out_distance1 = candidates_queue_out_data[95:64];
+    wire [31:0] candidates_queue_out_distance2 = candidates_queue_out_data[63:32];
+    wire [31:0] candidates_queue_out_distance3 = candidates_queue_out_data[31:0];
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15),
-        start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13),
-        start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11),
-        start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9),
-        start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7),
-        start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5),
-        start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3),
-        start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1),
-        start_valid & (start_thread == 4'd0)
+        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15),
-        radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13),
-        radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11),
-        radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9),
-        radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7),
-        radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5),
-        radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3),
-        radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1),
-        radius_valid & (radius_thread == 4'd0)
+        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] shifted_1 = from_leaf >> candidates_queue_out_thread;
     wire [31:0] leaf_radius2 = leaf_radii[candidates_queue_out_thread];
@@ -3120,59 +1993,29 @@ module search_sieve (
     wire ends = s2_valid & s2_last & (~near & proceeds);
     wire closes = ends & (held_valid & ~held_last);
 
+    assign candidates_ready = candidates_queue_in_ready;
     assign kept_valid = kept_queue_out_valid;
-    assign kept_thread = kept_queue_out_thread;
-    assign kept_address = kept_queue_out_address;
-    assign kept_last = kept_queue_out_last;
-    assign kept_distance0 = kept_queue_out_distance0;
-    assign kept_distance1 = kept_queue_out_distance1;
-    assign kept_distance2 = kept_queue_out_distance2;
-    assign kept_distance3 = kept_queue_out_distance3;
+    assign {
+        kept_thread, kept_address, kept_last, kept_distance0, kept_distance1, kept_distance2, kept_distance3
+    } = kept_queue_out_data;
 
     stream_skid_w155 candidates_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(candidates_valid),
-        .in_ready(candidates_queue_in_ready),
-        .in_thread(candidates_thread),
-        .in_address(candidates_address),
-        .in_last(candidates_last),
-        .in_distance0(candidates_distance0),
-        .in_distance1(candidates_distance1),
-        .in_distance2(candidates_distance2),
-        .in_distance3(candidates_distance3),
-        .out_valid(candidates_queue_out_valid),
-        .out_ready(candidates_queue_out_ready),
-        .out_thread(candidates_queue_out_thread),
-        .out_address(candidates_queue_out_address),
-        .out_last(candidates_queue_out_last),
-        .out_distance0(candidates_queue_out_distance0),
-        .out_distance1(candidates_queue_out_distance1),
-        .out_distance2(candidates_queue_out_distance2),
-        .out_distance3(candidates_queue_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(candidates_valid), .in_ready(candidates_queue_in_ready),
+        .in_data({
+            candidates_thread, candidates_address, candidates_last, candidates_distance0, candidates_distance1,
+            candidates_distance2, candidates_distance3
+        }),
+        .out_valid(candidates_queue_out_valid), .out_ready(advance), .out_data(candidates_queue_out_data)
     );
 
     stream_fifo_d16_w155 kept_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(leaves),
-        .in_ready(kept_queue_in_ready),
-        .in_thread(held_thread),
-        .in_address(held_address),
-        .in_last(held_last),
-        .in_distance0(held_distance0),
-        .in_distance1(held_distance1),
-        .in_distance2(held_distance2),
-        .in_distance3(held_distance3),
-        .out_valid(kept_queue_out_valid),
-        .out_ready(kept_queue_out_ready),
-        .out_thread(kept_queue_out_thread),
-        .out_address(kept_queue_out_address),
-        .out_last(kept_queue_out_last),
-        .out_distance0(kept_queue_out_distance0),
-        .out_distance1(kept_queue_out_distance1),
-        .out_distance2(kept_queue_out_distance2),
-        .out_distance3(kept_queue_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(leaves), .in_ready(kept_queue_in_ready),
+        .in_data({
+            held_thread, held_address, held_last, held_distance0, held_distance1, held_distance2, held_distance3
+        }),
+        .out_valid(kept_queue_out_valid), .out_ready(kept_ready), .out_data(kept_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -3183,15 +2026,11 @@ module search_sieve (
             held_valid <= 1'd0;
             skipped_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                s1_valid <= candidates_queue_out_valid;
-            end
+            if (advance) s1_valid <= candidates_queue_out_valid;
             from_leaf <= (from_leaf & ~query_set) | leaf_set;
             held_valid <= keep | (held_valid & ~leaves);
             skipped_valid <= ends & ~closes;
-            if (decides) begin
-                s2_valid <= s1_valid;
-            end
+            if (decides) s2_valid <= s1_valid;
         end
     end
     always @(posedge clk) begin
@@ -3215,9 +2054,7 @@ module search_sieve (
             s2_distance2 <= s1_distance2;
             s2_distance3 <= s1_distance3;
         end
-        if (keep | closes) begin
-            held_last <= s2_last;
-        end
+        if (keep | closes) held_last <= s2_last;
         if (keep) begin
             held_thread <= s2_thread;
             held_address <= s2_address;
@@ -3229,14 +2066,10 @@ module search_sieve (
         skipped_thread <= s2_thread;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{1'b0, shifted_1[15:1], start_k, start_number, start_x, start_y, start_z};
@@ -3250,45 +2083,28 @@ module stream_fifo_d16_w155 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_distance0,
-    input  wire [31:0] in_distance1,
-    input  wire [31:0] in_distance2,
-    input  wire [31:0] in_distance3,
+    input  wire [154:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_distance0,
-    output wire [31:0] out_distance1,
-    output wire [31:0] out_distance2,
-    output wire [31:0] out_distance3
+    output wire [154:0] out_data
 );
-    (* no_rw_check *)
-    reg [154:0] entries [0:15];
-    reg [4:0] held;
-    reg [4:0] waiting;
-    reg [3:0] write_address;
-    reg [3:0] read_address;
-    reg [154:0] item;
+    reg [4:0] held, waiting;
+    reg [3:0] write_address, read_address;
+    wire [154:0] item;
 
     wire has_room = ~held[4];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_thread = item[154:151];
-    assign out_address = item[150:129];
-    assign out_last = item[128];
-    assign out_distance0 = item[127:96];
-    assign out_distance1 = item[95:64];
-    assign out_distance2 = item[63:32];
-    assign out_distance3 = item[31:0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(155), .DEPTH(16)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -3300,27 +2116,10 @@ module stream_fifo_d16_w155 (
         end else begin
             held <= (held + {4'd0, push}) - {4'd0, pop};
             waiting <= (waiting + {4'd0, push}) - {4'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 4'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 4'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 4'd1;
+            if (fetch) read_address <= read_address + 4'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_thread, in_address, in_last, in_distance0, in_distance1, in_distance2, in_distance3};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -3388,57 +2187,40 @@ module search_leaf (
     output wire [31:0] candidates_distance2,
     output wire [31:0] candidates_distance3
 );
-    reg [95:0] queries [0:15];
     reg query_valid;
     reg [3:0] points_thread;
     reg [21:0] points_address;
     reg points_last;
-    reg [31:0] points_x0;
-    reg [31:0] points_y0;
-    reg [31:0] points_z0;
-    reg [31:0] points_x1;
-    reg [31:0] points_y1;
-    reg [31:0] points_z1;
-    reg [31:0] points_x2;
-    reg [31:0] points_y2;
-    reg [31:0] points_z2;
-    reg [31:0] points_x3;
-    reg [31:0] points_y3;
-    reg [31:0] points_z3;
-    reg [95:0] query;
+    reg [31:0] points_x0, points_y0, points_z0, points_x1, points_y1, points_z1, points_x2, points_y2, points_z2;
+    reg [31:0] points_x3, points_y3, points_z3;
+    wire [95:0] query;
 
-    wire beat_queue_in_ready;
-    wire beat_queue_out_valid;
-    wire [3:0] beat_queue_out_thread;
-    wire [21:0] beat_queue_out_address;
-    wire beat_queue_out_last;
-    wire [31:0] beat_queue_out_x0;
-    wire [31:0] beat_queue_out_y0;
-    wire [31:0] beat_queue_out_z0;
-    wire [31:0] beat_queue_out_x1;
-    wire [31:0] beat_queue_out_y1;
-    wire [31:0] beat_queue_out_z1;
-    wire [31:0] beat_queue_out_x2;
-    wire [31:0] beat_queue_out_y2;
-    wire [31:0] beat_queue_out_z2;
-    wire [31:0] beat_queue_out_x3;
-    wire [31:0] beat_queue_out_y3;
-    wire [31:0] beat_queue_out_z3;
-    wire distance_in_ready;
-    wire distance_out_valid;
+    wire beat_queue_in_ready, beat_queue_out_valid;
+    wire [410:0] beat_queue_out_data;
+    wire distance_in_ready, distance_out_valid;
     wire [3:0] distance_out_thread;
     wire [21:0] distance_out_address;
     wire distance_out_last;
-    wire [31:0] distance_out_distance0;
-    wire [31:0] distance_out_distance1;
-    wire [31:0] distance_out_distance2;
-    wire [31:0] distance_out_distance3;
+    wire [31:0] distance_out_distance0, distance_out_distance1, distance_out_distance2, distance_out_distance3;
+
+    wire query_advance = ~query_valid | distance_in_ready;
+    wire [3:0] beat_queue_out_thread = beat_queue_out_data[410:407];
+    wire [21:0] beat_queue_out_address = beat_queue_out_data[406:385];
+    wire beat_queue_out_last = beat_queue_out_data[384];
+    wire [31:0] beat_queue_out_x0 = beat_queue_out_data[383:352];
+    wire [31:0] beat_queue_out_y0 = beat_queue_out_data[351:320];
+    wire [31:0] beat_queue_out_z0 = beat_queue_out_data[319:288];
+    wire [31:0] beat_queue_out_x1 = beat_queue_out_data[287:256];
+    wire [31:0] beat_queue_out_y1 = beat_queue_out_data[255:224];
+    wire [31:0] beat_queue_out_z1 = beat_queue_out_data[223:192];
+    wire [31:0] beat_queue_out_x2 = beat_queue_out_data[191:160];
+    wire [31:0] beat_queue_out_y2 = beat_queue_out_data[159:128];
+    wire [31:0] beat_queue_out_z2 = beat_queue_out_data[127:96];
+    wire [31:0] beat_queue_out_x3 = beat_queue_out_data[95:64];
+    wire [31:0] beat_queue_out_y3 = beat_queue_out_data[63:32];
+    wire [31:0] beat_queue_out_z3 = beat_queue_out_data[31:0];
 
     assign beat_ready = beat_queue_in_ready;
-    wire query_advance = ~query_valid | distance_in_ready;
-    wire beat_queue_out_ready = query_advance;
-    wire distance_out_ready = candidates_ready;
-
     assign candidates_valid = distance_out_valid;
     assign candidates_thread = distance_out_thread;
     assign candidates_address = distance_out_address;
@@ -3448,77 +2230,33 @@ module search_leaf (
     assign candidates_distance2 = distance_out_distance2;
     assign candidates_distance3 = distance_out_distance3;
 
-    stream_skid_w411 beat_queue (
+    memory_1w1r #(.WIDTH(96), .DEPTH(16)) queries (
         .clk(clk),
-        .rst(rst),
-        .in_valid(beat_valid),
-        .in_ready(beat_queue_in_ready),
-        .in_thread(beat_thread),
-        .in_address(beat_address),
-        .in_last(beat_last),
-        .in_x0(beat_x0),
-        .in_y0(beat_y0),
-        .in_z0(beat_z0),
-        .in_x1(beat_x1),
-        .in_y1(beat_y1),
-        .in_z1(beat_z1),
-        .in_x2(beat_x2),
-        .in_y2(beat_y2),
-        .in_z2(beat_z2),
-        .in_x3(beat_x3),
-        .in_y3(beat_y3),
-        .in_z3(beat_z3),
-        .out_valid(beat_queue_out_valid),
-        .out_ready(beat_queue_out_ready),
-        .out_thread(beat_queue_out_thread),
-        .out_address(beat_queue_out_address),
-        .out_last(beat_queue_out_last),
-        .out_x0(beat_queue_out_x0),
-        .out_y0(beat_queue_out_y0),
-        .out_z0(beat_queue_out_z0),
-        .out_x1(beat_queue_out_x1),
-        .out_y1(beat_queue_out_y1),
-        .out_z1(beat_queue_out_z1),
-        .out_x2(beat_queue_out_x2),
-        .out_y2(beat_queue_out_y2),
-        .out_z2(beat_queue_out_z2),
-        .out_x3(beat_queue_out_x3),
-        .out_y3(beat_queue_out_y3),
-        .out_z3(beat_queue_out_z3)
+        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .read(query_advance), .read_address(beat_queue_out_thread), .read_data(query)
+    );
+
+    stream_skid_w411 beat_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(beat_valid), .in_ready(beat_queue_in_ready),
+        .in_data({
+            beat_thread, beat_address, beat_last, beat_x0, beat_y0, beat_z0, beat_x1, beat_y1, beat_z1, beat_x2,
+            beat_y2, beat_z2, beat_x3, beat_y3, beat_z3
+        }),
+        .out_valid(beat_queue_out_valid), .out_ready(query_advance), .out_data(beat_queue_out_data)
     );
 
     search_distance distance (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(query_valid),
-        .in_ready(distance_in_ready),
-        .in_thread(points_thread),
-        .in_address(points_address),
-        .in_last(points_last),
-        .in_x0(points_x0),
-        .in_y0(points_y0),
-        .in_z0(points_z0),
-        .in_x1(points_x1),
-        .in_y1(points_y1),
-        .in_z1(points_z1),
-        .in_x2(points_x2),
-        .in_y2(points_y2),
-        .in_z2(points_z2),
-        .in_x3(points_x3),
-        .in_y3(points_y3),
-        .in_z3(points_z3),
-        .in_query_x(query[95:64]),
-        .in_query_y(query[63:32]),
-        .in_query_z(query[31:0]),
-        .out_valid(distance_out_valid),
-        .out_ready(distance_out_ready),
-        .out_thread(distance_out_thread),
-        .out_address(distance_out_address),
-        .out_last(distance_out_last),
-        .out_distance0(distance_out_distance0),
-        .out_distance1(distance_out_distance1),
-        .out_distance2(distance_out_distance2),
-        .out_distance3(distance_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(query_valid), .in_ready(distance_in_ready), .in_thread(points_thread),
+        .in_address(points_address), .in_last(points_last), .in_x0(points_x0), .in_y0(points_y0),
+        .in_z0(points_z0), .in_x1(points_x1), .in_y1(points_y1), .in_z1(points_z1), .in_x2(points_x2),
+        .in_y2(points_y2), .in_z2(points_z2), .in_x3(points_x3), .in_y3(points_y3), .in_z3(points_z3),
+        .in_query_x(query[95:64]), .in_query_y(query[63:32]), .in_query_z(query[31:0]),
+        .out_valid(distance_out_valid), .out_ready(candidates_ready), .out_thread(distance_out_thread),
+        .out_address(distance_out_address), .out_last(distance_out_last),
+        .out_distance0(distance_out_distance0), .out_distance1(distance_out_distance1),
+        .out_distance2(distance_out_distance2), .out_distance3(distance_out_distance3)
     );
 
     always @(posedge clk) begin
@@ -3545,14 +2283,6 @@ module search_leaf (
             points_x3 <= beat_queue_out_x3;
             points_y3 <= beat_queue_out_y3;
             points_z3 <= beat_queue_out_z3;
-        end
-    end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {start_x, start_y, start_z};
-        end
-        if (query_advance) begin
-            query <= queries[beat_queue_out_thread];
         end
     end
 
@@ -3603,395 +2333,185 @@ module search_distance (
     reg [127:0] delay_6_from_0_out;
     reg [4:0] delay_23_from_0_pointer;
     reg [26:0] delay_23_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
+    reg [22:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire [3:0] queue_out_thread;
-    wire [21:0] queue_out_address;
-    wire queue_out_last;
-    wire [31:0] queue_out_distance0;
-    wire [31:0] queue_out_distance1;
-    wire [31:0] queue_out_distance2;
-    wire [31:0] queue_out_distance3;
-    wire [31:0] add_f32_ftz_unit_y;
-    wire [31:0] add_f32_ftz_unit_copy2_y;
-    wire [31:0] add_f32_ftz_unit_copy3_y;
-    wire [31:0] add_f32_ftz_unit_copy4_y;
-    wire [31:0] add_f32_ftz_unit_copy5_y;
-    wire [31:0] add_f32_ftz_unit_copy6_y;
-    wire [31:0] add_f32_ftz_unit_copy7_y;
-    wire [31:0] add_f32_ftz_unit_copy8_y;
-    wire [31:0] add_f32_ftz_unit_copy9_y;
-    wire [31:0] add_f32_ftz_unit_copy10_y;
-    wire [31:0] add_f32_ftz_unit_copy11_y;
-    wire [31:0] add_f32_ftz_unit_copy12_y;
-    wire [31:0] add_f32_ftz_unit_copy13_y;
-    wire [31:0] add_f32_ftz_unit_copy14_y;
-    wire [31:0] add_f32_ftz_unit_copy15_y;
-    wire [31:0] add_f32_ftz_unit_copy16_y;
-    wire [31:0] add_f32_ftz_unit_copy17_y;
-    wire [31:0] add_f32_ftz_unit_copy18_y;
-    wire [31:0] add_f32_ftz_unit_copy19_y;
-    wire [31:0] add_f32_ftz_unit_copy20_y;
-    wire [31:0] mul_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_y;
-    wire [31:0] mul_f32_ftz_unit_copy4_y;
-    wire [31:0] mul_f32_ftz_unit_copy5_y;
-    wire [31:0] mul_f32_ftz_unit_copy6_y;
-    wire [31:0] mul_f32_ftz_unit_copy7_y;
-    wire [31:0] mul_f32_ftz_unit_copy8_y;
-    wire [31:0] mul_f32_ftz_unit_copy9_y;
-    wire [31:0] mul_f32_ftz_unit_copy10_y;
-    wire [31:0] mul_f32_ftz_unit_copy11_y;
-    wire [31:0] mul_f32_ftz_unit_copy12_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [154:0] queue_out_data;
+    wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
+    wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, add_f32_ftz_unit_copy7_y;
+    wire [31:0] add_f32_ftz_unit_copy8_y, add_f32_ftz_unit_copy9_y, add_f32_ftz_unit_copy10_y;
+    wire [31:0] add_f32_ftz_unit_copy11_y, add_f32_ftz_unit_copy12_y, add_f32_ftz_unit_copy13_y;
+    wire [31:0] add_f32_ftz_unit_copy14_y, add_f32_ftz_unit_copy15_y, add_f32_ftz_unit_copy16_y;
+    wire [31:0] add_f32_ftz_unit_copy17_y, add_f32_ftz_unit_copy18_y, add_f32_ftz_unit_copy19_y;
+    wire [31:0] add_f32_ftz_unit_copy20_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_copy3_y;
+    wire [31:0] mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y, mul_f32_ftz_unit_copy6_y;
+    wire [31:0] mul_f32_ftz_unit_copy7_y, mul_f32_ftz_unit_copy8_y, mul_f32_ftz_unit_copy9_y;
+    wire [31:0] mul_f32_ftz_unit_copy10_y, mul_f32_ftz_unit_copy11_y, mul_f32_ftz_unit_copy12_y;
 
-    assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
     wire [31:0] joined_1 = {~in_query_x[31], in_query_x[30:0]};
     wire [31:0] joined_2 = {~in_query_y[31], in_query_y[30:0]};
     wire [31:0] joined_3 = {~in_query_z[31], in_query_z[30:0]};
 
+    assign in_ready = queue_in_ready;
     assign out_valid = queue_out_valid;
-    assign out_thread = queue_out_thread;
-    assign out_address = queue_out_address;
-    assign out_last = queue_out_last;
-    assign out_distance0 = queue_out_distance0;
-    assign out_distance1 = queue_out_distance1;
-    assign out_distance2 = queue_out_distance2;
-    assign out_distance3 = queue_out_distance3;
+    assign {out_thread, out_address, out_last, out_distance0, out_distance1, out_distance2, out_distance3} = queue_out_data;
 
     stream_skid_w155 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d23),
-        .in_ready(queue_in_ready),
-        .in_thread(delay_23_from_0_out[3:0]),
-        .in_address(delay_23_from_0_out[25:4]),
-        .in_last(delay_23_from_0_out[26]),
-        .in_distance0(add_f32_ftz_unit_copy5_y),
-        .in_distance1(add_f32_ftz_unit_copy10_y),
-        .in_distance2(add_f32_ftz_unit_copy15_y),
-        .in_distance3(add_f32_ftz_unit_copy20_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_thread(queue_out_thread),
-        .out_address(queue_out_address),
-        .out_last(queue_out_last),
-        .out_distance0(queue_out_distance0),
-        .out_distance1(queue_out_distance1),
-        .out_distance2(queue_out_distance2),
-        .out_distance3(queue_out_distance3)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[22]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_23_from_0_out[3:0], delay_23_from_0_out[25:4], delay_23_from_0_out[26],
+            add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy10_y, add_f32_ftz_unit_copy15_y,
+            add_f32_ftz_unit_copy20_y
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add add_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_x0),
-        .b(joined_1),
-        .y(add_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_x0), .b(joined_1), .y(add_f32_ftz_unit_y)
     );
 
     float_add add_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_y0),
-        .b(joined_2),
-        .y(add_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_y0), .b(joined_2), .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add add_f32_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_z0),
-        .b(joined_3),
-        .y(add_f32_ftz_unit_copy3_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_z0), .b(joined_3), .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add add_f32_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_y),
-        .b(mul_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_copy2_y),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add add_f32_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy4_y),
-        .b(delay_6_from_0_out[31:0]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(delay_6_from_0_out[31:0]),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add add_f32_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_1),
-        .b(in_x1),
-        .y(add_f32_ftz_unit_copy6_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x1), .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_add add_f32_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_2),
-        .b(in_y1),
-        .y(add_f32_ftz_unit_copy7_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y1), .y(add_f32_ftz_unit_copy7_y)
     );
 
     float_add add_f32_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_3),
-        .b(in_z1),
-        .y(add_f32_ftz_unit_copy8_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z1), .y(add_f32_ftz_unit_copy8_y)
     );
 
     float_add add_f32_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy4_y),
-        .b(mul_f32_ftz_unit_copy5_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy4_y), .b(mul_f32_ftz_unit_copy5_y),
         .y(add_f32_ftz_unit_copy9_y)
     );
 
     float_add add_f32_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy9_y),
-        .b(delay_6_from_0_out[63:32]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy9_y), .b(delay_6_from_0_out[63:32]),
         .y(add_f32_ftz_unit_copy10_y)
     );
 
     float_add add_f32_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_1),
-        .b(in_x2),
-        .y(add_f32_ftz_unit_copy11_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x2), .y(add_f32_ftz_unit_copy11_y)
     );
 
     float_add add_f32_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_2),
-        .b(in_y2),
-        .y(add_f32_ftz_unit_copy12_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y2), .y(add_f32_ftz_unit_copy12_y)
     );
 
     float_add add_f32_ftz_unit_copy13 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_3),
-        .b(in_z2),
-        .y(add_f32_ftz_unit_copy13_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z2), .y(add_f32_ftz_unit_copy13_y)
     );
 
     float_add add_f32_ftz_unit_copy14 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy7_y),
-        .b(mul_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy7_y), .b(mul_f32_ftz_unit_copy8_y),
         .y(add_f32_ftz_unit_copy14_y)
     );
 
     float_add add_f32_ftz_unit_copy15 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy14_y),
-        .b(delay_6_from_0_out[95:64]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy14_y), .b(delay_6_from_0_out[95:64]),
         .y(add_f32_ftz_unit_copy15_y)
     );
 
     float_add add_f32_ftz_unit_copy16 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_1),
-        .b(in_x3),
-        .y(add_f32_ftz_unit_copy16_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_1), .b(in_x3), .y(add_f32_ftz_unit_copy16_y)
     );
 
     float_add add_f32_ftz_unit_copy17 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_2),
-        .b(in_y3),
-        .y(add_f32_ftz_unit_copy17_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_2), .b(in_y3), .y(add_f32_ftz_unit_copy17_y)
     );
 
     float_add add_f32_ftz_unit_copy18 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(joined_3),
-        .b(in_z3),
-        .y(add_f32_ftz_unit_copy18_y)
+        .clk(clk), .enable(queue_in_ready), .a(joined_3), .b(in_z3), .y(add_f32_ftz_unit_copy18_y)
     );
 
     float_add add_f32_ftz_unit_copy19 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy10_y),
-        .b(mul_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy10_y), .b(mul_f32_ftz_unit_copy11_y),
         .y(add_f32_ftz_unit_copy19_y)
     );
 
     float_add add_f32_ftz_unit_copy20 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy19_y),
-        .b(delay_6_from_0_out[127:96]),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy19_y), .b(delay_6_from_0_out[127:96]),
         .y(add_f32_ftz_unit_copy20_y)
     );
 
     float_mul mul_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_y),
-        .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
 
     float_mul mul_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy2_y),
-        .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul mul_f32_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy3_y),
-        .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul mul_f32_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy6_y),
-        .b(add_f32_ftz_unit_copy6_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(add_f32_ftz_unit_copy6_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul mul_f32_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy7_y),
-        .b(add_f32_ftz_unit_copy7_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy7_y), .b(add_f32_ftz_unit_copy7_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_mul mul_f32_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy8_y),
-        .b(add_f32_ftz_unit_copy8_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy8_y), .b(add_f32_ftz_unit_copy8_y),
         .y(mul_f32_ftz_unit_copy6_y)
     );
 
     float_mul mul_f32_ftz_unit_copy7 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy11_y),
-        .b(add_f32_ftz_unit_copy11_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy11_y), .b(add_f32_ftz_unit_copy11_y),
         .y(mul_f32_ftz_unit_copy7_y)
     );
 
     float_mul mul_f32_ftz_unit_copy8 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy12_y),
-        .b(add_f32_ftz_unit_copy12_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy12_y), .b(add_f32_ftz_unit_copy12_y),
         .y(mul_f32_ftz_unit_copy8_y)
     );
 
     float_mul mul_f32_ftz_unit_copy9 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy13_y),
-        .b(add_f32_ftz_unit_copy13_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy13_y), .b(add_f32_ftz_unit_copy13_y),
         .y(mul_f32_ftz_unit_copy9_y)
     );
 
     float_mul mul_f32_ftz_unit_copy10 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy16_y),
-        .b(add_f32_ftz_unit_copy16_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy16_y), .b(add_f32_ftz_unit_copy16_y),
         .y(mul_f32_ftz_unit_copy10_y)
     );
 
     float_mul mul_f32_ftz_unit_copy11 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy17_y),
-        .b(add_f32_ftz_unit_copy17_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy17_y), .b(add_f32_ftz_unit_copy17_y),
         .y(mul_f32_ftz_unit_copy11_y)
     );
 
     float_mul mul_f32_ftz_unit_copy12 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy18_y),
-        .b(add_f32_ftz_unit_copy18_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy18_y), .b(add_f32_ftz_unit_copy18_y),
         .y(mul_f32_ftz_unit_copy12_y)
     );
 
@@ -3999,77 +2519,27 @@ module search_distance (
         if (rst) begin
             delay_6_from_0_pointer <= 3'd0;
             delay_23_from_0_pointer <= 5'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
+            in_flight <= 23'd0;
         end else if (queue_in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
+            in_flight <= {in_flight[21:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_6_from_0[delay_6_from_0_pointer] <= {
-                mul_f32_ftz_unit_copy12_y,
-                mul_f32_ftz_unit_copy9_y,
-                mul_f32_ftz_unit_copy6_y,
+                mul_f32_ftz_unit_copy12_y, mul_f32_ftz_unit_copy9_y, mul_f32_ftz_unit_copy6_y,
                 mul_f32_ftz_unit_copy3_y
             };
         end
-        if (queue_in_ready) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
+        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_23_from_0[delay_23_from_0_pointer] <= {in_last, in_address, in_thread};
         end
-        if (queue_in_ready) begin
-            delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
-        end
+        if (queue_in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
 endmodule
 
@@ -4080,58 +2550,32 @@ module stream_skid_w155 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_distance0,
-    input  wire [31:0] in_distance1,
-    input  wire [31:0] in_distance2,
-    input  wire [31:0] in_distance3,
+    input  wire [154:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_distance0,
-    output wire [31:0] out_distance1,
-    output wire [31:0] out_distance2,
-    output wire [31:0] out_distance3
+    output wire [154:0] out_data
 );
     reg second_valid;
-    reg [154:0] head;
-    reg [154:0] second;
+    reg [154:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [154:0] in_item = {in_thread, in_address, in_last, in_distance0, in_distance1, in_distance2, in_distance3};
 
-    assign out_thread = head[154:151];
-    assign out_address = head[150:129];
-    assign out_last = head[128];
-    assign out_distance0 = head[127:96];
-    assign out_distance1 = head[95:64];
-    assign out_distance2 = head[63:32];
-    assign out_distance3 = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -4157,98 +2601,32 @@ module stream_skid_w411 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [21:0] in_address,
-    input  wire in_last,
-    input  wire [31:0] in_x0,
-    input  wire [31:0] in_y0,
-    input  wire [31:0] in_z0,
-    input  wire [31:0] in_x1,
-    input  wire [31:0] in_y1,
-    input  wire [31:0] in_z1,
-    input  wire [31:0] in_x2,
-    input  wire [31:0] in_y2,
-    input  wire [31:0] in_z2,
-    input  wire [31:0] in_x3,
-    input  wire [31:0] in_y3,
-    input  wire [31:0] in_z3,
+    input  wire [410:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [21:0] out_address,
-    output wire out_last,
-    output wire [31:0] out_x0,
-    output wire [31:0] out_y0,
-    output wire [31:0] out_z0,
-    output wire [31:0] out_x1,
-    output wire [31:0] out_y1,
-    output wire [31:0] out_z1,
-    output wire [31:0] out_x2,
-    output wire [31:0] out_y2,
-    output wire [31:0] out_z2,
-    output wire [31:0] out_x3,
-    output wire [31:0] out_y3,
-    output wire [31:0] out_z3
+    output wire [410:0] out_data
 );
     reg second_valid;
-    reg [410:0] head;
-    reg [410:0] second;
+    reg [410:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [410:0] in_item = {
-        in_thread,
-        in_address,
-        in_last,
-        in_x0,
-        in_y0,
-        in_z0,
-        in_x1,
-        in_y1,
-        in_z1,
-        in_x2,
-        in_y2,
-        in_z2,
-        in_x3,
-        in_y3,
-        in_z3
-    };
 
-    assign out_thread = head[410:407];
-    assign out_address = head[406:385];
-    assign out_last = head[384];
-    assign out_x0 = head[383:352];
-    assign out_y0 = head[351:320];
-    assign out_z0 = head[319:288];
-    assign out_x1 = head[287:256];
-    assign out_y1 = head[255:224];
-    assign out_z1 = head[223:192];
-    assign out_x2 = head[191:160];
-    assign out_y2 = head[159:128];
-    assign out_z2 = head[127:96];
-    assign out_x3 = head[95:64];
-    assign out_y3 = head[63:32];
-    assign out_z3 = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -4303,102 +2681,65 @@ module search_recursion (
     reg [31:0] query_radii [0:15];
     (* ram_style = "distributed" *)
     reg [31:0] leaf_radii [0:15];
-    reg r0_valid;
-    reg r1_valid;
-    reg r2_valid;
-    reg [3:0] r0_thread;
-    reg [3:0] r1_thread;
-    reg [3:0] r2_thread;
+    reg r0_valid, r1_valid, r2_valid;
+    reg [3:0] r0_thread, r1_thread, r2_thread;
     reg found;
     reg [20:0] path_node;
     reg [31:0] path_distance2;
     reg [15:0] from_leaf;
     reg [31:0] radius2;
 
-    wire in_queue_in_ready;
-    wire in_queue_out_valid;
-    wire [3:0] in_queue_out_thread;
-    wire resume_queue_in_ready;
-    wire resume_queue_out_valid;
-    wire [3:0] resume_queue_out_thread;
-    wire [20:0] resume_queue_out_node;
+    wire in_queue_in_ready, in_queue_out_valid;
+    wire [3:0] in_queue_out_data;
+    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire [24:0] resume_queue_out_data;
 
-    assign in_ready = in_queue_in_ready;
     wire advance = ~r2_valid | resume_queue_in_ready;
     wire decides = advance & r2_valid;
     wire popped = decides & found;
     wire nearer = path_distance2 < radius2;
     wire back = popped & ~nearer;
     wire in_queue_out_ready = advance & ~back;
-    wire resume_queue_out_ready = resume_ready;
     wire [15:0] query_set = {
-        start_valid & (start_thread == 4'd15),
-        start_valid & (start_thread == 4'd14),
-        start_valid & (start_thread == 4'd13),
-        start_valid & (start_thread == 4'd12),
-        start_valid & (start_thread == 4'd11),
-        start_valid & (start_thread == 4'd10),
-        start_valid & (start_thread == 4'd9),
-        start_valid & (start_thread == 4'd8),
-        start_valid & (start_thread == 4'd7),
-        start_valid & (start_thread == 4'd6),
-        start_valid & (start_thread == 4'd5),
-        start_valid & (start_thread == 4'd4),
-        start_valid & (start_thread == 4'd3),
-        start_valid & (start_thread == 4'd2),
-        start_valid & (start_thread == 4'd1),
-        start_valid & (start_thread == 4'd0)
+        start_valid & (start_thread == 4'd15), start_valid & (start_thread == 4'd14),
+        start_valid & (start_thread == 4'd13), start_valid & (start_thread == 4'd12),
+        start_valid & (start_thread == 4'd11), start_valid & (start_thread == 4'd10),
+        start_valid & (start_thread == 4'd9), start_valid & (start_thread == 4'd8),
+        start_valid & (start_thread == 4'd7), start_valid & (start_thread == 4'd6),
+        start_valid & (start_thread == 4'd5), start_valid & (start_thread == 4'd4),
+        start_valid & (start_thread == 4'd3), start_valid & (start_thread == 4'd2),
+        start_valid & (start_thread == 4'd1), start_valid & (start_thread == 4'd0)
     };
     wire [15:0] leaf_set = {
-        radius_valid & (radius_thread == 4'd15),
-        radius_valid & (radius_thread == 4'd14),
-        radius_valid & (radius_thread == 4'd13),
-        radius_valid & (radius_thread == 4'd12),
-        radius_valid & (radius_thread == 4'd11),
-        radius_valid & (radius_thread == 4'd10),
-        radius_valid & (radius_thread == 4'd9),
-        radius_valid & (radius_thread == 4'd8),
-        radius_valid & (radius_thread == 4'd7),
-        radius_valid & (radius_thread == 4'd6),
-        radius_valid & (radius_thread == 4'd5),
-        radius_valid & (radius_thread == 4'd4),
-        radius_valid & (radius_thread == 4'd3),
-        radius_valid & (radius_thread == 4'd2),
-        radius_valid & (radius_thread == 4'd1),
-        radius_valid & (radius_thread == 4'd0)
+        radius_valid & (radius_thread == 4'd15), radius_valid & (radius_thread == 4'd14),
+        radius_valid & (radius_thread == 4'd13), radius_valid & (radius_thread == 4'd12),
+        radius_valid & (radius_thread == 4'd11), radius_valid & (radius_thread == 4'd10),
+        radius_valid & (radius_thread == 4'd9), radius_valid & (radius_thread == 4'd8),
+        radius_valid & (radius_thread == 4'd7), radius_valid & (radius_thread == 4'd6),
+        radius_valid & (radius_thread == 4'd5), radius_valid & (radius_thread == 4'd4),
+        radius_valid & (radius_thread == 4'd3), radius_valid & (radius_thread == 4'd2),
+        radius_valid & (radius_thread == 4'd1), radius_valid & (radius_thread == 4'd0)
     };
     wire [15:0] shifted_1 = from_leaf >> r1_thread;
     wire [31:0] leaf_radius2 = leaf_radii[r1_thread];
     wire [31:0] query_radius2 = query_radii[r1_thread];
 
+    assign in_ready = in_queue_in_ready;
     assign resume_valid = resume_queue_out_valid;
-    assign resume_thread = resume_queue_out_thread;
-    assign resume_node = resume_queue_out_node;
+    assign {resume_thread, resume_node} = resume_queue_out_data;
     assign pop_valid = advance & r0_valid;
     assign pop_thread = r0_thread;
 
     stream_skid_w4 in_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(in_valid),
-        .in_ready(in_queue_in_ready),
-        .in_thread(in_thread),
-        .out_valid(in_queue_out_valid),
-        .out_ready(in_queue_out_ready),
-        .out_thread(in_queue_out_thread)
+        .clk(clk), .rst(rst),
+        .in_valid(in_valid), .in_ready(in_queue_in_ready), .in_data(in_thread),
+        .out_valid(in_queue_out_valid), .out_ready(in_queue_out_ready), .out_data(in_queue_out_data)
     );
 
     stream_skid_w25 resume_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(popped & nearer),
-        .in_ready(resume_queue_in_ready),
-        .in_thread(r2_thread),
-        .in_node(path_node),
-        .out_valid(resume_queue_out_valid),
-        .out_ready(resume_queue_out_ready),
-        .out_thread(resume_queue_out_thread),
-        .out_node(resume_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(popped & nearer), .in_ready(resume_queue_in_ready), .in_data({r2_thread, path_node}),
+        .out_valid(resume_queue_out_valid), .out_ready(resume_ready), .out_data(resume_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -4422,7 +2763,7 @@ module search_recursion (
     end
     always @(posedge clk) begin
         if (advance) begin
-            r0_thread <= back ? r2_thread : in_queue_out_thread;
+            r0_thread <= back ? r2_thread : in_queue_out_data;
             r1_thread <= r0_thread;
             r2_thread <= r1_thread;
             found <= ~top_empty;
@@ -4433,14 +2774,10 @@ module search_recursion (
         empty_thread <= r2_thread;
     end
     always @(posedge clk) begin
-        if (start_valid) begin
-            query_radii[start_thread] <= start_radius2;
-        end
+        if (start_valid) query_radii[start_thread] <= start_radius2;
     end
     always @(posedge clk) begin
-        if (radius_valid) begin
-            leaf_radii[radius_thread] <= radius_radius2;
-        end
+        if (radius_valid) leaf_radii[radius_thread] <= radius_radius2;
     end
 
     wire _unused = &{1'b0, shifted_1[15:1], start_k, start_number, start_x, start_y, start_z};
@@ -4453,40 +2790,32 @@ module stream_skid_w4 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
+    input  wire [3:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread
+    output wire [3:0] out_data
 );
     reg second_valid;
-    reg [3:0] head;
-    reg [3:0] second;
+    reg [3:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [3:0] in_item = in_thread;
 
-    assign out_thread = head;
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -4521,76 +2850,48 @@ module search_stack (
     output wire [20:0] top_node,
     output wire [31:0] top_distance2
 );
-    (* no_rw_check *)
-    reg [52:0] paths [0:511];
-    reg [4:0] depth_0;
-    reg [4:0] depth_1;
-    reg [4:0] depth_2;
-    reg [4:0] depth_3;
-    reg [4:0] depth_4;
-    reg [4:0] depth_5;
-    reg [4:0] depth_6;
-    reg [4:0] depth_7;
-    reg [4:0] depth_8;
-    reg [4:0] depth_9;
-    reg [4:0] depth_10;
-    reg [4:0] depth_11;
-    reg [4:0] depth_12;
-    reg [4:0] depth_13;
-    reg [4:0] depth_14;
-    reg [4:0] depth_15;
-    reg [52:0] top;
+    reg [4:0] depth_0, depth_1, depth_2, depth_3, depth_4, depth_5, depth_6, depth_7, depth_8, depth_9, depth_10;
+    reg [4:0] depth_11, depth_12, depth_13, depth_14, depth_15;
+    wire [52:0] top;
 
-    wire [15:0] up = {
-        push_valid & (push_thread == 4'd15),
-        push_valid & (push_thread == 4'd14),
-        push_valid & (push_thread == 4'd13),
-        push_valid & (push_thread == 4'd12),
-        push_valid & (push_thread == 4'd11),
-        push_valid & (push_thread == 4'd10),
-        push_valid & (push_thread == 4'd9),
-        push_valid & (push_thread == 4'd8),
-        push_valid & (push_thread == 4'd7),
-        push_valid & (push_thread == 4'd6),
-        push_valid & (push_thread == 4'd5),
-        push_valid & (push_thread == 4'd4),
-        push_valid & (push_thread == 4'd3),
-        push_valid & (push_thread == 4'd2),
-        push_valid & (push_thread == 4'd1),
-        push_valid & (push_thread == 4'd0)
-    };
-    wire [4:0] choice_1 = pop_thread[1] ? (pop_thread[0] ? depth_15 : depth_14) : pop_thread[0] ? depth_13 : depth_12;
-    wire [4:0] choice_2 = pop_thread[1] ? (pop_thread[0] ? depth_11 : depth_10) : pop_thread[0] ? depth_9 : depth_8;
-    wire [4:0] choice_3 = pop_thread[1] ? (pop_thread[0] ? depth_7 : depth_6) : pop_thread[0] ? depth_5 : depth_4;
-    wire [4:0] choice_4 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
-    wire [4:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? choice_1 : choice_2) : pop_thread[2] ? choice_3 : choice_4;
+    wire [4:0] choice_1 = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
+    wire [4:0] choice_2 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
+    wire [4:0] choice_3 = push_thread[1] ? (push_thread[0] ? depth_7 : depth_6) : push_thread[0] ? depth_5 : depth_4;
+    wire [4:0] choice_4 = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
+    wire [4:0] push_depth = push_thread[3] ? (push_thread[2] ? choice_1 : choice_2) : push_thread[2] ? choice_3 : choice_4;
+    wire [4:0] choice_5 = pop_thread[1] ? (pop_thread[0] ? depth_15 : depth_14) : pop_thread[0] ? depth_13 : depth_12;
+    wire [4:0] choice_6 = pop_thread[1] ? (pop_thread[0] ? depth_11 : depth_10) : pop_thread[0] ? depth_9 : depth_8;
+    wire [4:0] choice_7 = pop_thread[1] ? (pop_thread[0] ? depth_7 : depth_6) : pop_thread[0] ? depth_5 : depth_4;
+    wire [4:0] choice_8 = pop_thread[1] ? (pop_thread[0] ? depth_3 : depth_2) : pop_thread[0] ? depth_1 : depth_0;
+    wire [4:0] pop_depth = pop_thread[3] ? (pop_thread[2] ? choice_5 : choice_6) : pop_thread[2] ? choice_7 : choice_8;
     wire takes = pop_valid & |pop_depth;
+    wire [15:0] up = {
+        push_valid & (push_thread == 4'd15), push_valid & (push_thread == 4'd14),
+        push_valid & (push_thread == 4'd13), push_valid & (push_thread == 4'd12),
+        push_valid & (push_thread == 4'd11), push_valid & (push_thread == 4'd10),
+        push_valid & (push_thread == 4'd9), push_valid & (push_thread == 4'd8),
+        push_valid & (push_thread == 4'd7), push_valid & (push_thread == 4'd6),
+        push_valid & (push_thread == 4'd5), push_valid & (push_thread == 4'd4),
+        push_valid & (push_thread == 4'd3), push_valid & (push_thread == 4'd2),
+        push_valid & (push_thread == 4'd1), push_valid & (push_thread == 4'd0)
+    };
     wire [15:0] down = {
-        takes & (pop_thread == 4'd15),
-        takes & (pop_thread == 4'd14),
-        takes & (pop_thread == 4'd13),
-        takes & (pop_thread == 4'd12),
-        takes & (pop_thread == 4'd11),
-        takes & (pop_thread == 4'd10),
-        takes & (pop_thread == 4'd9),
-        takes & (pop_thread == 4'd8),
-        takes & (pop_thread == 4'd7),
-        takes & (pop_thread == 4'd6),
-        takes & (pop_thread == 4'd5),
-        takes & (pop_thread == 4'd4),
-        takes & (pop_thread == 4'd3),
-        takes & (pop_thread == 4'd2),
-        takes & (pop_thread == 4'd1),
+        takes & (pop_thread == 4'd15), takes & (pop_thread == 4'd14), takes & (pop_thread == 4'd13),
+        takes & (pop_thread == 4'd12), takes & (pop_thread == 4'd11), takes & (pop_thread == 4'd10),
+        takes & (pop_thread == 4'd9), takes & (pop_thread == 4'd8), takes & (pop_thread == 4'd7),
+        takes & (pop_thread == 4'd6), takes & (pop_thread == 4'd5), takes & (pop_thread == 4'd4),
+        takes & (pop_thread == 4'd3), takes & (pop_thread == 4'd2), takes & (pop_thread == 4'd1),
         takes & (pop_thread == 4'd0)
     };
-    wire [4:0] choice_5 = push_thread[1] ? (push_thread[0] ? depth_15 : depth_14) : push_thread[0] ? depth_13 : depth_12;
-    wire [4:0] choice_6 = push_thread[1] ? (push_thread[0] ? depth_11 : depth_10) : push_thread[0] ? depth_9 : depth_8;
-    wire [4:0] choice_7 = push_thread[1] ? (push_thread[0] ? depth_7 : depth_6) : push_thread[0] ? depth_5 : depth_4;
-    wire [4:0] choice_8 = push_thread[1] ? (push_thread[0] ? depth_3 : depth_2) : push_thread[0] ? depth_1 : depth_0;
-    wire [4:0] push_depth = push_thread[3] ? (push_thread[2] ? choice_5 : choice_6) : push_thread[2] ? choice_7 : choice_8;
 
-    assign top_node = top[52:32];
-    assign top_distance2 = top[31:0];
+    assign {top_node, top_distance2} = top;
+
+    memory_1w1r_unordered #(.WIDTH(53), .DEPTH(512)) paths (
+        .clk(clk),
+        .write(push_valid), .write_address({push_thread, push_depth}),
+        .write_data({push_node, push_distance2}),
+        .read(takes), .read_address({pop_thread, pop_depth - 5'd1}), .read_data(top)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -4612,71 +2913,24 @@ module search_stack (
             depth_15 <= 5'd0;
             top_empty <= 1'd1;
         end else begin
-            if (up[0] | down[0]) begin
-                depth_0 <= up[0] ? (depth_0 + 5'd1) : (depth_0 - 5'd1);
-            end
-            if (up[1] | down[1]) begin
-                depth_1 <= up[1] ? (depth_1 + 5'd1) : (depth_1 - 5'd1);
-            end
-            if (up[2] | down[2]) begin
-                depth_2 <= up[2] ? (depth_2 + 5'd1) : (depth_2 - 5'd1);
-            end
-            if (up[3] | down[3]) begin
-                depth_3 <= up[3] ? (depth_3 + 5'd1) : (depth_3 - 5'd1);
-            end
-            if (up[4] | down[4]) begin
-                depth_4 <= up[4] ? (depth_4 + 5'd1) : (depth_4 - 5'd1);
-            end
-            if (up[5] | down[5]) begin
-                depth_5 <= up[5] ? (depth_5 + 5'd1) : (depth_5 - 5'd1);
-            end
-            if (up[6] | down[6]) begin
-                depth_6 <= up[6] ? (depth_6 + 5'd1) : (depth_6 - 5'd1);
-            end
-            if (up[7] | down[7]) begin
-                depth_7 <= up[7] ? (depth_7 + 5'd1) : (depth_7 - 5'd1);
-            end
-            if (up[8] | down[8]) begin
-                depth_8 <= up[8] ? (depth_8 + 5'd1) : (depth_8 - 5'd1);
-            end
-            if (up[9] | down[9]) begin
-                depth_9 <= up[9] ? (depth_9 + 5'd1) : (depth_9 - 5'd1);
-            end
-            if (up[10] | down[10]) begin
-                depth_10 <= up[10] ? (depth_10 + 5'd1) : (depth_10 - 5'd1);
-            end
-            if (up[11] | down[11]) begin
-                depth_11 <= up[11] ? (depth_11 + 5'd1) : (depth_11 - 5'd1);
-            end
-            if (up[12] | down[12]) begin
-                depth_12 <= up[12] ? (depth_12 + 5'd1) : (depth_12 - 5'd1);
-            end
-            if (up[13] | down[13]) begin
-                depth_13 <= up[13] ? (depth_13 + 5'd1) : (depth_13 - 5'd1);
-            end
-            if (up[14] | down[14]) begin
-                depth_14 <= up[14] ? (depth_14 + 5'd1) : (depth_14 - 5'd1);
-            end
-            if (up[15] | down[15]) begin
-                depth_15 <= up[15] ? (depth_15 + 5'd1) : (depth_15 - 5'd1);
-            end
-            if (pop_valid) begin
-                top_empty <= pop_depth == 5'd0;
-            end
+            if (up[0] | down[0]) depth_0 <= up[0] ? (depth_0 + 5'd1) : (depth_0 - 5'd1);
+            if (up[1] | down[1]) depth_1 <= up[1] ? (depth_1 + 5'd1) : (depth_1 - 5'd1);
+            if (up[2] | down[2]) depth_2 <= up[2] ? (depth_2 + 5'd1) : (depth_2 - 5'd1);
+            if (up[3] | down[3]) depth_3 <= up[3] ? (depth_3 + 5'd1) : (depth_3 - 5'd1);
+            if (up[4] | down[4]) depth_4 <= up[4] ? (depth_4 + 5'd1) : (depth_4 - 5'd1);
+            if (up[5] | down[5]) depth_5 <= up[5] ? (depth_5 + 5'd1) : (depth_5 - 5'd1);
+            if (up[6] | down[6]) depth_6 <= up[6] ? (depth_6 + 5'd1) : (depth_6 - 5'd1);
+            if (up[7] | down[7]) depth_7 <= up[7] ? (depth_7 + 5'd1) : (depth_7 - 5'd1);
+            if (up[8] | down[8]) depth_8 <= up[8] ? (depth_8 + 5'd1) : (depth_8 - 5'd1);
+            if (up[9] | down[9]) depth_9 <= up[9] ? (depth_9 + 5'd1) : (depth_9 - 5'd1);
+            if (up[10] | down[10]) depth_10 <= up[10] ? (depth_10 + 5'd1) : (depth_10 - 5'd1);
+            if (up[11] | down[11]) depth_11 <= up[11] ? (depth_11 + 5'd1) : (depth_11 - 5'd1);
+            if (up[12] | down[12]) depth_12 <= up[12] ? (depth_12 + 5'd1) : (depth_12 - 5'd1);
+            if (up[13] | down[13]) depth_13 <= up[13] ? (depth_13 + 5'd1) : (depth_13 - 5'd1);
+            if (up[14] | down[14]) depth_14 <= up[14] ? (depth_14 + 5'd1) : (depth_14 - 5'd1);
+            if (up[15] | down[15]) depth_15 <= up[15] ? (depth_15 + 5'd1) : (depth_15 - 5'd1);
+            if (pop_valid) top_empty <= pop_depth == 5'd0;
         end
-    end
-    always @(posedge clk) begin
-        if (push_valid) begin
-            paths[{push_thread, push_depth}] <= {push_node, push_distance2};
-        end
-        if (takes) begin
-            top <= paths[{pop_thread, pop_depth - 5'd1}];
-        end
-`ifdef RTL_ASSERT
-        if ((push_valid) && (takes) && ({push_thread, push_depth}) == ({pop_thread, pop_depth - 5'd1})) begin
-            top <= ~paths[{pop_thread, pop_depth - 5'd1}];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -4748,7 +3002,6 @@ module search_traversal (
     output wire reached_valid,
     output wire [3:0] reached_thread
 );
-    reg [95:0] queries [0:15];
     reg f_valid;
     reg [3:0] f_thread;
     reg [20:0] f_node;
@@ -4758,53 +3011,33 @@ module search_traversal (
     reg s_valid;
     reg [3:0] s_thread;
     reg [20:0] s_node;
-    reg f_is_child;
-    reg s_at_leaf;
-    reg [31:0] s_coordinate;
-    reg [31:0] s_split;
-    reg [31:0] v_split;
+    reg f_is_child, s_at_leaf;
+    reg [31:0] s_coordinate, s_split, v_split;
     reg [1:0] v_dimension;
     reg v_internal_leaf;
-    reg [95:0] query;
+    wire [95:0] query;
 
-    wire descend_queue_in_ready;
-    wire descend_queue_out_valid;
-    wire [3:0] descend_queue_out_thread;
-    wire [20:0] descend_queue_out_node;
-    wire resume_queue_in_ready;
-    wire resume_queue_out_valid;
-    wire [3:0] resume_queue_out_thread;
-    wire [20:0] resume_queue_out_node;
-    wire leaf_queue_in_ready;
-    wire leaf_queue_out_valid;
-    wire [3:0] leaf_queue_out_thread;
-    wire [19:0] leaf_queue_out_leaf;
-    wire path_in_ready;
-    wire path_out_valid;
-    wire path_out_is_leaf;
+    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire [24:0] descend_queue_out_data;
+    wire resume_queue_in_ready, resume_queue_out_valid;
+    wire [24:0] resume_queue_out_data;
+    wire leaf_queue_in_ready, leaf_queue_out_valid;
+    wire [23:0] leaf_queue_out_data;
+    wire path_in_ready, path_out_valid, path_out_is_leaf;
     wire [3:0] path_out_thread;
     wire [20:0] path_out_node;
     wire [31:0] path_out_distance2;
-    wire node_queue_in_ready;
-    wire node_queue_out_valid;
-    wire [3:0] node_queue_out_thread;
-    wire [20:0] node_queue_out_node;
-    wire record_queue_in_ready;
-    wire record_queue_out_valid;
-    wire [3:0] record_queue_out_thread;
-    wire [20:0] record_queue_out_node;
-    wire [31:0] record_queue_out_split;
-    wire [1:0] record_queue_out_dimension;
-    wire record_queue_out_internal_leaf;
+    wire node_queue_in_ready, node_queue_out_valid;
+    wire [24:0] node_queue_out_data;
+    wire record_queue_in_ready, record_queue_out_valid;
+    wire [59:0] record_queue_out_data;
     wire less_y;
 
-    assign descend_ready = descend_queue_in_ready;
-    assign resume_ready = resume_queue_in_ready;
-    assign record_ready = record_queue_in_ready;
     wire at_leaf = v_node[20] | v_internal_leaf;
     wire reaches = v_valid & at_leaf;
     wire proceeds = node_queue_in_ready & (~reaches | leaf_queue_in_ready);
     wire advance = path_in_ready & proceeds;
+    wire [3:0] record_queue_out_thread = record_queue_out_data[59:56];
     wire descends = v_valid & ~at_leaf;
     wire resumes = resume_queue_out_valid & ~descends;
     wire descend_queue_out_ready = advance & ~(descends | resumes);
@@ -4814,21 +3047,26 @@ module search_traversal (
     wire [20:0] choice_3 = (choice_2[20:17] == 4'd0) ? (choice_2 << 4) : choice_2;
     wire [20:0] choice_4 = (choice_3[20:19] == 2'd0) ? (choice_3 << 2) : choice_3;
     wire [20:0] choice_5 = ~choice_4[20] ? (choice_4 << 1) : choice_4;
-    wire leaf_queue_out_ready = leaf_ready;
-    wire path_out_ready = 1'd1;
-    wire node_queue_out_ready = node_ready;
-    wire record_queue_out_ready = advance;
     wire [31:0] coordinate = v_dimension[1] ? query[31:0] : v_dimension[0] ? query[63:32] : query[95:64];
+    wire [3:0] resume_queue_out_thread = resume_queue_out_data[24:21];
+    wire [3:0] descend_queue_out_thread = descend_queue_out_data[24:21];
     wire [3:0] choice_6 = resume_queue_out_valid ? resume_queue_out_thread : descend_queue_out_thread;
+    wire [20:0] resume_queue_out_node = resume_queue_out_data[20:0];
+    wire [20:0] descend_queue_out_node = descend_queue_out_data[20:0];
     wire [20:0] choice_7 = resume_queue_out_valid ? resume_queue_out_node : descend_queue_out_node;
     wire [20:0] next_node = descends ? {v_node[19:0], 1'd0} : choice_7;
+    wire [20:0] record_queue_out_node = record_queue_out_data[55:35];
+    wire [31:0] record_queue_out_split = record_queue_out_data[34:3];
+    wire [1:0] record_queue_out_dimension = record_queue_out_data[2:1];
+    wire record_queue_out_internal_leaf = record_queue_out_data[0];
 
+    assign descend_ready = descend_queue_in_ready;
+    assign resume_ready = resume_queue_in_ready;
     assign leaf_valid = leaf_queue_out_valid;
-    assign leaf_thread = leaf_queue_out_thread;
-    assign leaf_leaf = leaf_queue_out_leaf;
+    assign {leaf_thread, leaf_leaf} = leaf_queue_out_data;
     assign node_valid = node_queue_out_valid;
-    assign node_thread = node_queue_out_thread;
-    assign node_node = node_queue_out_node;
+    assign {node_thread, node_node} = node_queue_out_data;
+    assign record_ready = record_queue_in_ready;
     assign push_valid = path_out_valid & ~path_out_is_leaf;
     assign push_thread = path_out_thread;
     assign push_node = path_out_node;
@@ -4836,103 +3074,55 @@ module search_traversal (
     assign reached_valid = path_out_valid & path_out_is_leaf;
     assign reached_thread = path_out_thread;
 
-    stream_skid_w25 descend_queue (
+    memory_1w1r #(.WIDTH(96), .DEPTH(16)) queries (
         .clk(clk),
-        .rst(rst),
-        .in_valid(descend_valid),
-        .in_ready(descend_queue_in_ready),
-        .in_thread(descend_thread),
-        .in_node(descend_node),
-        .out_valid(descend_queue_out_valid),
-        .out_ready(descend_queue_out_ready),
-        .out_thread(descend_queue_out_thread),
-        .out_node(descend_queue_out_node)
+        .write(start_valid), .write_address(start_thread), .write_data({start_x, start_y, start_z}),
+        .read(advance), .read_address(record_queue_out_thread), .read_data(query)
+    );
+
+    stream_skid_w25 descend_queue (
+        .clk(clk), .rst(rst),
+        .in_valid(descend_valid), .in_ready(descend_queue_in_ready), .in_data({descend_thread, descend_node}),
+        .out_valid(descend_queue_out_valid), .out_ready(descend_queue_out_ready),
+        .out_data(descend_queue_out_data)
     );
 
     stream_skid_w25 resume_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(resume_valid),
-        .in_ready(resume_queue_in_ready),
-        .in_thread(resume_thread),
-        .in_node(resume_node),
-        .out_valid(resume_queue_out_valid),
-        .out_ready(resume_queue_out_ready),
-        .out_thread(resume_queue_out_thread),
-        .out_node(resume_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(resume_valid), .in_ready(resume_queue_in_ready), .in_data({resume_thread, resume_node}),
+        .out_valid(resume_queue_out_valid), .out_ready(resume_queue_out_ready),
+        .out_data(resume_queue_out_data)
     );
 
     stream_skid_w24 leaf_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(advance & reaches),
-        .in_ready(leaf_queue_in_ready),
-        .in_thread(v_thread),
-        .in_leaf(choice_5[19:0]),
-        .out_valid(leaf_queue_out_valid),
-        .out_ready(leaf_queue_out_ready),
-        .out_thread(leaf_queue_out_thread),
-        .out_leaf(leaf_queue_out_leaf)
+        .clk(clk), .rst(rst),
+        .in_valid(advance & reaches), .in_ready(leaf_queue_in_ready), .in_data({v_thread, choice_5[19:0]}),
+        .out_valid(leaf_queue_out_valid), .out_ready(leaf_ready), .out_data(leaf_queue_out_data)
     );
 
     search_path path (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(s_valid & proceeds),
-        .in_ready(path_in_ready),
-        .in_is_leaf(s_at_leaf),
-        .in_thread(s_thread),
-        .in_node({s_node[19:0], less_y}),
-        .in_coordinate(s_coordinate),
-        .in_split(s_split),
-        .out_valid(path_out_valid),
-        .out_ready(path_out_ready),
-        .out_is_leaf(path_out_is_leaf),
-        .out_thread(path_out_thread),
-        .out_node(path_out_node),
-        .out_distance2(path_out_distance2)
+        .clk(clk), .rst(rst),
+        .in_valid(s_valid & proceeds), .in_ready(path_in_ready), .in_is_leaf(s_at_leaf), .in_thread(s_thread),
+        .in_node({s_node[19:0], less_y}), .in_coordinate(s_coordinate), .in_split(s_split),
+        .out_valid(path_out_valid), .out_ready(1'd1), .out_is_leaf(path_out_is_leaf),
+        .out_thread(path_out_thread), .out_node(path_out_node), .out_distance2(path_out_distance2)
     );
 
     stream_skid_w25 node_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(advance & f_valid),
-        .in_ready(node_queue_in_ready),
-        .in_thread(f_thread),
-        .in_node({f_node[20:1], f_is_child ? ~less_y : f_node[0]}),
-        .out_valid(node_queue_out_valid),
-        .out_ready(node_queue_out_ready),
-        .out_thread(node_queue_out_thread),
-        .out_node(node_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(advance & f_valid), .in_ready(node_queue_in_ready),
+        .in_data({f_thread, f_node[20:1], f_is_child ? ~less_y : f_node[0]}),
+        .out_valid(node_queue_out_valid), .out_ready(node_ready), .out_data(node_queue_out_data)
     );
 
     stream_skid_w60 record_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(record_valid),
-        .in_ready(record_queue_in_ready),
-        .in_thread(record_thread),
-        .in_node(record_node),
-        .in_split(record_split),
-        .in_dimension(record_dimension),
-        .in_internal_leaf(record_internal_leaf),
-        .out_valid(record_queue_out_valid),
-        .out_ready(record_queue_out_ready),
-        .out_thread(record_queue_out_thread),
-        .out_node(record_queue_out_node),
-        .out_split(record_queue_out_split),
-        .out_dimension(record_queue_out_dimension),
-        .out_internal_leaf(record_queue_out_internal_leaf)
+        .clk(clk), .rst(rst),
+        .in_valid(record_valid), .in_ready(record_queue_in_ready),
+        .in_data({record_thread, record_node, record_split, record_dimension, record_internal_leaf}),
+        .out_valid(record_queue_out_valid), .out_ready(advance), .out_data(record_queue_out_data)
     );
 
-    float_lt_s1 less (
-        .clk(clk),
-        .rst(rst),
-        .enable(advance),
-        .a(coordinate),
-        .b(v_split),
-        .y(less_y)
-    );
+    float_lt_s1 less (.clk(clk), .enable(advance), .a(coordinate), .b(v_split), .y(less_y));
 
     always @(posedge clk) begin
         if (rst) begin
@@ -4966,14 +3156,6 @@ module search_traversal (
             v_internal_leaf <= record_queue_out_internal_leaf;
         end
     end
-    always @(posedge clk) begin
-        if (start_valid) begin
-            queries[start_thread] <= {start_x, start_y, start_z};
-        end
-        if (advance) begin
-            query <= queries[record_queue_out_thread];
-        end
-    end
 
     wire _unused = &{1'b0, choice_5[20], s_node[20], start_k, start_number, start_radius2};
 endmodule
@@ -4983,7 +3165,6 @@ endmodule
 // format = f32-ftz
 module float_lt_s1 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     input  wire [31:0] b,
@@ -5000,8 +3181,6 @@ module float_lt_s1 (
             y <= term_5 & ~((joined_2 | joined_4) == 31'd0) & ~((&a[30:23] & |term_1) | (&b[30:23] & |term_3));
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Queue of two in registers.
@@ -5011,52 +3190,32 @@ module stream_skid_w60 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_node,
-    input  wire [31:0] in_split,
-    input  wire [1:0] in_dimension,
-    input  wire in_internal_leaf,
+    input  wire [59:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_node,
-    output wire [31:0] out_split,
-    output wire [1:0] out_dimension,
-    output wire out_internal_leaf
+    output wire [59:0] out_data
 );
     reg second_valid;
-    reg [59:0] head;
-    reg [59:0] second;
+    reg [59:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [59:0] in_item = {in_thread, in_node, in_split, in_dimension, in_internal_leaf};
 
-    assign out_thread = head[59:56];
-    assign out_node = head[55:35];
-    assign out_split = head[34:3];
-    assign out_dimension = head[2:1];
-    assign out_internal_leaf = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5099,107 +3258,47 @@ module search_path (
     reg [25:0] delay_11_from_0 [0:9];
     reg [3:0] delay_11_from_0_pointer;
     reg [25:0] delay_11_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
+    reg [10:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire queue_out_is_leaf;
-    wire [3:0] queue_out_thread;
-    wire [20:0] queue_out_node;
-    wire [31:0] queue_out_distance2;
-    wire [31:0] add_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [57:0] queue_out_data;
+    wire [31:0] add_f32_ftz_unit_y, mul_f32_ftz_unit_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_is_leaf = queue_out_is_leaf;
-    assign out_thread = queue_out_thread;
-    assign out_node = queue_out_node;
-    assign out_distance2 = queue_out_distance2;
+    assign {out_is_leaf, out_thread, out_node, out_distance2} = queue_out_data;
 
     stream_skid_w58 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d11),
-        .in_ready(queue_in_ready),
-        .in_is_leaf(delay_11_from_0_out[0]),
-        .in_thread(delay_11_from_0_out[4:1]),
-        .in_node(delay_11_from_0_out[25:5]),
-        .in_distance2(mul_f32_ftz_unit_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_is_leaf(queue_out_is_leaf),
-        .out_thread(queue_out_thread),
-        .out_node(queue_out_node),
-        .out_distance2(queue_out_distance2)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[10]), .in_ready(queue_in_ready),
+        .in_data({delay_11_from_0_out[0], delay_11_from_0_out[4:1], delay_11_from_0_out[25:5], mul_f32_ftz_unit_y}),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add add_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_coordinate),
-        .b({~in_split[31], in_split[30:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_coordinate), .b({~in_split[31], in_split[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
     float_mul mul_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_y),
-        .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_y)
     );
 
     always @(posedge clk) begin
         if (rst) begin
             delay_11_from_0_pointer <= 4'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
+            in_flight <= 11'd0;
         end else if (queue_in_ready) begin
             delay_11_from_0_pointer <= (delay_11_from_0_pointer == 4'd9) ? (delay_11_from_0_pointer - 4'd9) : (delay_11_from_0_pointer + 4'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
+            in_flight <= {in_flight[9:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_11_from_0[delay_11_from_0_pointer] <= {in_node, in_thread, in_is_leaf};
         end
-        if (queue_in_ready) begin
-            delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
-        end
+        if (queue_in_ready) delay_11_from_0_out <= delay_11_from_0[delay_11_from_0_pointer];
     end
 endmodule
 
@@ -5210,49 +3309,32 @@ module stream_skid_w58 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire in_is_leaf,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_node,
-    input  wire [31:0] in_distance2,
+    input  wire [57:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire out_is_leaf,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_node,
-    output wire [31:0] out_distance2
+    output wire [57:0] out_data
 );
     reg second_valid;
-    reg [57:0] head;
-    reg [57:0] second;
+    reg [57:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [57:0] in_item = {in_is_leaf, in_thread, in_node, in_distance2};
 
-    assign out_is_leaf = head[57];
-    assign out_thread = head[56:53];
-    assign out_node = head[52:32];
-    assign out_distance2 = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5278,43 +3360,32 @@ module stream_skid_w24 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [19:0] in_leaf,
+    input  wire [23:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [19:0] out_leaf
+    output wire [23:0] out_data
 );
     reg second_valid;
-    reg [23:0] head;
-    reg [23:0] second;
+    reg [23:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [23:0] in_item = {in_thread, in_leaf};
 
-    assign out_thread = head[23:20];
-    assign out_leaf = head[19:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5377,116 +3448,61 @@ module search_threads (
     input  wire [3:0] released_thread,
     output reg  event_thread_wait
 );
-    reg [15:0] busy;
-    reg [15:0] waiting;
-    reg [15:0] exhausted;
-    reg [15:0] wants_pop;
-    reg [15:0] wants_finish;
-    reg [15:0] behind_pop;
-    reg [15:0] chosen_pop;
+    reg [15:0] busy, waiting, exhausted, wants_pop, wants_finish, behind_pop, chosen_pop;
     reg pop_shown;
-    reg [15:0] behind_finish;
-    reg [15:0] chosen_finish;
+    reg [15:0] behind_finish, chosen_finish;
     reg finish_shown;
-    reg [1:0] outstanding_0;
-    reg [1:0] outstanding_1;
-    reg [1:0] outstanding_2;
-    reg [1:0] outstanding_3;
-    reg [1:0] outstanding_4;
-    reg [1:0] outstanding_5;
-    reg [1:0] outstanding_6;
-    reg [1:0] outstanding_7;
-    reg [1:0] outstanding_8;
-    reg [1:0] outstanding_9;
-    reg [1:0] outstanding_10;
-    reg [1:0] outstanding_11;
-    reg [1:0] outstanding_12;
-    reg [1:0] outstanding_13;
-    reg [1:0] outstanding_14;
-    reg [1:0] outstanding_15;
+    reg [1:0] outstanding_0, outstanding_1, outstanding_2, outstanding_3, outstanding_4, outstanding_5;
+    reg [1:0] outstanding_6, outstanding_7, outstanding_8, outstanding_9, outstanding_10, outstanding_11;
+    reg [1:0] outstanding_12, outstanding_13, outstanding_14, outstanding_15;
 
-    wire descend_queue_in_ready;
-    wire descend_queue_out_valid;
-    wire [3:0] descend_queue_out_thread;
-    wire [20:0] descend_queue_out_node;
+    wire descend_queue_in_ready, descend_queue_out_valid;
+    wire [24:0] descend_queue_out_data;
 
     wire [15:0] free = ~busy & (16'd0 - ~busy);
     assign query_ready = |free & ~start_valid & descend_queue_in_ready;
-    wire descend_queue_out_ready = descend_ready;
     wire take = query_valid & query_ready;
     wire [15:0] released_set = {
-        released_valid & (released_thread == 4'd15),
-        released_valid & (released_thread == 4'd14),
-        released_valid & (released_thread == 4'd13),
-        released_valid & (released_thread == 4'd12),
-        released_valid & (released_thread == 4'd11),
-        released_valid & (released_thread == 4'd10),
-        released_valid & (released_thread == 4'd9),
-        released_valid & (released_thread == 4'd8),
-        released_valid & (released_thread == 4'd7),
-        released_valid & (released_thread == 4'd6),
-        released_valid & (released_thread == 4'd5),
-        released_valid & (released_thread == 4'd4),
-        released_valid & (released_thread == 4'd3),
-        released_valid & (released_thread == 4'd2),
-        released_valid & (released_thread == 4'd1),
-        released_valid & (released_thread == 4'd0)
+        released_valid & (released_thread == 4'd15), released_valid & (released_thread == 4'd14),
+        released_valid & (released_thread == 4'd13), released_valid & (released_thread == 4'd12),
+        released_valid & (released_thread == 4'd11), released_valid & (released_thread == 4'd10),
+        released_valid & (released_thread == 4'd9), released_valid & (released_thread == 4'd8),
+        released_valid & (released_thread == 4'd7), released_valid & (released_thread == 4'd6),
+        released_valid & (released_thread == 4'd5), released_valid & (released_thread == 4'd4),
+        released_valid & (released_thread == 4'd3), released_valid & (released_thread == 4'd2),
+        released_valid & (released_thread == 4'd1), released_valid & (released_thread == 4'd0)
     };
     wire [15:0] kept = ~released_set;
     wire [15:0] leaf_done_set = {
-        leaf_done_valid & (leaf_done_thread == 4'd15),
-        leaf_done_valid & (leaf_done_thread == 4'd14),
-        leaf_done_valid & (leaf_done_thread == 4'd13),
-        leaf_done_valid & (leaf_done_thread == 4'd12),
-        leaf_done_valid & (leaf_done_thread == 4'd11),
-        leaf_done_valid & (leaf_done_thread == 4'd10),
-        leaf_done_valid & (leaf_done_thread == 4'd9),
-        leaf_done_valid & (leaf_done_thread == 4'd8),
-        leaf_done_valid & (leaf_done_thread == 4'd7),
-        leaf_done_valid & (leaf_done_thread == 4'd6),
-        leaf_done_valid & (leaf_done_thread == 4'd5),
-        leaf_done_valid & (leaf_done_thread == 4'd4),
-        leaf_done_valid & (leaf_done_thread == 4'd3),
-        leaf_done_valid & (leaf_done_thread == 4'd2),
-        leaf_done_valid & (leaf_done_thread == 4'd1),
-        leaf_done_valid & (leaf_done_thread == 4'd0)
+        leaf_done_valid & (leaf_done_thread == 4'd15), leaf_done_valid & (leaf_done_thread == 4'd14),
+        leaf_done_valid & (leaf_done_thread == 4'd13), leaf_done_valid & (leaf_done_thread == 4'd12),
+        leaf_done_valid & (leaf_done_thread == 4'd11), leaf_done_valid & (leaf_done_thread == 4'd10),
+        leaf_done_valid & (leaf_done_thread == 4'd9), leaf_done_valid & (leaf_done_thread == 4'd8),
+        leaf_done_valid & (leaf_done_thread == 4'd7), leaf_done_valid & (leaf_done_thread == 4'd6),
+        leaf_done_valid & (leaf_done_thread == 4'd5), leaf_done_valid & (leaf_done_thread == 4'd4),
+        leaf_done_valid & (leaf_done_thread == 4'd3), leaf_done_valid & (leaf_done_thread == 4'd2),
+        leaf_done_valid & (leaf_done_thread == 4'd1), leaf_done_valid & (leaf_done_thread == 4'd0)
     };
     wire [15:0] skipped_set = {
-        skipped_valid & (skipped_thread == 4'd15),
-        skipped_valid & (skipped_thread == 4'd14),
-        skipped_valid & (skipped_thread == 4'd13),
-        skipped_valid & (skipped_thread == 4'd12),
-        skipped_valid & (skipped_thread == 4'd11),
-        skipped_valid & (skipped_thread == 4'd10),
-        skipped_valid & (skipped_thread == 4'd9),
-        skipped_valid & (skipped_thread == 4'd8),
-        skipped_valid & (skipped_thread == 4'd7),
-        skipped_valid & (skipped_thread == 4'd6),
-        skipped_valid & (skipped_thread == 4'd5),
-        skipped_valid & (skipped_thread == 4'd4),
-        skipped_valid & (skipped_thread == 4'd3),
-        skipped_valid & (skipped_thread == 4'd2),
-        skipped_valid & (skipped_thread == 4'd1),
-        skipped_valid & (skipped_thread == 4'd0)
+        skipped_valid & (skipped_thread == 4'd15), skipped_valid & (skipped_thread == 4'd14),
+        skipped_valid & (skipped_thread == 4'd13), skipped_valid & (skipped_thread == 4'd12),
+        skipped_valid & (skipped_thread == 4'd11), skipped_valid & (skipped_thread == 4'd10),
+        skipped_valid & (skipped_thread == 4'd9), skipped_valid & (skipped_thread == 4'd8),
+        skipped_valid & (skipped_thread == 4'd7), skipped_valid & (skipped_thread == 4'd6),
+        skipped_valid & (skipped_thread == 4'd5), skipped_valid & (skipped_thread == 4'd4),
+        skipped_valid & (skipped_thread == 4'd3), skipped_valid & (skipped_thread == 4'd2),
+        skipped_valid & (skipped_thread == 4'd1), skipped_valid & (skipped_thread == 4'd0)
     };
     wire [15:0] leaf_ended = leaf_done_set | skipped_set;
     wire [15:0] reached_set = {
-        reached_valid & (reached_thread == 4'd15),
-        reached_valid & (reached_thread == 4'd14),
-        reached_valid & (reached_thread == 4'd13),
-        reached_valid & (reached_thread == 4'd12),
-        reached_valid & (reached_thread == 4'd11),
-        reached_valid & (reached_thread == 4'd10),
-        reached_valid & (reached_thread == 4'd9),
-        reached_valid & (reached_thread == 4'd8),
-        reached_valid & (reached_thread == 4'd7),
-        reached_valid & (reached_thread == 4'd6),
-        reached_valid & (reached_thread == 4'd5),
-        reached_valid & (reached_thread == 4'd4),
-        reached_valid & (reached_thread == 4'd3),
-        reached_valid & (reached_thread == 4'd2),
-        reached_valid & (reached_thread == 4'd1),
-        reached_valid & (reached_thread == 4'd0)
+        reached_valid & (reached_thread == 4'd15), reached_valid & (reached_thread == 4'd14),
+        reached_valid & (reached_thread == 4'd13), reached_valid & (reached_thread == 4'd12),
+        reached_valid & (reached_thread == 4'd11), reached_valid & (reached_thread == 4'd10),
+        reached_valid & (reached_thread == 4'd9), reached_valid & (reached_thread == 4'd8),
+        reached_valid & (reached_thread == 4'd7), reached_valid & (reached_thread == 4'd6),
+        reached_valid & (reached_thread == 4'd5), reached_valid & (reached_thread == 4'd4),
+        reached_valid & (reached_thread == 4'd3), reached_valid & (reached_thread == 4'd2),
+        reached_valid & (reached_thread == 4'd1), reached_valid & (reached_thread == 4'd0)
     };
     wire [1:0] difference_1 = (outstanding_15 + {1'd0, reached_set[15]}) - {1'd0, leaf_done_set[15]};
     wire [1:0] outstanding_15_next = difference_1 - {1'd0, skipped_set[15]};
@@ -5521,40 +3537,22 @@ module search_threads (
     wire [1:0] difference_16 = (outstanding_0 + {1'd0, reached_set[0]}) - {1'd0, leaf_done_set[0]};
     wire [1:0] outstanding_0_next = difference_16 - {1'd0, skipped_set[0]};
     wire [15:0] joined_17 = {
-        outstanding_15_next < 2'd2,
-        outstanding_14_next < 2'd2,
-        outstanding_13_next < 2'd2,
-        outstanding_12_next < 2'd2,
-        outstanding_11_next < 2'd2,
-        outstanding_10_next < 2'd2,
-        outstanding_9_next < 2'd2,
-        outstanding_8_next < 2'd2,
-        outstanding_7_next < 2'd2,
-        outstanding_6_next < 2'd2,
-        outstanding_5_next < 2'd2,
-        outstanding_4_next < 2'd2,
-        outstanding_3_next < 2'd2,
-        outstanding_2_next < 2'd2,
-        outstanding_1_next < 2'd2,
+        outstanding_15_next < 2'd2, outstanding_14_next < 2'd2, outstanding_13_next < 2'd2,
+        outstanding_12_next < 2'd2, outstanding_11_next < 2'd2, outstanding_10_next < 2'd2,
+        outstanding_9_next < 2'd2, outstanding_8_next < 2'd2, outstanding_7_next < 2'd2,
+        outstanding_6_next < 2'd2, outstanding_5_next < 2'd2, outstanding_4_next < 2'd2,
+        outstanding_3_next < 2'd2, outstanding_2_next < 2'd2, outstanding_1_next < 2'd2,
         outstanding_0_next < 2'd2
     };
     wire [15:0] empty_set = {
-        empty_valid & (empty_thread == 4'd15),
-        empty_valid & (empty_thread == 4'd14),
-        empty_valid & (empty_thread == 4'd13),
-        empty_valid & (empty_thread == 4'd12),
-        empty_valid & (empty_thread == 4'd11),
-        empty_valid & (empty_thread == 4'd10),
-        empty_valid & (empty_thread == 4'd9),
-        empty_valid & (empty_thread == 4'd8),
-        empty_valid & (empty_thread == 4'd7),
-        empty_valid & (empty_thread == 4'd6),
-        empty_valid & (empty_thread == 4'd5),
-        empty_valid & (empty_thread == 4'd4),
-        empty_valid & (empty_thread == 4'd3),
-        empty_valid & (empty_thread == 4'd2),
-        empty_valid & (empty_thread == 4'd1),
-        empty_valid & (empty_thread == 4'd0)
+        empty_valid & (empty_thread == 4'd15), empty_valid & (empty_thread == 4'd14),
+        empty_valid & (empty_thread == 4'd13), empty_valid & (empty_thread == 4'd12),
+        empty_valid & (empty_thread == 4'd11), empty_valid & (empty_thread == 4'd10),
+        empty_valid & (empty_thread == 4'd9), empty_valid & (empty_thread == 4'd8),
+        empty_valid & (empty_thread == 4'd7), empty_valid & (empty_thread == 4'd6),
+        empty_valid & (empty_thread == 4'd5), empty_valid & (empty_thread == 4'd4),
+        empty_valid & (empty_thread == 4'd3), empty_valid & (empty_thread == 4'd2),
+        empty_valid & (empty_thread == 4'd1), empty_valid & (empty_thread == 4'd0)
     };
     wire [15:0] exhausted_now = exhausted | empty_set;
     wire [15:0] pop_next = wants_pop & behind_pop;
@@ -5573,21 +3571,11 @@ module search_threads (
     wire finish_advance = finish_ready | ~finish_shown;
     wire [15:0] granted_finish = first_finish & {16{finish_advance}};
     wire [15:0] joined_19 = {
-        outstanding_15_next == 2'd0,
-        outstanding_14_next == 2'd0,
-        outstanding_13_next == 2'd0,
-        outstanding_12_next == 2'd0,
-        outstanding_11_next == 2'd0,
-        outstanding_10_next == 2'd0,
-        outstanding_9_next == 2'd0,
-        outstanding_8_next == 2'd0,
-        outstanding_7_next == 2'd0,
-        outstanding_6_next == 2'd0,
-        outstanding_5_next == 2'd0,
-        outstanding_4_next == 2'd0,
-        outstanding_3_next == 2'd0,
-        outstanding_2_next == 2'd0,
-        outstanding_1_next == 2'd0,
+        outstanding_15_next == 2'd0, outstanding_14_next == 2'd0, outstanding_13_next == 2'd0,
+        outstanding_12_next == 2'd0, outstanding_11_next == 2'd0, outstanding_10_next == 2'd0,
+        outstanding_9_next == 2'd0, outstanding_8_next == 2'd0, outstanding_7_next == 2'd0,
+        outstanding_6_next == 2'd0, outstanding_5_next == 2'd0, outstanding_4_next == 2'd0,
+        outstanding_3_next == 2'd0, outstanding_2_next == 2'd0, outstanding_1_next == 2'd0,
         outstanding_0_next == 2'd0
     };
     wire [15:0] term_20 = (wants_finish & ~granted_finish) | ((empty_set | leaf_ended) & (exhausted_now & joined_19));
@@ -5595,34 +3583,22 @@ module search_threads (
     wire [15:0] choice_22 = finish_from_next ? (finish_next ^ finish_below_next) : (wants_finish ^ finish_below_any);
 
     assign descend_valid = descend_queue_out_valid;
-    assign descend_thread = descend_queue_out_thread;
-    assign descend_node = descend_queue_out_node;
+    assign {descend_thread, descend_node} = descend_queue_out_data;
     assign pop_valid = pop_shown;
     assign pop_thread = {
-        |(chosen_pop & 16'hff00),
-        |(chosen_pop & 16'hf0f0),
-        |(chosen_pop & 16'hcccc),
+        |(chosen_pop & 16'hff00), |(chosen_pop & 16'hf0f0), |(chosen_pop & 16'hcccc),
         |(chosen_pop & 16'haaaa)
     };
     assign finish_valid = finish_shown;
     assign finish_thread = {
-        |(chosen_finish & 16'hff00),
-        |(chosen_finish & 16'hf0f0),
-        |(chosen_finish & 16'hcccc),
+        |(chosen_finish & 16'hff00), |(chosen_finish & 16'hf0f0), |(chosen_finish & 16'hcccc),
         |(chosen_finish & 16'haaaa)
     };
 
     stream_skid_w25 descend_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(start_valid),
-        .in_ready(descend_queue_in_ready),
-        .in_thread(start_thread),
-        .in_node(21'd1),
-        .out_valid(descend_queue_out_valid),
-        .out_ready(descend_queue_out_ready),
-        .out_thread(descend_queue_out_thread),
-        .out_node(descend_queue_out_node)
+        .clk(clk), .rst(rst),
+        .in_valid(start_valid), .in_ready(descend_queue_in_ready), .in_data({start_thread, 21'd1}),
+        .out_valid(descend_queue_out_valid), .out_ready(descend_ready), .out_data(descend_queue_out_data)
     );
 
     always @(posedge clk) begin
@@ -5680,16 +3656,12 @@ module search_threads (
             outstanding_14 <= outstanding_14_next;
             outstanding_15 <= outstanding_15_next;
             event_thread_wait <= query_valid & &busy;
-            if (pop_advance & |wants_pop) begin
-                behind_pop <= ~choice_21;
-            end
+            if (pop_advance & |wants_pop) behind_pop <= ~choice_21;
             if (pop_advance) begin
                 chosen_pop <= first_pop;
                 pop_shown <= |wants_pop;
             end
-            if (finish_advance & |wants_finish) begin
-                behind_finish <= ~choice_22;
-            end
+            if (finish_advance & |wants_finish) behind_finish <= ~choice_22;
             if (finish_advance) begin
                 chosen_finish <= first_finish;
                 finish_shown <= |wants_finish;
@@ -5748,43 +3720,32 @@ module stream_skid_w25 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [3:0] in_thread,
-    input  wire [20:0] in_node,
+    input  wire [24:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [3:0] out_thread,
-    output wire [20:0] out_node
+    output wire [24:0] out_data
 );
     reg second_valid;
-    reg [24:0] head;
-    reg [24:0] second;
+    reg [24:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [24:0] in_item = {in_thread, in_node};
 
-    assign out_thread = head[24:21];
-    assign out_node = head[20:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -5849,35 +3810,13 @@ module search_neighbor_cache (
     input  wire [23:0] found_index,
     input  wire [31:0] found_distance2
 );
-    reg [127:0] covers [0:7];
-    (* no_rw_check *)
-    reg [55:0] neighborhoods [0:255];
-    reg [5:0] counts [0:7];
-    reg [157:0] tickets [0:31];
     (* ram_style = "distributed" *)
     reg [157:0] asked [0:7];
     reg ball;
-    reg [31:0] far_scale;
-    reg [31:0] margin_scale;
-    reg [7:0] present;
-    reg [7:0] writing;
-    reg [7:0] stale;
-    reg [7:0] version_0;
-    reg [7:0] version_1;
-    reg [7:0] version_2;
-    reg [7:0] version_3;
-    reg [7:0] version_4;
-    reg [7:0] version_5;
-    reg [7:0] version_6;
+    reg [31:0] far_scale, margin_scale;
+    reg [7:0] present, writing, stale, version_0, version_1, version_2, version_3, version_4, version_5, version_6;
     reg [7:0] version_7;
-    reg [2:0] readers_0;
-    reg [2:0] readers_1;
-    reg [2:0] readers_2;
-    reg [2:0] readers_3;
-    reg [2:0] readers_4;
-    reg [2:0] readers_5;
-    reg [2:0] readers_6;
-    reg [2:0] readers_7;
+    reg [2:0] readers_0, readers_1, readers_2, readers_3, readers_4, readers_5, readers_6, readers_7;
     reg older_than_1;
     reg [1:0] older_than_2;
     reg [2:0] older_than_3;
@@ -5887,246 +3826,150 @@ module search_neighbor_cache (
     reg [6:0] older_than_7;
     reg [19:0] taken;
     reg any_ticket;
-    reg [4:0] next_ticket;
-    reg [4:0] under_way;
+    reg [4:0] next_ticket, under_way;
     reg [2:0] next_entry;
     reg [3:0] asked_count;
-    reg [2:0] asked_write_address;
-    reg [2:0] asked_read_address;
+    reg [2:0] asked_write_address, asked_read_address;
     reg i1_valid;
     reg [2:0] i1_entry;
-    reg i1_last;
-    reg i1_present;
+    reg i1_last, i1_present;
     reg [7:0] i1_version;
-    reg [31:0] i1_x;
-    reg [31:0] i1_y;
-    reg [31:0] i1_z;
-    reg [31:0] i1_reach;
-    reg [127:0] entry_cover;
-    reg j_valid;
-    reg j_matches;
+    reg [31:0] i1_x, i1_y, i1_z, i1_reach;
+    wire [127:0] entry_cover;
+    reg j_valid, j_matches;
     reg [2:0] j_entry;
-    reg j_last;
-    reg answered;
-    reg copying;
+    reg j_last, answered, copying;
     reg [2:0] copy_entry;
-    reg [157:0] ticket_query;
+    wire [157:0] ticket_query;
     reg [5:0] copy_rank;
     reg [31:0] copy_previous;
     reg reach_valid;
     reg [2:0] reach_entry;
-    reg [31:0] reach_x;
-    reg [31:0] reach_y;
-    reg [31:0] reach_z;
-    reg [31:0] reach_far2;
-    reg [31:0] reach_near2;
+    reg [31:0] reach_x, reach_y, reach_z, reach_far2, reach_near2;
     reg d0_valid;
     reg [2:0] d0_entry;
     reg [23:0] d0_number;
     reg d0_cached;
-    reg [5:0] count;
-    reg [5:0] d0_rank;
-    reg [5:0] d0_next_rank;
+    wire [5:0] count;
+    reg [5:0] d0_rank, d0_next_rank;
     reg d1_valid;
     reg [23:0] d1_number;
-    reg d1_last;
-    reg d1_found;
-    reg d1_cached;
-    reg [55:0] neighbor;
+    reg d1_last, d1_found, d1_cached;
+    wire [55:0] neighbor;
 
-    wire deliver_queue_in_ready;
-    wire deliver_queue_out_valid;
-    wire [2:0] deliver_queue_out_entry;
-    wire [23:0] deliver_queue_out_number;
-    wire deliver_queue_out_cached;
-    wire result_queue_in_ready;
-    wire result_queue_out_valid;
-    wire [23:0] result_queue_out_number;
-    wire result_queue_out_last;
-    wire result_queue_out_found;
-    wire [23:0] result_queue_out_index;
-    wire [31:0] result_queue_out_distance2;
-    wire result_queue_out_cached;
-    wire query_queue_in_ready;
-    wire query_queue_out_valid;
-    wire [23:0] query_queue_out_number;
-    wire [5:0] query_queue_out_k;
-    wire [31:0] query_queue_out_radius2;
-    wire [31:0] query_queue_out_x;
-    wire [31:0] query_queue_out_y;
-    wire [31:0] query_queue_out_z;
-    wire [31:0] query_queue_out_reach;
-    wire check_in_ready;
-    wire check_out_valid;
+    wire deliver_queue_in_ready, deliver_queue_out_valid;
+    wire [27:0] deliver_queue_out_data;
+    wire result_queue_in_ready, result_queue_out_valid;
+    wire [82:0] result_queue_out_data;
+    wire query_queue_in_ready, query_queue_out_valid;
+    wire [189:0] query_queue_out_data;
+    wire check_in_ready, check_out_valid;
     wire [2:0] check_out_entry;
-    wire check_out_last;
-    wire check_out_present;
+    wire check_out_last, check_out_present;
     wire [7:0] check_out_version;
-    wire check_out_covered;
-    wire search_queue_in_ready;
-    wire search_queue_out_valid;
-    wire [23:0] search_queue_out_number;
-    wire [5:0] search_queue_out_k;
-    wire [31:0] search_queue_out_radius2;
-    wire [31:0] search_queue_out_x;
-    wire [31:0] search_queue_out_y;
-    wire [31:0] search_queue_out_z;
-    wire found_queue_in_ready;
-    wire found_queue_out_valid;
-    wire [23:0] found_queue_out_number;
-    wire found_queue_out_last;
-    wire found_queue_out_found;
-    wire [23:0] found_queue_out_index;
-    wire [31:0] found_queue_out_distance2;
-    wire judge_in_ready;
-    wire judge_out_valid;
+    wire check_out_covered, search_queue_in_ready, search_queue_out_valid;
+    wire [157:0] search_queue_out_data;
+    wire found_queue_in_ready, found_queue_out_valid;
+    wire [81:0] found_queue_out_data;
+    wire judge_in_ready, judge_out_valid;
     wire [2:0] judge_out_entry;
-    wire [31:0] judge_out_x;
-    wire [31:0] judge_out_y;
-    wire [31:0] judge_out_z;
-    wire [31:0] judge_out_c;
+    wire [31:0] judge_out_x, judge_out_y, judge_out_z, judge_out_c;
 
-    assign query_ready = query_queue_in_ready;
-    assign found_ready = found_queue_in_ready;
+    wire i_advance = ~i1_valid | check_in_ready;
+    wire first_entry = next_entry == 3'd0;
+    wire admits = ~(asked_count == 4'd8) & (under_way < 5'd20);
+    wire issues = query_queue_out_valid & i_advance & (~first_entry | admits);
+    wire found_queue_out_last = found_queue_out_data[57];
     wire open = j_valid & ~answered;
-    wire copied = copying;
-    wire [2:0] copied_entry = copy_entry;
-    wire j_given_away = copied & (j_entry == copied_entry);
+    wire j_given_away = copying & (j_entry == copy_entry);
     wire j_reads = j_matches & ~j_given_away;
     wire hit = open & j_reads;
     wire hits = hit & deliver_queue_in_ready;
     wire copy_ready = copying & (~found_queue_out_last | (deliver_queue_in_ready & ~hits));
     wire copy_takes = found_queue_out_valid & copy_ready;
+    wire found_queue_out_found = found_queue_out_data[56];
+    wire copy_stores = copy_takes & found_queue_out_found;
+    wire d_advance = ~d1_valid | result_queue_in_ready;
+    wire d0_reads = d0_valid & d_advance;
     wire copy_ends = copy_takes & found_queue_out_last;
-    wire [157:0] asked_head = asked[asked_read_address];
+    wire [5:0] copy_total = copy_rank + {5'd0, found_queue_out_found};
+    wire term_1 = (copy_rank + 6'd1) == ticket_query[133:128];
+    wire copy_full = found_queue_out_found ? term_1 : (copy_rank == ticket_query[133:128]);
     wire deliver_queue_out_ready = ~d0_valid;
-    wire result_queue_out_ready = result_ready;
-    wire i_advance = ~i1_valid | check_in_ready;
-    wire first_entry = next_entry == 3'd0;
-    wire admits = ~(asked_count == 4'd8) & (under_way < 5'd20);
-    wire issues = query_queue_out_valid & i_advance & (~first_entry | admits);
-    wire last_entry = next_entry == 3'd7;
-    wire query_queue_out_ready = issues & last_entry;
+    wire d0_takes = deliver_queue_out_ready & deliver_queue_out_valid;
+    wire [2:0] deliver_queue_out_entry = deliver_queue_out_data[27:25];
     wire miss = open & (j_last & ~hit);
     wire misses = miss & search_queue_in_ready;
+    wire [157:0] asked_head = asked[asked_read_address];
+    wire [7:0] joined_2 = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
+    wire [7:0] eligible = ~(joined_2 | writing);
+    wire copy_starts = found_queue_out_valid & ~copying & (|eligible & ~hits);
+    wire [23:0] found_queue_out_number = found_queue_out_data[81:58];
+    wire last_entry = next_entry == 3'd7;
+    wire query_queue_out_ready = issues & last_entry;
     wire leaves = j_valid & ~((hit & ~hits) | (miss & ~misses));
     wire j_advance = ~j_valid | leaves;
-    wire check_out_ready = j_advance;
-    wire search_queue_out_ready = search_ready;
-    wire found_queue_out_ready = copy_ready;
-    wire judge_out_ready = 1'd1;
-    wire [7:0] joined_1 = {|readers_7, |readers_6, |readers_5, |readers_4, |readers_3, |readers_2, |readers_1, |readers_0};
-    wire [7:0] eligible = ~(joined_1 | writing);
-    wire copy_starts = found_queue_out_valid & ~copying & (|eligible & ~hits);
     wire [7:0] before_7 = eligible & {1'd0, older_than_7};
     wire [7:0] before_6 = eligible & {~older_than_7[6], 1'd0, older_than_6};
     wire [7:0] before_5 = eligible & {~older_than_7[5], ~older_than_6[5], 1'd0, older_than_5};
-    wire [7:0] joined_2 = {~older_than_7[4], ~older_than_6[4], ~older_than_5[4], 1'd0, older_than_4};
-    wire [7:0] before_4 = eligible & joined_2;
-    wire [7:0] joined_3 = {~older_than_7[3], ~older_than_6[3], ~older_than_5[3], ~older_than_4[3], 1'd0, older_than_3};
-    wire [7:0] before_3 = eligible & joined_3;
-    wire [7:0] joined_4 = {
-        ~older_than_7[2],
-        ~older_than_6[2],
-        ~older_than_5[2],
-        ~older_than_4[2],
-        ~older_than_3[2],
-        1'd0,
+    wire [7:0] joined_3 = {~older_than_7[4], ~older_than_6[4], ~older_than_5[4], 1'd0, older_than_4};
+    wire [7:0] before_4 = eligible & joined_3;
+    wire [7:0] joined_4 = {~older_than_7[3], ~older_than_6[3], ~older_than_5[3], ~older_than_4[3], 1'd0, older_than_3};
+    wire [7:0] before_3 = eligible & joined_4;
+    wire [7:0] joined_5 = {
+        ~older_than_7[2], ~older_than_6[2], ~older_than_5[2], ~older_than_4[2], ~older_than_3[2], 1'd0,
         older_than_2
     };
-    wire [7:0] before_2 = eligible & joined_4;
-    wire [7:0] joined_5 = {
-        ~older_than_7[1],
-        ~older_than_6[1],
-        ~older_than_5[1],
-        ~older_than_4[1],
-        ~older_than_3[1],
-        ~older_than_2[1],
-        1'd0,
-        older_than_1
-    };
-    wire [7:0] before_1 = eligible & joined_5;
+    wire [7:0] before_2 = eligible & joined_5;
     wire [7:0] joined_6 = {
-        ~older_than_7[0],
-        ~older_than_6[0],
-        ~older_than_5[0],
-        ~older_than_4[0],
-        ~older_than_3[0],
-        ~older_than_2[0],
-        ~older_than_1,
-        1'd0
+        ~older_than_7[1], ~older_than_6[1], ~older_than_5[1], ~older_than_4[1], ~older_than_3[1],
+        ~older_than_2[1], 1'd0, older_than_1
     };
-    wire [7:0] before_0 = eligible & joined_6;
+    wire [7:0] before_1 = eligible & joined_6;
+    wire [7:0] joined_7 = {
+        ~older_than_7[0], ~older_than_6[0], ~older_than_5[0], ~older_than_4[0], ~older_than_3[0],
+        ~older_than_2[0], ~older_than_1, 1'd0
+    };
+    wire [7:0] before_0 = eligible & joined_7;
     wire [7:0] oldest = {
-        eligible[7] & (before_7 == 8'd0),
-        eligible[6] & (before_6 == 8'd0),
-        eligible[5] & (before_5 == 8'd0),
-        eligible[4] & (before_4 == 8'd0),
-        eligible[3] & (before_3 == 8'd0),
-        eligible[2] & (before_2 == 8'd0),
-        eligible[1] & (before_1 == 8'd0),
-        eligible[0] & (before_0 == 8'd0)
+        eligible[7] & (before_7 == 8'd0), eligible[6] & (before_6 == 8'd0), eligible[5] & (before_5 == 8'd0),
+        eligible[4] & (before_4 == 8'd0), eligible[3] & (before_3 == 8'd0), eligible[2] & (before_2 == 8'd0),
+        eligible[1] & (before_1 == 8'd0), eligible[0] & (before_0 == 8'd0)
     };
     wire [2:0] victim = {|(oldest & 8'd240), |(oldest & 8'd204), |(oldest & 8'd170)};
     wire [7:0] start_set = {
-        copy_starts & (victim == 3'd7),
-        copy_starts & (victim == 3'd6),
-        copy_starts & (victim == 3'd5),
-        copy_starts & (victim == 3'd4),
-        copy_starts & (victim == 3'd3),
-        copy_starts & (victim == 3'd2),
-        copy_starts & (victim == 3'd1),
-        copy_starts & (victim == 3'd0)
+        copy_starts & (victim == 3'd7), copy_starts & (victim == 3'd6), copy_starts & (victim == 3'd5),
+        copy_starts & (victim == 3'd4), copy_starts & (victim == 3'd3), copy_starts & (victim == 3'd2),
+        copy_starts & (victim == 3'd1), copy_starts & (victim == 3'd0)
     };
     wire [7:0] judged_set = {
-        judge_out_valid & (judge_out_entry == 3'd7),
-        judge_out_valid & (judge_out_entry == 3'd6),
-        judge_out_valid & (judge_out_entry == 3'd5),
-        judge_out_valid & (judge_out_entry == 3'd4),
-        judge_out_valid & (judge_out_entry == 3'd3),
-        judge_out_valid & (judge_out_entry == 3'd2),
-        judge_out_valid & (judge_out_entry == 3'd1),
-        judge_out_valid & (judge_out_entry == 3'd0)
+        judge_out_valid & (judge_out_entry == 3'd7), judge_out_valid & (judge_out_entry == 3'd6),
+        judge_out_valid & (judge_out_entry == 3'd5), judge_out_valid & (judge_out_entry == 3'd4),
+        judge_out_valid & (judge_out_entry == 3'd3), judge_out_valid & (judge_out_entry == 3'd2),
+        judge_out_valid & (judge_out_entry == 3'd1), judge_out_valid & (judge_out_entry == 3'd0)
     };
     wire [7:0] hit_set = {
-        hits & (j_entry == 3'd7),
-        hits & (j_entry == 3'd6),
-        hits & (j_entry == 3'd5),
-        hits & (j_entry == 3'd4),
-        hits & (j_entry == 3'd3),
-        hits & (j_entry == 3'd2),
-        hits & (j_entry == 3'd1),
-        hits & (j_entry == 3'd0)
+        hits & (j_entry == 3'd7), hits & (j_entry == 3'd6), hits & (j_entry == 3'd5),
+        hits & (j_entry == 3'd4), hits & (j_entry == 3'd3), hits & (j_entry == 3'd2),
+        hits & (j_entry == 3'd1), hits & (j_entry == 3'd0)
     };
     wire [7:0] end_set = {
-        copy_ends & (copy_entry == 3'd7),
-        copy_ends & (copy_entry == 3'd6),
-        copy_ends & (copy_entry == 3'd5),
-        copy_ends & (copy_entry == 3'd4),
-        copy_ends & (copy_entry == 3'd3),
-        copy_ends & (copy_entry == 3'd2),
-        copy_ends & (copy_entry == 3'd1),
-        copy_ends & (copy_entry == 3'd0)
+        copy_ends & (copy_entry == 3'd7), copy_ends & (copy_entry == 3'd6), copy_ends & (copy_entry == 3'd5),
+        copy_ends & (copy_entry == 3'd4), copy_ends & (copy_entry == 3'd3), copy_ends & (copy_entry == 3'd2),
+        copy_ends & (copy_entry == 3'd1), copy_ends & (copy_entry == 3'd0)
     };
     wire [7:0] more_readers = hit_set | end_set;
-    wire d_advance = ~d1_valid | result_queue_in_ready;
-    wire d0_reads = d0_valid & d_advance;
     wire d0_last = (d0_next_rank == count) | (count == 6'd0);
     wire releases = d0_reads & d0_last;
     wire [7:0] release_set = {
-        releases & (d0_entry == 3'd7),
-        releases & (d0_entry == 3'd6),
-        releases & (d0_entry == 3'd5),
-        releases & (d0_entry == 3'd4),
-        releases & (d0_entry == 3'd3),
-        releases & (d0_entry == 3'd2),
-        releases & (d0_entry == 3'd1),
-        releases & (d0_entry == 3'd0)
+        releases & (d0_entry == 3'd7), releases & (d0_entry == 3'd6), releases & (d0_entry == 3'd5),
+        releases & (d0_entry == 3'd4), releases & (d0_entry == 3'd3), releases & (d0_entry == 3'd2),
+        releases & (d0_entry == 3'd1), releases & (d0_entry == 3'd0)
     };
     wire [7:0] used = hit_set | start_set;
     wire [19:0] lowest_ticket = ~taken & (20'd0 - ~taken);
     wire takes_ticket = ~any_ticket | misses;
-    wire [19:0] joined_7 = {
+    wire [19:0] joined_8 = {
         copy_ends & (found_queue_out_number[4:0] == 5'd19),
         copy_ends & (found_queue_out_number[4:0] == 5'd18),
         copy_ends & (found_queue_out_number[4:0] == 5'd17),
@@ -6136,200 +3979,128 @@ module search_neighbor_cache (
         copy_ends & (found_queue_out_number[4:0] == 5'd13),
         copy_ends & (found_queue_out_number[4:0] == 5'd12),
         copy_ends & (found_queue_out_number[4:0] == 5'd11),
-        copy_ends & (found_queue_out_number[4:0] == 5'd10),
-        copy_ends & (found_queue_out_number[4:0] == 5'd9),
-        copy_ends & (found_queue_out_number[4:0] == 5'd8),
-        copy_ends & (found_queue_out_number[4:0] == 5'd7),
-        copy_ends & (found_queue_out_number[4:0] == 5'd6),
-        copy_ends & (found_queue_out_number[4:0] == 5'd5),
-        copy_ends & (found_queue_out_number[4:0] == 5'd4),
-        copy_ends & (found_queue_out_number[4:0] == 5'd3),
-        copy_ends & (found_queue_out_number[4:0] == 5'd2),
-        copy_ends & (found_queue_out_number[4:0] == 5'd1),
+        copy_ends & (found_queue_out_number[4:0] == 5'd10), copy_ends & (found_queue_out_number[4:0] == 5'd9),
+        copy_ends & (found_queue_out_number[4:0] == 5'd8), copy_ends & (found_queue_out_number[4:0] == 5'd7),
+        copy_ends & (found_queue_out_number[4:0] == 5'd6), copy_ends & (found_queue_out_number[4:0] == 5'd5),
+        copy_ends & (found_queue_out_number[4:0] == 5'd4), copy_ends & (found_queue_out_number[4:0] == 5'd3),
+        copy_ends & (found_queue_out_number[4:0] == 5'd2), copy_ends & (found_queue_out_number[4:0] == 5'd1),
         copy_ends & (found_queue_out_number[4:0] == 5'd0)
     };
     wire enters = issues & first_entry;
     wire asked_pops = leaves & j_last;
-    wire [4:0] difference_8 = (under_way + {4'd0, enters}) - {4'd0, asked_pops & ~misses};
-    wire [7:0] shifted_9 = present >> next_entry;
-    wire [7:0] choice_10 = next_entry[1] ? (next_entry[0] ? version_7 : version_6) : next_entry[0] ? version_5 : version_4;
-    wire [7:0] choice_11 = next_entry[1] ? (next_entry[0] ? version_3 : version_2) : next_entry[0] ? version_1 : version_0;
-    wire [7:0] shifted_12 = present >> check_out_entry;
-    wire [7:0] choice_13 = check_out_entry[1] ? (check_out_entry[0] ? version_7 : version_6) : check_out_entry[0] ? version_5 : version_4;
-    wire [7:0] choice_14 = check_out_entry[1] ? (check_out_entry[0] ? version_3 : version_2) : check_out_entry[0] ? version_1 : version_0;
-    wire term_15 = check_out_version == (check_out_entry[2] ? choice_13 : choice_14);
-    wire matched = check_out_covered & (check_out_present & shifted_12[0] & term_15);
-    wire copy_stores = copy_takes & found_queue_out_found;
-    wire term_16 = copy_starts | copy_stores;
-    wire [5:0] copy_total = copy_rank + {5'd0, found_queue_out_found};
-    wire term_17 = (copy_rank + 6'd1) == ticket_query[133:128];
-    wire copy_full = found_queue_out_found ? term_17 : (copy_rank == ticket_query[133:128]);
-    wire choice_18 = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[133:128]) : term_17;
+    wire [4:0] difference_9 = (under_way + {4'd0, enters}) - {4'd0, asked_pops & ~misses};
+    wire [7:0] shifted_10 = present >> next_entry;
+    wire [7:0] choice_11 = next_entry[1] ? (next_entry[0] ? version_7 : version_6) : next_entry[0] ? version_5 : version_4;
+    wire [7:0] choice_12 = next_entry[1] ? (next_entry[0] ? version_3 : version_2) : next_entry[0] ? version_1 : version_0;
+    wire [31:0] query_queue_out_x = query_queue_out_data[127:96];
+    wire [31:0] query_queue_out_y = query_queue_out_data[95:64];
+    wire [31:0] query_queue_out_z = query_queue_out_data[63:32];
+    wire [31:0] query_queue_out_reach = query_queue_out_data[31:0];
+    wire [7:0] shifted_13 = present >> check_out_entry;
+    wire [7:0] choice_14 = check_out_entry[1] ? (check_out_entry[0] ? version_7 : version_6) : check_out_entry[0] ? version_5 : version_4;
+    wire [7:0] choice_15 = check_out_entry[1] ? (check_out_entry[0] ? version_3 : version_2) : check_out_entry[0] ? version_1 : version_0;
+    wire term_16 = check_out_version == (check_out_entry[2] ? choice_14 : choice_15);
+    wire matched = check_out_covered & (check_out_present & shifted_13[0] & term_16);
+    wire term_17 = copy_starts | copy_stores;
+    wire [31:0] found_queue_out_distance2 = found_queue_out_data[31:0];
+    wire choice_18 = found_queue_out_found ? ((copy_rank + 6'd2) == ticket_query[133:128]) : term_1;
     wire [31:0] choice_19 = found_queue_out_found ? found_queue_out_distance2 : copy_previous;
     wire [31:0] choice_20 = copy_full ? copy_previous : choice_18 ? choice_19 : ticket_query[127:96];
-    wire d0_takes = deliver_queue_out_ready & deliver_queue_out_valid;
+    wire [23:0] deliver_queue_out_number = deliver_queue_out_data[24:1];
+    wire deliver_queue_out_cached = deliver_queue_out_data[0];
     wire term_21 = d0_takes | d0_reads;
 
     assign result_valid = result_queue_out_valid;
-    assign result_number = result_queue_out_number;
-    assign result_last = result_queue_out_last;
-    assign result_found = result_queue_out_found;
-    assign result_index = result_queue_out_index;
-    assign result_distance2 = result_queue_out_distance2;
-    assign result_cached = result_queue_out_cached;
+    assign {result_number, result_last, result_found, result_index, result_distance2, result_cached} = result_queue_out_data;
+    assign query_ready = query_queue_in_ready;
     assign search_valid = search_queue_out_valid;
-    assign search_number = search_queue_out_number;
-    assign search_k = search_queue_out_k;
-    assign search_radius2 = search_queue_out_radius2;
-    assign search_x = search_queue_out_x;
-    assign search_y = search_queue_out_y;
-    assign search_z = search_queue_out_z;
+    assign {search_number, search_k, search_radius2, search_x, search_y, search_z} = search_queue_out_data;
+    assign found_ready = found_queue_in_ready;
+
+    memory_1w1r #(.WIDTH(128), .DEPTH(8)) covers (
+        .clk(clk),
+        .write(judge_out_valid), .write_address(judge_out_entry),
+        .write_data({judge_out_x, judge_out_y, judge_out_z, judge_out_c}),
+        .read(issues), .read_address(next_entry), .read_data(entry_cover)
+    );
+
+    memory_1w1r_unordered #(.WIDTH(56), .DEPTH(256)) neighborhoods (
+        .clk(clk),
+        .write(copy_stores), .write_address({copy_entry, copy_rank[4:0]}),
+        .write_data(found_queue_out_data[55:0]),
+        .read(d0_reads), .read_address({d0_entry, d0_rank[4:0]}), .read_data(neighbor)
+    );
+
+    memory_1w1r #(.WIDTH(6), .DEPTH(8)) counts (
+        .clk(clk),
+        .write(copy_ends), .write_address(copy_entry), .write_data(copy_total - {5'd0, copy_full & ~ball}),
+        .read(d0_takes), .read_address(deliver_queue_out_entry), .read_data(count)
+    );
+
+    memory_1w1r #(.WIDTH(158), .DEPTH(32)) tickets (
+        .clk(clk),
+        .write(misses), .write_address(next_ticket), .write_data(asked_head),
+        .read(copy_starts), .read_address(found_queue_out_number[4:0]), .read_data(ticket_query)
+    );
 
     stream_fifo_d4_w28 deliver_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(hits | copy_ends),
-        .in_ready(deliver_queue_in_ready),
-        .in_entry(hits ? j_entry : copy_entry),
-        .in_number(hits ? asked_head[157:134] : ticket_query[157:134]),
-        .in_cached(hits),
-        .out_valid(deliver_queue_out_valid),
-        .out_ready(deliver_queue_out_ready),
-        .out_entry(deliver_queue_out_entry),
-        .out_number(deliver_queue_out_number),
-        .out_cached(deliver_queue_out_cached)
+        .clk(clk), .rst(rst),
+        .in_valid(hits | copy_ends), .in_ready(deliver_queue_in_ready),
+        .in_data({hits ? j_entry : copy_entry, hits ? asked_head[157:134] : ticket_query[157:134], hits}),
+        .out_valid(deliver_queue_out_valid), .out_ready(deliver_queue_out_ready),
+        .out_data(deliver_queue_out_data)
     );
 
     stream_skid_w83 result_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(d1_valid & result_queue_in_ready),
-        .in_ready(result_queue_in_ready),
-        .in_number(d1_number),
-        .in_last(d1_last),
-        .in_found(d1_found),
-        .in_index(d1_found ? neighbor[55:32] : 24'd0),
-        .in_distance2(d1_found ? neighbor[31:0] : 32'd0),
-        .in_cached(d1_cached),
-        .out_valid(result_queue_out_valid),
-        .out_ready(result_queue_out_ready),
-        .out_number(result_queue_out_number),
-        .out_last(result_queue_out_last),
-        .out_found(result_queue_out_found),
-        .out_index(result_queue_out_index),
-        .out_distance2(result_queue_out_distance2),
-        .out_cached(result_queue_out_cached)
+        .clk(clk), .rst(rst),
+        .in_valid(d1_valid & result_queue_in_ready), .in_ready(result_queue_in_ready),
+        .in_data({
+            d1_number, d1_last, d1_found, d1_found ? neighbor[55:32] : 24'd0, d1_found ? neighbor[31:0] : 32'd0,
+            d1_cached
+        }),
+        .out_valid(result_queue_out_valid), .out_ready(result_ready), .out_data(result_queue_out_data)
     );
 
     stream_skid_w190 query_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(query_valid),
-        .in_ready(query_queue_in_ready),
-        .in_number(query_number),
-        .in_k(query_k),
-        .in_radius2(query_radius2),
-        .in_x(query_x),
-        .in_y(query_y),
-        .in_z(query_z),
-        .in_reach(query_reach),
-        .out_valid(query_queue_out_valid),
-        .out_ready(query_queue_out_ready),
-        .out_number(query_queue_out_number),
-        .out_k(query_queue_out_k),
-        .out_radius2(query_queue_out_radius2),
-        .out_x(query_queue_out_x),
-        .out_y(query_queue_out_y),
-        .out_z(query_queue_out_z),
-        .out_reach(query_queue_out_reach)
+        .clk(clk), .rst(rst),
+        .in_valid(query_valid), .in_ready(query_queue_in_ready),
+        .in_data({query_number, query_k, query_radius2, query_x, query_y, query_z, query_reach}),
+        .out_valid(query_queue_out_valid), .out_ready(query_queue_out_ready), .out_data(query_queue_out_data)
     );
 
     search_check check (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(i1_valid),
-        .in_ready(check_in_ready),
-        .in_entry(i1_entry),
-        .in_last(i1_last),
-        .in_present(i1_present),
-        .in_version(i1_version),
-        .in_x(i1_x),
-        .in_y(i1_y),
-        .in_z(i1_z),
-        .in_reach(i1_reach),
-        .in_entry_x(entry_cover[127:96]),
-        .in_entry_y(entry_cover[95:64]),
-        .in_entry_z(entry_cover[63:32]),
-        .in_entry_c(entry_cover[31:0]),
+        .clk(clk), .rst(rst),
+        .in_valid(i1_valid), .in_ready(check_in_ready), .in_entry(i1_entry), .in_last(i1_last),
+        .in_present(i1_present), .in_version(i1_version), .in_x(i1_x), .in_y(i1_y), .in_z(i1_z),
+        .in_reach(i1_reach), .in_entry_x(entry_cover[127:96]), .in_entry_y(entry_cover[95:64]),
+        .in_entry_z(entry_cover[63:32]), .in_entry_c(entry_cover[31:0]),
         .margin_scale(margin_scale),
-        .out_valid(check_out_valid),
-        .out_ready(check_out_ready),
-        .out_entry(check_out_entry),
-        .out_last(check_out_last),
-        .out_present(check_out_present),
-        .out_version(check_out_version),
+        .out_valid(check_out_valid), .out_ready(j_advance), .out_entry(check_out_entry),
+        .out_last(check_out_last), .out_present(check_out_present), .out_version(check_out_version),
         .out_covered(check_out_covered)
     );
 
     stream_skid_w158 search_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(misses),
-        .in_ready(search_queue_in_ready),
-        .in_number({19'd0, next_ticket}),
-        .in_k(asked_head[133:128]),
-        .in_radius2(asked_head[127:96]),
-        .in_x(asked_head[95:64]),
-        .in_y(asked_head[63:32]),
-        .in_z(asked_head[31:0]),
-        .out_valid(search_queue_out_valid),
-        .out_ready(search_queue_out_ready),
-        .out_number(search_queue_out_number),
-        .out_k(search_queue_out_k),
-        .out_radius2(search_queue_out_radius2),
-        .out_x(search_queue_out_x),
-        .out_y(search_queue_out_y),
-        .out_z(search_queue_out_z)
+        .clk(clk), .rst(rst),
+        .in_valid(misses), .in_ready(search_queue_in_ready),
+        .in_data({19'd0, next_ticket, asked_head[133:0]}),
+        .out_valid(search_queue_out_valid), .out_ready(search_ready), .out_data(search_queue_out_data)
     );
 
     stream_skid_w82 found_queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(found_valid),
-        .in_ready(found_queue_in_ready),
-        .in_number(found_number),
-        .in_last(found_last),
-        .in_found(found_found),
-        .in_index(found_index),
-        .in_distance2(found_distance2),
-        .out_valid(found_queue_out_valid),
-        .out_ready(found_queue_out_ready),
-        .out_number(found_queue_out_number),
-        .out_last(found_queue_out_last),
-        .out_found(found_queue_out_found),
-        .out_index(found_queue_out_index),
-        .out_distance2(found_queue_out_distance2)
+        .clk(clk), .rst(rst),
+        .in_valid(found_valid), .in_ready(found_queue_in_ready),
+        .in_data({found_number, found_last, found_found, found_index, found_distance2}),
+        .out_valid(found_queue_out_valid), .out_ready(copy_ready), .out_data(found_queue_out_data)
     );
 
     search_cover judge (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(reach_valid),
-        .in_ready(judge_in_ready),
-        .in_entry(reach_entry),
-        .in_x(reach_x),
-        .in_y(reach_y),
-        .in_z(reach_z),
-        .in_far2(reach_far2),
-        .in_near2(reach_near2),
+        .clk(clk), .rst(rst),
+        .in_valid(reach_valid), .in_ready(judge_in_ready), .in_entry(reach_entry), .in_x(reach_x),
+        .in_y(reach_y), .in_z(reach_z), .in_far2(reach_far2), .in_near2(reach_near2),
         .far_scale(far_scale),
-        .out_valid(judge_out_valid),
-        .out_ready(judge_out_ready),
-        .out_entry(judge_out_entry),
-        .out_x(judge_out_x),
-        .out_y(judge_out_y),
-        .out_z(judge_out_z),
-        .out_c(judge_out_c)
+        .out_valid(judge_out_valid), .out_ready(1'd1), .out_entry(judge_out_entry), .out_x(judge_out_x),
+        .out_y(judge_out_y), .out_z(judge_out_z), .out_c(judge_out_c)
     );
 
     always @(posedge clk) begin
@@ -6395,8 +4166,8 @@ module search_neighbor_cache (
             older_than_5 <= used[5] ? 5'd31 : (older_than_5 & ~used[4:0]);
             older_than_6 <= used[6] ? 6'd63 : (older_than_6 & ~used[5:0]);
             older_than_7 <= used[7] ? 7'd127 : (older_than_7 & ~used[6:0]);
-            taken <= (taken | (lowest_ticket & {20{takes_ticket}})) & ~joined_7;
-            under_way <= difference_8 - {4'd0, copy_ends};
+            taken <= (taken | (lowest_ticket & {20{takes_ticket}})) & ~joined_8;
+            under_way <= difference_9 - {4'd0, copy_ends};
             asked_count <= (asked_count + {3'd0, enters}) - {3'd0, asked_pops};
             answered <= (answered | hits) & ~asked_pops;
             event_cache_hit <= hits;
@@ -6404,51 +4175,21 @@ module search_neighbor_cache (
             copying <= copy_starts | (copying & ~copy_ends);
             reach_valid <= copy_ends;
             d0_valid <= d0_takes | (d0_valid & ~releases);
-            if (start_set[0]) begin
-                version_0 <= version_0 + 8'd1;
-            end
-            if (start_set[1]) begin
-                version_1 <= version_1 + 8'd1;
-            end
-            if (start_set[2]) begin
-                version_2 <= version_2 + 8'd1;
-            end
-            if (start_set[3]) begin
-                version_3 <= version_3 + 8'd1;
-            end
-            if (start_set[4]) begin
-                version_4 <= version_4 + 8'd1;
-            end
-            if (start_set[5]) begin
-                version_5 <= version_5 + 8'd1;
-            end
-            if (start_set[6]) begin
-                version_6 <= version_6 + 8'd1;
-            end
-            if (start_set[7]) begin
-                version_7 <= version_7 + 8'd1;
-            end
-            if (takes_ticket) begin
-                any_ticket <= ~(&taken);
-            end
-            if (issues) begin
-                next_entry <= last_entry ? 3'd0 : (next_entry + 3'd1);
-            end
-            if (enters) begin
-                asked_write_address <= asked_write_address + 3'd1;
-            end
-            if (asked_pops) begin
-                asked_read_address <= asked_read_address + 3'd1;
-            end
-            if (i_advance) begin
-                i1_valid <= issues;
-            end
-            if (j_advance) begin
-                j_valid <= check_out_valid;
-            end
-            if (d_advance) begin
-                d1_valid <= d0_valid;
-            end
+            if (start_set[0]) version_0 <= version_0 + 8'd1;
+            if (start_set[1]) version_1 <= version_1 + 8'd1;
+            if (start_set[2]) version_2 <= version_2 + 8'd1;
+            if (start_set[3]) version_3 <= version_3 + 8'd1;
+            if (start_set[4]) version_4 <= version_4 + 8'd1;
+            if (start_set[5]) version_5 <= version_5 + 8'd1;
+            if (start_set[6]) version_6 <= version_6 + 8'd1;
+            if (start_set[7]) version_7 <= version_7 + 8'd1;
+            if (takes_ticket) any_ticket <= ~(&taken);
+            if (issues) next_entry <= last_entry ? 3'd0 : (next_entry + 3'd1);
+            if (enters) asked_write_address <= asked_write_address + 3'd1;
+            if (asked_pops) asked_read_address <= asked_read_address + 3'd1;
+            if (i_advance) i1_valid <= issues;
+            if (j_advance) j_valid <= check_out_valid;
+            if (d_advance) d1_valid <= d0_valid;
         end
     end
     always @(posedge clk) begin
@@ -6459,18 +4200,15 @@ module search_neighbor_cache (
         end
         if (takes_ticket) begin
             next_ticket <= {
-                |(lowest_ticket & 20'hf0000),
-                |(lowest_ticket & 20'hff00),
-                |(lowest_ticket & 20'hf0f0),
-                |(lowest_ticket & 20'hccccc),
-                |(lowest_ticket & 20'haaaaa)
+                |(lowest_ticket & 20'hf0000), |(lowest_ticket & 20'hff00), |(lowest_ticket & 20'hf0f0),
+                |(lowest_ticket & 20'hccccc), |(lowest_ticket & 20'haaaaa)
             };
         end
         if (issues) begin
             i1_entry <= next_entry;
             i1_last <= last_entry;
-            i1_present <= shifted_9[0];
-            i1_version <= next_entry[2] ? choice_10 : choice_11;
+            i1_present <= shifted_10[0];
+            i1_version <= next_entry[2] ? choice_11 : choice_12;
             i1_x <= query_queue_out_x;
             i1_y <= query_queue_out_y;
             i1_z <= query_queue_out_z;
@@ -6487,10 +4225,8 @@ module search_neighbor_cache (
             j_entry <= check_out_entry;
             j_last <= check_out_last;
         end
-        if (copy_starts) begin
-            copy_entry <= victim;
-        end
-        if (term_16) begin
+        if (copy_starts) copy_entry <= victim;
+        if (term_17) begin
             copy_rank <= copy_starts ? 6'd0 : copy_total;
             copy_previous <= copy_starts ? 32'd0 : found_queue_out_distance2;
         end
@@ -6511,56 +4247,10 @@ module search_neighbor_cache (
         end
     end
     always @(posedge clk) begin
-        if (judge_out_valid) begin
-            covers[judge_out_entry] <= {judge_out_x, judge_out_y, judge_out_z, judge_out_c};
-        end
-        if (issues) begin
-            entry_cover <= covers[next_entry];
-        end
-    end
-    always @(posedge clk) begin
-        if (copy_stores) begin
-            neighborhoods[{copy_entry, copy_rank[4:0]}] <= {found_queue_out_index, found_queue_out_distance2};
-        end
-        if (d0_reads) begin
-            neighbor <= neighborhoods[{d0_entry, d0_rank[4:0]}];
-        end
-`ifdef RTL_ASSERT
-        if ((copy_stores) && (d0_reads) && ({copy_entry, copy_rank[4:0]}) == ({d0_entry, d0_rank[4:0]})) begin
-            neighbor <= ~neighborhoods[{d0_entry, d0_rank[4:0]}];
-        end
-`endif
-    end
-    always @(posedge clk) begin
-        if (copy_ends) begin
-            counts[copy_entry] <= copy_total - {5'd0, copy_full & ~ball};
-        end
-        if (d0_takes) begin
-            count <= counts[deliver_queue_out_entry];
-        end
-    end
-    always @(posedge clk) begin
-        if (misses) begin
-            tickets[next_ticket] <= asked_head;
-        end
-        if (copy_starts) begin
-            ticket_query <= tickets[found_queue_out_number[4:0]];
-        end
-    end
-    always @(posedge clk) begin
-        if (enters) begin
-            asked[asked_write_address] <= {
-                query_queue_out_number,
-                query_queue_out_k,
-                query_queue_out_radius2,
-                query_queue_out_x,
-                query_queue_out_y,
-                query_queue_out_z
-            };
-        end
+        if (enters) asked[asked_write_address] <= query_queue_out_data[189:32];
     end
 
-    wire _unused = &{1'b0, d0_rank[5], found_queue_out_number[23:5], judge_in_ready, shifted_12[7:1], shifted_9[7:1]};
+    wire _unused = &{1'b0, d0_rank[5], found_queue_out_number[23:5], judge_in_ready, shifted_10[7:1], shifted_13[7:1]};
 
 `ifdef RTL_ASSERT
     wire [7:0] shifted_22 = present >> j_entry;
@@ -6641,116 +4331,38 @@ module search_cover (
     reg [31:0] delay_5_from_0_out;
     reg [5:0] delay_37_from_0_pointer;
     reg [98:0] delay_37_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
-    reg valid_d24;
-    reg valid_d25;
-    reg valid_d26;
-    reg valid_d27;
-    reg valid_d28;
-    reg valid_d29;
-    reg valid_d30;
-    reg valid_d31;
-    reg valid_d32;
-    reg valid_d33;
-    reg valid_d34;
-    reg valid_d35;
-    reg valid_d36;
-    reg valid_d37;
+    reg [36:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire [2:0] queue_out_entry;
-    wire [31:0] queue_out_x;
-    wire [31:0] queue_out_y;
-    wire [31:0] queue_out_z;
-    wire [31:0] queue_out_c;
-    wire [31:0] sqrt_f32_ftz_unit_y;
-    wire [31:0] sqrt_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_y;
-    wire [31:0] add_f32_ftz_unit_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [130:0] queue_out_data;
+    wire [31:0] sqrt_f32_ftz_unit_y, sqrt_f32_ftz_unit_copy2_y, mul_f32_ftz_unit_y, add_f32_ftz_unit_y;
 
     assign in_ready = queue_in_ready;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_entry = queue_out_entry;
-    assign out_x = queue_out_x;
-    assign out_y = queue_out_y;
-    assign out_z = queue_out_z;
-    assign out_c = queue_out_c;
+    assign {out_entry, out_x, out_y, out_z, out_c} = queue_out_data;
 
     stream_skid_w131 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d37),
-        .in_ready(queue_in_ready),
-        .in_entry(delay_37_from_0_out[2:0]),
-        .in_x(delay_37_from_0_out[34:3]),
-        .in_y(delay_37_from_0_out[66:35]),
-        .in_z(delay_37_from_0_out[98:67]),
-        .in_c(add_f32_ftz_unit_y),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_entry(queue_out_entry),
-        .out_x(queue_out_x),
-        .out_y(queue_out_y),
-        .out_z(queue_out_z),
-        .out_c(queue_out_c)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[36]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_37_from_0_out[2:0], delay_37_from_0_out[34:3], delay_37_from_0_out[66:35],
+            delay_37_from_0_out[98:67], add_f32_ftz_unit_y
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
-    float_sqrt sqrt_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_far2),
-        .y(sqrt_f32_ftz_unit_y)
-    );
+    float_sqrt sqrt_f32_ftz_unit (.clk(clk), .enable(queue_in_ready), .a(in_far2), .y(sqrt_f32_ftz_unit_y));
 
     float_sqrt sqrt_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_near2),
-        .y(sqrt_f32_ftz_unit_copy2_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_near2), .y(sqrt_f32_ftz_unit_copy2_y)
     );
 
     float_mul mul_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(sqrt_f32_ftz_unit_y),
-        .b(far_scale),
-        .y(mul_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(sqrt_f32_ftz_unit_y), .b(far_scale), .y(mul_f32_ftz_unit_y)
     );
 
     float_add add_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_y),
-        .b(delay_5_from_0_out),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(delay_5_from_0_out),
         .y(add_f32_ftz_unit_y)
     );
 
@@ -6758,100 +4370,24 @@ module search_cover (
         if (rst) begin
             delay_5_from_0_pointer <= 2'd0;
             delay_37_from_0_pointer <= 6'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
-            valid_d24 <= 1'd0;
-            valid_d25 <= 1'd0;
-            valid_d26 <= 1'd0;
-            valid_d27 <= 1'd0;
-            valid_d28 <= 1'd0;
-            valid_d29 <= 1'd0;
-            valid_d30 <= 1'd0;
-            valid_d31 <= 1'd0;
-            valid_d32 <= 1'd0;
-            valid_d33 <= 1'd0;
-            valid_d34 <= 1'd0;
-            valid_d35 <= 1'd0;
-            valid_d36 <= 1'd0;
-            valid_d37 <= 1'd0;
+            in_flight <= 37'd0;
         end else if (queue_in_ready) begin
             delay_5_from_0_pointer <= (delay_5_from_0_pointer == 2'd3) ? (delay_5_from_0_pointer - 2'd3) : (delay_5_from_0_pointer + 2'd1);
             delay_37_from_0_pointer <= (delay_37_from_0_pointer == 6'd35) ? (delay_37_from_0_pointer - 6'd35) : (delay_37_from_0_pointer + 6'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
-            valid_d24 <= valid_d23;
-            valid_d25 <= valid_d24;
-            valid_d26 <= valid_d25;
-            valid_d27 <= valid_d26;
-            valid_d28 <= valid_d27;
-            valid_d29 <= valid_d28;
-            valid_d30 <= valid_d29;
-            valid_d31 <= valid_d30;
-            valid_d32 <= valid_d31;
-            valid_d33 <= valid_d32;
-            valid_d34 <= valid_d33;
-            valid_d35 <= valid_d34;
-            valid_d36 <= valid_d35;
-            valid_d37 <= valid_d36;
+            in_flight <= {in_flight[35:0], in_valid};
         end
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_5_from_0[delay_5_from_0_pointer] <= {~sqrt_f32_ftz_unit_copy2_y[31], sqrt_f32_ftz_unit_copy2_y[30:0]};
         end
-        if (queue_in_ready) begin
-            delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
-        end
+        if (queue_in_ready) delay_5_from_0_out <= delay_5_from_0[delay_5_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_37_from_0[delay_37_from_0_pointer] <= {in_z, in_y, in_x, in_entry};
         end
-        if (queue_in_ready) begin
-            delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
-        end
+        if (queue_in_ready) delay_37_from_0_out <= delay_37_from_0[delay_37_from_0_pointer];
     end
 endmodule
 
@@ -6860,7 +4396,6 @@ endmodule
 // format = f32-ftz
 module float_sqrt (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     output reg  [31:0] y
@@ -6924,132 +4459,22 @@ module float_sqrt (
     reg [23:0] root_s23;
     reg [25:0] remainder_s24;
     reg [24:0] root_s24;
-    reg [9:0] exponent_s1;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
-    reg [9:0] exponent_s5;
-    reg [9:0] exponent_s6;
-    reg [9:0] exponent_s7;
-    reg [9:0] exponent_s8;
-    reg [9:0] exponent_s9;
-    reg [9:0] exponent_s10;
-    reg [9:0] exponent_s11;
-    reg [9:0] exponent_s12;
-    reg [9:0] exponent_s13;
-    reg [9:0] exponent_s14;
-    reg [9:0] exponent_s15;
-    reg [9:0] exponent_s16;
-    reg [9:0] exponent_s17;
-    reg [9:0] exponent_s18;
-    reg [9:0] exponent_s19;
-    reg [9:0] exponent_s20;
-    reg [9:0] exponent_s21;
-    reg [9:0] exponent_s22;
-    reg [9:0] exponent_s23;
-    reg [9:0] exponent_s24;
-    reg [9:0] exponent_s25;
+    reg [9:0] exponent_s1, exponent_s2, exponent_s3, exponent_s4, exponent_s5, exponent_s6, exponent_s7;
+    reg [9:0] exponent_s8, exponent_s9, exponent_s10, exponent_s11, exponent_s12, exponent_s13, exponent_s14;
+    reg [9:0] exponent_s15, exponent_s16, exponent_s17, exponent_s18, exponent_s19, exponent_s20, exponent_s21;
+    reg [9:0] exponent_s22, exponent_s23, exponent_s24, exponent_s25;
     reg [25:0] significand_s25;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg sign_s5;
-    reg sign_s6;
-    reg sign_s7;
-    reg sign_s8;
-    reg sign_s9;
-    reg sign_s10;
-    reg sign_s11;
-    reg sign_s12;
-    reg sign_s13;
-    reg sign_s14;
-    reg sign_s15;
-    reg sign_s16;
-    reg sign_s17;
-    reg sign_s18;
-    reg sign_s19;
-    reg sign_s20;
-    reg sign_s21;
-    reg sign_s22;
-    reg sign_s23;
-    reg sign_s24;
-    reg sign_s25;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg nan_s5;
-    reg nan_s6;
-    reg nan_s7;
-    reg nan_s8;
-    reg nan_s9;
-    reg nan_s10;
-    reg nan_s11;
-    reg nan_s12;
-    reg nan_s13;
-    reg nan_s14;
-    reg nan_s15;
-    reg nan_s16;
-    reg nan_s17;
-    reg nan_s18;
-    reg nan_s19;
-    reg nan_s20;
-    reg nan_s21;
-    reg nan_s22;
-    reg nan_s23;
-    reg nan_s24;
-    reg nan_s25;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg infinite_s6;
-    reg infinite_s7;
-    reg infinite_s8;
-    reg infinite_s9;
-    reg infinite_s10;
-    reg infinite_s11;
-    reg infinite_s12;
-    reg infinite_s13;
-    reg infinite_s14;
-    reg infinite_s15;
-    reg infinite_s16;
-    reg infinite_s17;
-    reg infinite_s18;
-    reg infinite_s19;
-    reg infinite_s20;
-    reg infinite_s21;
-    reg infinite_s22;
-    reg infinite_s23;
-    reg infinite_s24;
-    reg infinite_s25;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
-    reg zero_s5;
-    reg zero_s6;
-    reg zero_s7;
-    reg zero_s8;
-    reg zero_s9;
-    reg zero_s10;
-    reg zero_s11;
-    reg zero_s12;
-    reg zero_s13;
-    reg zero_s14;
-    reg zero_s15;
-    reg zero_s16;
-    reg zero_s17;
-    reg zero_s18;
-    reg zero_s19;
-    reg zero_s20;
-    reg zero_s21;
-    reg zero_s22;
-    reg zero_s23;
-    reg zero_s24;
-    reg zero_s25;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, sign_s5, sign_s6, sign_s7, sign_s8, sign_s9, sign_s10, sign_s11;
+    reg sign_s12, sign_s13, sign_s14, sign_s15, sign_s16, sign_s17, sign_s18, sign_s19, sign_s20, sign_s21;
+    reg sign_s22, sign_s23, sign_s24, sign_s25, nan_s1, nan_s2, nan_s3, nan_s4, nan_s5, nan_s6, nan_s7;
+    reg nan_s8, nan_s9, nan_s10, nan_s11, nan_s12, nan_s13, nan_s14, nan_s15, nan_s16, nan_s17, nan_s18;
+    reg nan_s19, nan_s20, nan_s21, nan_s22, nan_s23, nan_s24, nan_s25, infinite_s1, infinite_s2, infinite_s3;
+    reg infinite_s4, infinite_s5, infinite_s6, infinite_s7, infinite_s8, infinite_s9, infinite_s10;
+    reg infinite_s11, infinite_s12, infinite_s13, infinite_s14, infinite_s15, infinite_s16, infinite_s17;
+    reg infinite_s18, infinite_s19, infinite_s20, infinite_s21, infinite_s22, infinite_s23, infinite_s24;
+    reg infinite_s25, zero_s1, zero_s2, zero_s3, zero_s4, zero_s5, zero_s6, zero_s7, zero_s8, zero_s9;
+    reg zero_s10, zero_s11, zero_s12, zero_s13, zero_s14, zero_s15, zero_s16, zero_s17, zero_s18, zero_s19;
+    reg zero_s20, zero_s21, zero_s22, zero_s23, zero_s24, zero_s25;
 
     wire [7:0] a_field = a[30:23];
     wire [22:0] a_fraction = a[22:0];
@@ -7279,34 +4704,11 @@ module float_sqrt (
     end
 
     wire _unused = &{
-        1'b0,
-        difference_10[9],
-        difference_11[10],
-        difference_12[11],
-        difference_13[12],
-        difference_14[13],
-        difference_15[14],
-        difference_16[15],
-        difference_17[16],
-        difference_18[17],
-        difference_19[18],
-        difference_20[19],
-        difference_21[20],
-        difference_22[21],
-        difference_23[22],
-        difference_24[23],
-        difference_25[24],
-        difference_26[25],
-        difference_27[26],
-        difference_4[3],
-        difference_5[4],
-        difference_6[5],
-        difference_7[6],
-        difference_8[7],
-        difference_9[8],
-        rst,
-        significand_s25[25],
-        sum_28[0]
+        1'b0, difference_10[9], difference_11[10], difference_12[11], difference_13[12], difference_14[13],
+        difference_15[14], difference_16[15], difference_17[16], difference_18[17], difference_19[18],
+        difference_20[19], difference_21[20], difference_22[21], difference_23[22], difference_24[23],
+        difference_25[24], difference_26[25], difference_27[26], difference_4[3], difference_5[4],
+        difference_6[5], difference_7[6], difference_8[7], difference_9[8], significand_s25[25], sum_28[0]
     };
 endmodule
 
@@ -7317,52 +4719,32 @@ module stream_skid_w131 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [2:0] in_entry,
-    input  wire [31:0] in_x,
-    input  wire [31:0] in_y,
-    input  wire [31:0] in_z,
-    input  wire [31:0] in_c,
+    input  wire [130:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [2:0] out_entry,
-    output wire [31:0] out_x,
-    output wire [31:0] out_y,
-    output wire [31:0] out_z,
-    output wire [31:0] out_c
+    output wire [130:0] out_data
 );
     reg second_valid;
-    reg [130:0] head;
-    reg [130:0] second;
+    reg [130:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [130:0] in_item = {in_entry, in_x, in_y, in_z, in_c};
 
-    assign out_entry = head[130:128];
-    assign out_x = head[127:96];
-    assign out_y = head[95:64];
-    assign out_z = head[63:32];
-    assign out_c = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -7388,52 +4770,32 @@ module stream_skid_w82 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [23:0] in_number,
-    input  wire in_last,
-    input  wire in_found,
-    input  wire [23:0] in_index,
-    input  wire [31:0] in_distance2,
+    input  wire [81:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [23:0] out_number,
-    output wire out_last,
-    output wire out_found,
-    output wire [23:0] out_index,
-    output wire [31:0] out_distance2
+    output wire [81:0] out_data
 );
     reg second_valid;
-    reg [81:0] head;
-    reg [81:0] second;
+    reg [81:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [81:0] in_item = {in_number, in_last, in_found, in_index, in_distance2};
 
-    assign out_number = head[81:58];
-    assign out_last = head[57];
-    assign out_found = head[56];
-    assign out_index = head[55:32];
-    assign out_distance2 = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -7459,55 +4821,32 @@ module stream_skid_w158 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [23:0] in_number,
-    input  wire [5:0] in_k,
-    input  wire [31:0] in_radius2,
-    input  wire [31:0] in_x,
-    input  wire [31:0] in_y,
-    input  wire [31:0] in_z,
+    input  wire [157:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [23:0] out_number,
-    output wire [5:0] out_k,
-    output wire [31:0] out_radius2,
-    output wire [31:0] out_x,
-    output wire [31:0] out_y,
-    output wire [31:0] out_z
+    output wire [157:0] out_data
 );
     reg second_valid;
-    reg [157:0] head;
-    reg [157:0] second;
+    reg [157:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [157:0] in_item = {in_number, in_k, in_radius2, in_x, in_y, in_z};
 
-    assign out_number = head[157:134];
-    assign out_k = head[133:128];
-    assign out_radius2 = head[127:96];
-    assign out_x = head[95:64];
-    assign out_y = head[63:32];
-    assign out_z = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -7571,197 +4910,92 @@ module search_check (
     reg delay_23_from_0_out;
     reg [4:0] delay_25_from_0_pointer;
     reg [12:0] delay_25_from_0_out;
-    reg valid_d1;
-    reg valid_d2;
-    reg valid_d3;
-    reg valid_d4;
-    reg valid_d5;
-    reg valid_d6;
-    reg valid_d7;
-    reg valid_d8;
-    reg valid_d9;
-    reg valid_d10;
-    reg valid_d11;
-    reg valid_d12;
-    reg valid_d13;
-    reg valid_d14;
-    reg valid_d15;
-    reg valid_d16;
-    reg valid_d17;
-    reg valid_d18;
-    reg valid_d19;
-    reg valid_d20;
-    reg valid_d21;
-    reg valid_d22;
-    reg valid_d23;
-    reg valid_d24;
-    reg valid_d25;
+    reg [24:0] in_flight;
 
-    wire queue_in_ready;
-    wire queue_out_valid;
-    wire [2:0] queue_out_entry;
-    wire queue_out_last;
-    wire queue_out_present;
-    wire [7:0] queue_out_version;
-    wire queue_out_covered;
-    wire [31:0] add_f32_ftz_unit_y;
-    wire [31:0] add_f32_ftz_unit_copy2_y;
-    wire [31:0] add_f32_ftz_unit_copy3_y;
-    wire [31:0] add_f32_ftz_unit_copy4_y;
-    wire [31:0] add_f32_ftz_unit_copy5_y;
-    wire [31:0] add_f32_ftz_unit_copy6_y;
-    wire [31:0] mul_f32_ftz_unit_y;
-    wire [31:0] mul_f32_ftz_unit_copy2_y;
-    wire [31:0] mul_f32_ftz_unit_copy3_y;
-    wire [31:0] mul_f32_ftz_unit_copy4_y;
-    wire [31:0] mul_f32_ftz_unit_copy5_y;
-    wire lt_f32_ftz_unit_y;
-    wire lt_f32_ftz_unit_copy2_y;
+    wire queue_in_ready, queue_out_valid;
+    wire [13:0] queue_out_data;
+    wire [31:0] add_f32_ftz_unit_y, add_f32_ftz_unit_copy2_y, add_f32_ftz_unit_copy3_y, add_f32_ftz_unit_copy4_y;
+    wire [31:0] add_f32_ftz_unit_copy5_y, add_f32_ftz_unit_copy6_y, mul_f32_ftz_unit_y, mul_f32_ftz_unit_copy2_y;
+    wire [31:0] mul_f32_ftz_unit_copy3_y, mul_f32_ftz_unit_copy4_y, mul_f32_ftz_unit_copy5_y;
+    wire lt_f32_ftz_unit_y, lt_f32_ftz_unit_copy2_y;
+
+    wire and_38 = delay_23_from_0_out & lt_f32_ftz_unit_copy2_y;
 
     assign in_ready = queue_in_ready;
-    wire and_38 = delay_23_from_0_out & lt_f32_ftz_unit_copy2_y;
-    wire queue_out_ready = out_ready;
-
     assign out_valid = queue_out_valid;
-    assign out_entry = queue_out_entry;
-    assign out_last = queue_out_last;
-    assign out_present = queue_out_present;
-    assign out_version = queue_out_version;
-    assign out_covered = queue_out_covered;
+    assign {out_entry, out_last, out_present, out_version, out_covered} = queue_out_data;
 
     stream_skid_w14 queue (
-        .clk(clk),
-        .rst(rst),
-        .in_valid(valid_d25),
-        .in_ready(queue_in_ready),
-        .in_entry(delay_25_from_0_out[2:0]),
-        .in_last(delay_25_from_0_out[3]),
-        .in_present(delay_25_from_0_out[4]),
-        .in_version(delay_25_from_0_out[12:5]),
-        .in_covered(and_38),
-        .out_valid(queue_out_valid),
-        .out_ready(queue_out_ready),
-        .out_entry(queue_out_entry),
-        .out_last(queue_out_last),
-        .out_present(queue_out_present),
-        .out_version(queue_out_version),
-        .out_covered(queue_out_covered)
+        .clk(clk), .rst(rst),
+        .in_valid(in_flight[24]), .in_ready(queue_in_ready),
+        .in_data({
+            delay_25_from_0_out[2:0], delay_25_from_0_out[3], delay_25_from_0_out[4], delay_25_from_0_out[12:5],
+            and_38
+        }),
+        .out_valid(queue_out_valid), .out_ready(out_ready), .out_data(queue_out_data)
     );
 
     float_add add_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_x),
-        .b({~in_entry_x[31], in_entry_x[30:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_x), .b({~in_entry_x[31], in_entry_x[30:0]}),
         .y(add_f32_ftz_unit_y)
     );
 
     float_add add_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_y),
-        .b({~in_entry_y[31], in_entry_y[30:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_y), .b({~in_entry_y[31], in_entry_y[30:0]}),
         .y(add_f32_ftz_unit_copy2_y)
     );
 
     float_add add_f32_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_z),
-        .b({~in_entry_z[31], in_entry_z[30:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_z), .b({~in_entry_z[31], in_entry_z[30:0]}),
         .y(add_f32_ftz_unit_copy3_y)
     );
 
     float_add add_f32_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_entry_c),
-        .b({~in_reach[31], in_reach[30:0]}),
+        .clk(clk), .enable(queue_in_ready), .a(in_entry_c), .b({~in_reach[31], in_reach[30:0]}),
         .y(add_f32_ftz_unit_copy4_y)
     );
 
     float_add add_f32_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_copy2_y),
-        .b(mul_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_copy2_y), .b(mul_f32_ftz_unit_copy3_y),
         .y(add_f32_ftz_unit_copy5_y)
     );
 
     float_add add_f32_ftz_unit_copy6 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy5_y),
-        .b(delay_6_from_0_out),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy5_y), .b(delay_6_from_0_out),
         .y(add_f32_ftz_unit_copy6_y)
     );
 
     float_mul mul_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy4_y),
-        .b(margin_scale),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy4_y), .b(margin_scale),
         .y(mul_f32_ftz_unit_y)
     );
 
     float_mul mul_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_y),
-        .b(add_f32_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_y), .b(add_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy2_y)
     );
 
     float_mul mul_f32_ftz_unit_copy3 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy2_y),
-        .b(add_f32_ftz_unit_copy2_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy2_y), .b(add_f32_ftz_unit_copy2_y),
         .y(mul_f32_ftz_unit_copy3_y)
     );
 
     float_mul mul_f32_ftz_unit_copy4 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy3_y),
-        .b(add_f32_ftz_unit_copy3_y),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy3_y), .b(add_f32_ftz_unit_copy3_y),
         .y(mul_f32_ftz_unit_copy4_y)
     );
 
     float_mul mul_f32_ftz_unit_copy5 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(mul_f32_ftz_unit_y),
-        .b(mul_f32_ftz_unit_y),
+        .clk(clk), .enable(queue_in_ready), .a(mul_f32_ftz_unit_y), .b(mul_f32_ftz_unit_y),
         .y(mul_f32_ftz_unit_copy5_y)
     );
 
     float_lt_s2 lt_f32_ftz_unit (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(in_reach),
-        .b(in_entry_c),
-        .y(lt_f32_ftz_unit_y)
+        .clk(clk), .enable(queue_in_ready), .a(in_reach), .b(in_entry_c), .y(lt_f32_ftz_unit_y)
     );
 
     float_lt_s2 lt_f32_ftz_unit_copy2 (
-        .clk(clk),
-        .rst(rst),
-        .enable(queue_in_ready),
-        .a(add_f32_ftz_unit_copy6_y),
-        .b(delay_7_from_0_out),
+        .clk(clk), .enable(queue_in_ready), .a(add_f32_ftz_unit_copy6_y), .b(delay_7_from_0_out),
         .y(lt_f32_ftz_unit_copy2_y)
     );
 
@@ -7771,94 +5005,32 @@ module search_check (
             delay_7_from_0_pointer <= 3'd0;
             delay_23_from_0_pointer <= 5'd0;
             delay_25_from_0_pointer <= 5'd0;
-            valid_d1 <= 1'd0;
-            valid_d2 <= 1'd0;
-            valid_d3 <= 1'd0;
-            valid_d4 <= 1'd0;
-            valid_d5 <= 1'd0;
-            valid_d6 <= 1'd0;
-            valid_d7 <= 1'd0;
-            valid_d8 <= 1'd0;
-            valid_d9 <= 1'd0;
-            valid_d10 <= 1'd0;
-            valid_d11 <= 1'd0;
-            valid_d12 <= 1'd0;
-            valid_d13 <= 1'd0;
-            valid_d14 <= 1'd0;
-            valid_d15 <= 1'd0;
-            valid_d16 <= 1'd0;
-            valid_d17 <= 1'd0;
-            valid_d18 <= 1'd0;
-            valid_d19 <= 1'd0;
-            valid_d20 <= 1'd0;
-            valid_d21 <= 1'd0;
-            valid_d22 <= 1'd0;
-            valid_d23 <= 1'd0;
-            valid_d24 <= 1'd0;
-            valid_d25 <= 1'd0;
+            in_flight <= 25'd0;
         end else if (queue_in_ready) begin
             delay_6_from_0_pointer <= (delay_6_from_0_pointer == 3'd4) ? (delay_6_from_0_pointer - 3'd4) : (delay_6_from_0_pointer + 3'd1);
             delay_7_from_0_pointer <= (delay_7_from_0_pointer == 3'd5) ? (delay_7_from_0_pointer - 3'd5) : (delay_7_from_0_pointer + 3'd1);
             delay_23_from_0_pointer <= (delay_23_from_0_pointer == 5'd21) ? (delay_23_from_0_pointer - 5'd21) : (delay_23_from_0_pointer + 5'd1);
             delay_25_from_0_pointer <= (delay_25_from_0_pointer == 5'd23) ? (delay_25_from_0_pointer - 5'd23) : (delay_25_from_0_pointer + 5'd1);
-            valid_d1 <= in_valid;
-            valid_d2 <= valid_d1;
-            valid_d3 <= valid_d2;
-            valid_d4 <= valid_d3;
-            valid_d5 <= valid_d4;
-            valid_d6 <= valid_d5;
-            valid_d7 <= valid_d6;
-            valid_d8 <= valid_d7;
-            valid_d9 <= valid_d8;
-            valid_d10 <= valid_d9;
-            valid_d11 <= valid_d10;
-            valid_d12 <= valid_d11;
-            valid_d13 <= valid_d12;
-            valid_d14 <= valid_d13;
-            valid_d15 <= valid_d14;
-            valid_d16 <= valid_d15;
-            valid_d17 <= valid_d16;
-            valid_d18 <= valid_d17;
-            valid_d19 <= valid_d18;
-            valid_d20 <= valid_d19;
-            valid_d21 <= valid_d20;
-            valid_d22 <= valid_d21;
-            valid_d23 <= valid_d22;
-            valid_d24 <= valid_d23;
-            valid_d25 <= valid_d24;
+            in_flight <= {in_flight[23:0], in_valid};
         end
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy4_y;
-        end
-        if (queue_in_ready) begin
-            delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
-        end
+        if (queue_in_ready) delay_6_from_0[delay_6_from_0_pointer] <= mul_f32_ftz_unit_copy4_y;
+        if (queue_in_ready) delay_6_from_0_out <= delay_6_from_0[delay_6_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_7_from_0[delay_7_from_0_pointer] <= mul_f32_ftz_unit_copy5_y;
-        end
-        if (queue_in_ready) begin
-            delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
-        end
+        if (queue_in_ready) delay_7_from_0[delay_7_from_0_pointer] <= mul_f32_ftz_unit_copy5_y;
+        if (queue_in_ready) delay_7_from_0_out <= delay_7_from_0[delay_7_from_0_pointer];
     end
     always @(posedge clk) begin
-        if (queue_in_ready) begin
-            delay_23_from_0[delay_23_from_0_pointer] <= lt_f32_ftz_unit_y;
-        end
-        if (queue_in_ready) begin
-            delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
-        end
+        if (queue_in_ready) delay_23_from_0[delay_23_from_0_pointer] <= lt_f32_ftz_unit_y;
+        if (queue_in_ready) delay_23_from_0_out <= delay_23_from_0[delay_23_from_0_pointer];
     end
     always @(posedge clk) begin
         if (queue_in_ready) begin
             delay_25_from_0[delay_25_from_0_pointer] <= {in_version, in_present, in_last, in_entry};
         end
-        if (queue_in_ready) begin
-            delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
-        end
+        if (queue_in_ready) delay_25_from_0_out <= delay_25_from_0[delay_25_from_0_pointer];
     end
 endmodule
 
@@ -7867,15 +5039,12 @@ endmodule
 // format = f32-ftz
 module float_lt_s2 (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     input  wire [31:0] b,
     output reg  y
 );
-    reg unordered_s1;
-    reg both_zero_s1;
-    reg compared_s1;
+    reg unordered_s1, both_zero_s1, compared_s1;
 
     wire [22:0] term_1 = a[22:0] & {23{|a[30:23]}};
     wire [22:0] term_2 = b[22:0] & {23{|b[30:23]}};
@@ -7890,8 +5059,6 @@ module float_lt_s2 (
             y <= compared_s1 & ~both_zero_s1 & ~unordered_s1;
         end
     end
-
-    wire _unused = &{1'b0, rst};
 endmodule
 
 // Floating-point product.
@@ -7899,40 +5066,19 @@ endmodule
 // format = f32-ftz
 module float_mul (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     input  wire [31:0] b,
     output reg  [31:0] y
 );
-    reg [23:0] left_s1;
-    reg [23:0] right_s1;
+    reg [23:0] left_s1, right_s1;
     reg [9:0] exponent_s1;
-    reg [23:0] partial_0_0_s2;
-    reg [23:0] partial_0_12_s2;
-    reg [23:0] partial_12_0_s2;
-    reg [23:0] partial_12_12_s2;
+    reg [23:0] partial_0_0_s2, partial_0_12_s2, partial_12_0_s2, partial_12_12_s2;
     reg [47:0] product_s3;
-    reg [9:0] exponent_s2;
-    reg [9:0] exponent_s3;
-    reg [9:0] exponent_s4;
+    reg [9:0] exponent_s2, exponent_s3, exponent_s4;
     reg [25:0] significand_s4;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg sign_s4;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg nan_s4;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg infinite_s4;
-    reg zero_s1;
-    reg zero_s2;
-    reg zero_s3;
-    reg zero_s4;
+    reg sign_s1, sign_s2, sign_s3, sign_s4, nan_s1, nan_s2, nan_s3, nan_s4, infinite_s1, infinite_s2;
+    reg infinite_s3, infinite_s4, zero_s1, zero_s2, zero_s3, zero_s4;
 
     wire [7:0] a_field = a[30:23];
     wire [22:0] a_fraction = a[22:0];
@@ -7985,7 +5131,7 @@ module float_mul (
         end
     end
 
-    wire _unused = &{1'b0, rst, significand_s4[25]};
+    wire _unused = &{1'b0, significand_s4[25]};
 endmodule
 
 // Floating-point sum.
@@ -7993,46 +5139,22 @@ endmodule
 // format = f32-ftz
 module float_add (
     input  wire clk,
-    input  wire rst,
     input  wire enable,
     input  wire [31:0] a,
     input  wire [31:0] b,
     output reg  [31:0] y
 );
     reg [9:0] distance_s1;
-    reg [23:0] large_s1;
-    reg [23:0] small_s1;
-    reg [23:0] large_s2;
+    reg [23:0] large_s1, small_s1, large_s2;
     reg [26:0] aligned_s2;
-    reg subtract_s1;
-    reg subtract_s2;
+    reg subtract_s1, subtract_s2;
     reg [27:0] sum_s3;
-    reg sign_s1;
-    reg sign_s2;
-    reg sign_s3;
-    reg nan_s1;
-    reg nan_s2;
-    reg nan_s3;
-    reg infinite_s1;
-    reg infinite_s2;
-    reg infinite_s3;
-    reg subtract_s3;
+    reg sign_s1, sign_s2, sign_s3, nan_s1, nan_s2, nan_s3, infinite_s1, infinite_s2, infinite_s3, subtract_s3;
     reg [27:0] value_s4;
     reg [4:0] zeros_s4;
-    reg [9:0] limit_s1;
-    reg [9:0] limit_s2;
-    reg [9:0] limit_s3;
-    reg [9:0] limit_s4;
-    reg [9:0] exponent_s5;
+    reg [9:0] limit_s1, limit_s2, limit_s3, limit_s4, exponent_s5;
     reg [25:0] significand_s5;
-    reg sign_s4;
-    reg sign_s5;
-    reg nan_s4;
-    reg nan_s5;
-    reg infinite_s4;
-    reg infinite_s5;
-    reg zero_s4;
-    reg zero_s5;
+    reg sign_s4, sign_s5, nan_s4, nan_s5, infinite_s4, infinite_s5, zero_s4, zero_s5;
 
     wire swap = a[30:0] < b[30:0];
     wire [7:0] b_field = b[30:23];
@@ -8121,7 +5243,7 @@ module float_add (
         end
     end
 
-    wire _unused = &{1'b0, distance_s1[9:8], rst, significand_s5[25], sum_12[0]};
+    wire _unused = &{1'b0, distance_s1[9:8], significand_s5[25], sum_12[0]};
 endmodule
 
 // Queue of two in registers.
@@ -8131,52 +5253,32 @@ module stream_skid_w14 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [2:0] in_entry,
-    input  wire in_last,
-    input  wire in_present,
-    input  wire [7:0] in_version,
-    input  wire in_covered,
+    input  wire [13:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [2:0] out_entry,
-    output wire out_last,
-    output wire out_present,
-    output wire [7:0] out_version,
-    output wire out_covered
+    output wire [13:0] out_data
 );
     reg second_valid;
-    reg [13:0] head;
-    reg [13:0] second;
+    reg [13:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [13:0] in_item = {in_entry, in_last, in_present, in_version, in_covered};
 
-    assign out_entry = head[13:11];
-    assign out_last = head[10];
-    assign out_present = head[9];
-    assign out_version = head[8:1];
-    assign out_covered = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -8202,58 +5304,32 @@ module stream_skid_w190 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [23:0] in_number,
-    input  wire [5:0] in_k,
-    input  wire [31:0] in_radius2,
-    input  wire [31:0] in_x,
-    input  wire [31:0] in_y,
-    input  wire [31:0] in_z,
-    input  wire [31:0] in_reach,
+    input  wire [189:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [23:0] out_number,
-    output wire [5:0] out_k,
-    output wire [31:0] out_radius2,
-    output wire [31:0] out_x,
-    output wire [31:0] out_y,
-    output wire [31:0] out_z,
-    output wire [31:0] out_reach
+    output wire [189:0] out_data
 );
     reg second_valid;
-    reg [189:0] head;
-    reg [189:0] second;
+    reg [189:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [189:0] in_item = {in_number, in_k, in_radius2, in_x, in_y, in_z, in_reach};
 
-    assign out_number = head[189:166];
-    assign out_k = head[165:160];
-    assign out_radius2 = head[159:128];
-    assign out_x = head[127:96];
-    assign out_y = head[95:64];
-    assign out_z = head[63:32];
-    assign out_reach = head[31:0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -8279,55 +5355,32 @@ module stream_skid_w83 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [23:0] in_number,
-    input  wire in_last,
-    input  wire in_found,
-    input  wire [23:0] in_index,
-    input  wire [31:0] in_distance2,
-    input  wire in_cached,
+    input  wire [82:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [23:0] out_number,
-    output wire out_last,
-    output wire out_found,
-    output wire [23:0] out_index,
-    output wire [31:0] out_distance2,
-    output wire out_cached
+    output wire [82:0] out_data
 );
     reg second_valid;
-    reg [82:0] head;
-    reg [82:0] second;
+    reg [82:0] head, second;
 
     assign in_ready = ~second_valid;
     wire advance = ~out_valid | out_ready;
     wire some_item = second_valid | in_valid;
-    wire [82:0] in_item = {in_number, in_last, in_found, in_index, in_distance2, in_cached};
 
-    assign out_number = head[82:59];
-    assign out_last = head[58];
-    assign out_found = head[57];
-    assign out_index = head[56:33];
-    assign out_distance2 = head[32:1];
-    assign out_cached = head[0];
+    assign out_data = head;
 
     always @(posedge clk) begin
         if (rst) begin
             out_valid <= 1'd0;
             second_valid <= 1'd0;
         end else begin
-            if (advance) begin
-                out_valid <= some_item;
-            end
+            if (advance) out_valid <= some_item;
             second_valid <= ~advance & some_item;
         end
     end
     always @(posedge clk) begin
-        if (advance) begin
-            head <= second_valid ? second : in_item;
-        end
-        if (in_ready) begin
-            second <= in_item;
-        end
+        if (advance) head <= second_valid ? second : in_data;
+        if (in_ready) second <= in_data;
     end
 
 `ifdef RTL_ASSERT
@@ -8354,33 +5407,28 @@ module stream_fifo_d4_w28 (
     input  wire rst,
     input  wire in_valid,
     output wire in_ready,
-    input  wire [2:0] in_entry,
-    input  wire [23:0] in_number,
-    input  wire in_cached,
+    input  wire [27:0] in_data,
     output reg  out_valid,
     input  wire out_ready,
-    output wire [2:0] out_entry,
-    output wire [23:0] out_number,
-    output wire out_cached
+    output wire [27:0] out_data
 );
-    (* no_rw_check *)
-    reg [27:0] entries [0:3];
-    reg [2:0] held;
-    reg [2:0] waiting;
-    reg [1:0] write_address;
-    reg [1:0] read_address;
-    reg [27:0] item;
+    reg [2:0] held, waiting;
+    reg [1:0] write_address, read_address;
+    wire [27:0] item;
 
     wire has_room = ~held[2];
-    assign in_ready = has_room;
-    wire push = in_valid & in_ready;
-    wire out_taken = out_ready;
-    wire pop = out_valid & out_taken;
-    wire fetch = |waiting & (~out_valid | out_taken);
+    wire push = in_valid & has_room;
+    wire fetch = |waiting & (~out_valid | out_ready);
+    wire pop = out_valid & out_ready;
 
-    assign out_entry = item[27:25];
-    assign out_number = item[24:1];
-    assign out_cached = item[0];
+    assign in_ready = has_room;
+    assign out_data = item;
+
+    memory_1w1r_unordered #(.WIDTH(28), .DEPTH(4)) entries (
+        .clk(clk),
+        .write(push), .write_address(write_address), .write_data(in_data),
+        .read(fetch), .read_address(read_address), .read_data(item)
+    );
 
     always @(posedge clk) begin
         if (rst) begin
@@ -8392,27 +5440,10 @@ module stream_fifo_d4_w28 (
         end else begin
             held <= (held + {2'd0, push}) - {2'd0, pop};
             waiting <= (waiting + {2'd0, push}) - {2'd0, fetch};
-            out_valid <= fetch | (out_valid & ~out_taken);
-            if (push) begin
-                write_address <= write_address + 2'd1;
-            end
-            if (fetch) begin
-                read_address <= read_address + 2'd1;
-            end
+            out_valid <= fetch | (out_valid & ~out_ready);
+            if (push) write_address <= write_address + 2'd1;
+            if (fetch) read_address <= read_address + 2'd1;
         end
-    end
-    always @(posedge clk) begin
-        if (push) begin
-            entries[write_address] <= {in_entry, in_number, in_cached};
-        end
-        if (fetch) begin
-            item <= entries[read_address];
-        end
-`ifdef RTL_ASSERT
-        if ((push) && (fetch) && (write_address) == (read_address)) begin
-            item <= ~entries[read_address];
-        end
-`endif
     end
 
 `ifdef RTL_ASSERT
@@ -8437,4 +5468,68 @@ module stream_fifo_d4_w28 (
         end
     end
 `endif
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is anything: with assertions, the old one inverted.
+module memory_1w1r_unordered #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            (* no_rw_check *)
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+`ifdef RTL_ASSERT
+                if (read && write && read_address == write_address) read_word <= ~words[read_address];
+`endif
+            end
+        end
+    endgenerate
+endmodule
+
+// Memory with registered reads, in slices that are memories of the device each.
+// A word that is read while it is written is the old one.
+module memory_1w1r #(
+    parameter WIDTH = 8,
+    parameter DEPTH = 2,
+    parameter SLICE = WIDTH
+) (
+    input  wire clk,
+    input  wire write,
+    input  wire [$clog2(DEPTH)-1:0] write_address,
+    input  wire [WIDTH-1:0] write_data,
+    input  wire read,
+    input  wire [$clog2(DEPTH)-1:0] read_address,
+    output wire [WIDTH-1:0] read_data
+);
+    genvar low;
+    generate
+        for (low = 0; low < WIDTH; low = low + SLICE) begin : slice
+            localparam BITS = low + SLICE <= WIDTH ? SLICE : WIDTH - low;
+            reg [BITS-1:0] words [0:DEPTH-1];
+            reg [BITS-1:0] read_word;
+            assign read_data[low +: BITS] = read_word;
+            always @(posedge clk) begin
+                if (write) words[write_address] <= write_data[low +: BITS];
+                if (read) read_word <= words[read_address];
+            end
+        end
+    endgenerate
 endmodule

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::expression::{Expr, Primitive};
 use super::memory::Content;
 use super::module::{Module, PortDeclaration, Source};
+use super::resolve::Resolver;
 
 /// A node of the graph; operands are indices.
 pub(super) struct GraphNode {
@@ -39,6 +40,9 @@ pub(super) struct Graph<'a> {
     pub stores: Vec<Need>,
     /// On whose behalf nodes are being added.
     need: Need,
+    /// What outputs show, by the expressions that drive them.
+    pub outputs: HashMap<u64, Expr>,
+    resolver: Resolver<'a>,
     by_key: HashMap<Key, usize>,
     by_number: HashMap<u64, usize>,
     /// Signals whose drivers have not been followed yet.
@@ -55,13 +59,15 @@ impl<'a> Graph<'a> {
             signals: vec![Need::Nobody; module.signals.len()],
             stores: vec![Need::Nobody; module.stores.len()],
             need: Need::Hardware,
+            outputs: HashMap::new(),
+            resolver: Resolver::new(module),
             by_key: HashMap::new(),
             by_number: HashMap::new(),
             pending: vec![],
         };
         for port in &module.ports {
             if let PortDeclaration::Output { value, .. } = port {
-                graph.root(*value);
+                graph.output(*value);
             }
         }
         module
@@ -82,6 +88,13 @@ impl<'a> Graph<'a> {
         self.by_number[&expr.number()]
     }
 
+    /// An output shows the bits that a wire names, without the wire.
+    fn output(&mut self, value: Expr) {
+        let bits = self.resolver.bits(value);
+        self.root(bits);
+        self.outputs.insert(value.number(), bits);
+    }
+
     fn root(&mut self, expr: Expr) {
         let node = self.intern(expr);
         self.nodes[node].readers += 1;
@@ -90,6 +103,12 @@ impl<'a> Graph<'a> {
     fn intern(&mut self, expr: Expr) -> usize {
         if let Some(&known) = self.by_number.get(&expr.number()) {
             return known;
+        }
+        let resolved = self.resolver.resolve(expr);
+        if resolved.number() != expr.number() {
+            let index = self.intern(resolved);
+            self.by_number.insert(expr.number(), index);
+            return index;
         }
         let node = expr.node();
         let operands: Vec<usize> = node.operands.iter().map(|&operand| self.intern(operand)).collect();

@@ -48,9 +48,9 @@ fn undriven(module: &Module) -> Vec<(FaultKind, Place)> {
     let unwritten = module.stores.iter().filter(|store| matches!(store.content, Content::Written(None)));
     faults.extend(unwritten.map(|store| (FaultKind::Undriven(store.name.clone()), store.place)));
     for child in &module.children {
-        for (port, driver) in child.module.ports.iter().zip(&child.inputs) {
+        for (index, (port, driver)) in child.module.ports.iter().zip(&child.inputs).enumerate() {
             if matches!(port, PortDeclaration::Input(_)) && driver.is_none() {
-                let port = port.shape(&child.module).0.to_string();
+                let port = child.module.missing_field(port.shape(&child.module).0, child.parts.get(&index));
                 faults.push((FaultKind::Unconnected { instance: child.name.clone(), port }, child.place));
             }
         }

@@ -3,11 +3,14 @@
 use std::fmt::Write as _;
 
 use super::canonical::Need;
-use super::expression::Expr;
+use super::expression::{Expr, Primitive};
 use super::memory::{Content, Style};
 use super::module::Source;
 use super::text::literal;
 use super::writer::Writer;
+
+/// A guarded assignment that is longer stands below its condition.
+const GUARDED_CHARACTERS: usize = 88;
 
 /// Assignments that happen under one condition, or always.
 struct Guarded {
@@ -32,6 +35,13 @@ fn write_guarded(groups: &[Guarded], indent: &str, out: &mut String) {
         match enable {
             None => lines.iter().for_each(|line| write(indent, line)),
             Some(enable) => {
+                if let [line] = &lines[..]
+                    && !line.contains('\n')
+                    && indent.len() + enable.len() + line.len() <= GUARDED_CHARACTERS
+                {
+                    write(indent, &format!("if ({enable}) {line}"));
+                    continue;
+                }
                 write(indent, &format!("if ({enable}) begin"));
                 lines.iter().for_each(|line| write(&inner, line));
                 write(indent, "end");
@@ -63,11 +73,11 @@ impl Writer<'_> {
         let mut out = String::new();
         if !resets.is_empty() {
             self.read_all("rst");
-            write_reset_block(resets, &running, &mut out);
+            write_reset_block(&resets, &running, &mut out);
         }
         write_block(&free, &[], &mut out);
         for index in 0..module.stores.len() {
-            if self.graph.stores[index] == need {
+            if self.graph.stores[index] == need && self.graph.memory_module(index).is_none() {
                 let (groups, collisions) = self.store_ports(index);
                 write_block(&groups, &collisions, &mut out);
             }
@@ -76,8 +86,9 @@ impl Writer<'_> {
     }
 
     /// The text of an enable; none where it is always set.
-    fn condition(&mut self, enable: Expr) -> Option<String> {
-        (enable.literal_value() != Some(1)).then(|| self.expression(enable))
+    pub(super) fn condition(&mut self, enable: Expr) -> Option<String> {
+        let always = self.graph.nodes[self.graph.node_of(enable)].operation == Primitive::Literal(1);
+        (!always).then(|| self.expression(enable))
     }
 
     /// Write and registered reads of a memory, in the shape that synthesis recognizes, and what is read besides where both meet.
@@ -132,11 +143,11 @@ fn write_block(groups: &[Guarded], checked: &[Guarded], out: &mut String) {
     }
 }
 
-fn write_reset_block(resets: Vec<String>, running: &[Guarded], out: &mut String) {
-    out.push_str("always @(posedge clk) begin\n");
-    write_guarded(&[Guarded { enable: Some("rst".into()), lines: resets }], "    ", out);
-    // The closing `end` of the reset branch continues as its `else`.
-    out.truncate(out.len() - "    end\n".len());
+fn write_reset_block(resets: &[String], running: &[Guarded], out: &mut String) {
+    out.push_str("always @(posedge clk) begin\n    if (rst) begin\n");
+    for line in resets {
+        let _ = writeln!(out, "        {line}");
+    }
     match running {
         [Guarded { enable: Some(enable), lines }] => {
             let _ = writeln!(out, "    end else if ({enable}) begin");

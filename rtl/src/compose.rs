@@ -124,7 +124,7 @@ impl Writer<'_> {
     }
 
     /// Bits of something that has a name, or gets one.
-    fn slice(&mut self, node: usize, low: u32, width: u32) -> String {
+    pub fn slice(&mut self, node: usize, low: u32, width: u32) -> String {
         let name = self.name_of(node);
         let whole = self.graph.nodes[node].width;
         if let Some(bits) = self.bits_read.get_mut(&name) {

@@ -7,6 +7,7 @@ use super::emit::PortKind;
 use super::error::ElaborationError;
 use super::interface::StreamDeclaration;
 use super::lower::Library;
+use super::memory_module::MemoryModule;
 use super::module::Module;
 
 /// Which way a port goes.
@@ -54,6 +55,7 @@ pub struct Design {
     ports: Vec<Port>,
     streams: Vec<StreamDeclaration>,
     modules: Vec<ModuleSummary>,
+    memory_modules: Vec<String>,
     combinational_paths: Vec<(String, String)>,
 }
 
@@ -88,6 +90,12 @@ impl Design {
         &self.modules
     }
 
+    /// Names of the modules that its larger memories are instances of, with their sizes as parameters.
+    #[must_use]
+    pub fn memory_modules(&self) -> &[String] {
+        &self.memory_modules
+    }
+
     /// Pairs of a top input and a top output that it reaches without a register.
     #[must_use]
     pub fn combinational_paths(&self) -> &[(String, String)] {
@@ -119,8 +127,8 @@ fn lower(top: &Module, part: Option<&Module>) -> Result<Design, ElaborationError
         return Err(ElaborationError { faults: checker.faults });
     }
     let mut library = Library::default();
-    let beside = part.map_or(0, |part| library.add(part) + 1);
-    let index = library.add(top);
+    let beside = part.map_or(0, |part| library.add_top(part) + 1);
+    let index = library.add_top(top);
     let names = library.names(beside);
     let counts = library.instance_counts();
     let modules = library.modules.iter().zip(&names).zip(counts).map(|((module, name), instances)| ModuleSummary {
@@ -141,6 +149,7 @@ fn lower(top: &Module, part: Option<&Module>) -> Result<Design, ElaborationError
         ports: ports.collect(),
         streams: top.streams.clone(),
         modules: modules.collect(),
+        memory_modules: library.memory_modules(0..index + 1).into_iter().map(MemoryModule::name).collect(),
         combinational_paths: paths(top, &reach),
     })
 }

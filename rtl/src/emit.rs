@@ -1,13 +1,14 @@
 //! The body of a module: declarations, wires, instances, clocked blocks, assertions.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::fmt::Write as _;
 
 use super::canonical::{Graph, Need};
 use super::expression::{Expr, Primitive};
 use super::memory::{Content, Store, Style};
+use super::memory_module::MemoryModule;
 use super::module::{Assertion, Module, PortDeclaration, Source};
-use super::text::{braced, literal, range};
+use super::text::{Declarations, braced, literal, range};
 use super::writer::Writer;
 
 /// A module as text, but for its name and those of its children.
@@ -19,6 +20,8 @@ pub(super) struct Body {
     pub before: String,
     /// By child: the instance's name and its connections.
     pub instances: Vec<(String, Vec<(String, String)>)>,
+    /// The modules of its memories, which stand with their names in `before`.
+    pub memories: BTreeSet<MemoryModule>,
     /// What stands after the instances.
     pub after: String,
 }
@@ -33,37 +36,57 @@ pub(super) enum PortKind {
     OutputReg,
 }
 
-/// Something below needs `clk` and `rst`.
-fn is_stateful(graph: &Graph, children_have_state: &[bool]) -> bool {
+/// The ports that nobody declares.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Implicit {
+    /// It has state, its own or a child's.
+    pub clk: bool,
+    /// Something in it or below depends on the reset.
+    pub rst: bool,
+}
+
+/// Something in the module or below needs `clk`.
+fn has_state(graph: &Graph, children: &[Implicit]) -> bool {
     let needed = |index: usize, source: &Source| {
         let clocked = matches!(source, Source::Reset | Source::Register { .. } | Source::Read { .. });
         clocked && graph.signals[index] != Need::Nobody
     };
     let module = graph.module;
-    children_have_state.contains(&true)
+    children.iter().any(|child| child.clk)
         || !module.assertions.is_empty()
         || graph.stores.iter().any(|&need| need != Need::Nobody)
         || module.signals.iter().enumerate().any(|(index, signal)| needed(index, &signal.source))
 }
 
-/// Writes a module without faults; says also whether it has state, its own or a child's.
-pub(super) fn body(graph: &Graph, children_have_state: &[bool]) -> (Body, bool) {
-    let stateful = is_stateful(graph, children_have_state);
-    let mut emitter = Emitter { module: graph.module, writer: Writer::new(graph, port_signals(graph.module)) };
-    (emitter.body(children_have_state, stateful), stateful)
+/// Something in the module or below needs `rst`.
+fn has_reset(graph: &Graph, children: &[Implicit]) -> bool {
+    let module = graph.module;
+    let resets = |source: &Source| matches!(source, Source::Reset | Source::Register { reset: Some(_), .. });
+    let mut live = module.signals.iter().zip(&graph.signals).filter(|(_, need)| **need != Need::Nobody);
+    children.iter().any(|child| child.rst)
+        || !module.assertions.is_empty()
+        || live.any(|(signal, _)| resets(&signal.source))
+}
+
+/// Writes a module without faults; says also which implicit ports it has. A top with state has both.
+pub(super) fn body(graph: &Graph, children: &[Implicit], is_top: bool) -> (Body, Implicit) {
+    let clk = has_state(graph, children);
+    let implicit = Implicit { clk, rst: clk && (is_top || has_reset(graph, children)) };
+    let mut emitter = Emitter { module: graph.module, writer: Writer::new(graph, port_signals(graph)) };
+    (emitter.body(children, implicit), implicit)
 }
 
 /// Signals that an output port of their own name shows.
-fn port_signals(module: &Module) -> HashSet<usize> {
-    let shown = module.ports.iter().filter_map(|port| match port {
-        PortDeclaration::Output { name, value, .. } => shown_signal(name, *value),
+fn port_signals(graph: &Graph) -> HashSet<usize> {
+    let shown = graph.module.ports.iter().filter_map(|port| match port {
+        PortDeclaration::Output { name, value, .. } => shown_signal(graph, name, *value),
         PortDeclaration::Input(_) => None,
     });
     shown.collect()
 }
 
-fn shown_signal(name: &str, value: Expr) -> Option<usize> {
-    match &value.node().operation {
+fn shown_signal(graph: &Graph, name: &str, value: Expr) -> Option<usize> {
+    match &graph.outputs[&value.number()].node().operation {
         Primitive::Signal(signal) if &*signal.name == name => Some(signal.index),
         _ => None,
     }
@@ -75,28 +98,29 @@ struct Emitter<'a> {
 }
 
 impl Emitter<'_> {
-    fn body(&mut self, children_have_state: &[bool], stateful: bool) -> Body {
-        let ports = self.ports(stateful);
+    fn body(&mut self, children: &[Implicit], implicit: Implicit) -> Body {
+        let ports = self.ports(implicit);
         let state = self.state_declarations(Need::Hardware);
         let outputs = self.child_outputs();
         let assigns = self.output_assignments();
-        let instances = self.instances(children_have_state);
+        let (memories, memory_instances) = self.memories();
+        let instances = self.instances(children);
         let clocked = self.writer.clocked(Need::Hardware);
-        if children_have_state.contains(&true) || !clocked.is_empty() {
+        if children.iter().any(|child| child.clk) || !clocked.is_empty() {
             self.writer.read_all("clk");
         }
         let definitions = std::mem::take(&mut self.writer.definitions).join("\n");
         let unused = unused_sink("_unused", &self.writer.bits_read);
         let checks = self.checks();
-        let sections = [state, outputs, definitions, assigns];
-        Body { ports, before: join_sections(&sections), instances, after: join_sections(&[clocked, unused, checks]) }
+        let before = join_sections(&[state, outputs, definitions, assigns, memory_instances]);
+        Body { ports, before, instances, memories, after: join_sections(&[clocked, unused, checks]) }
     }
 
-    fn ports(&mut self, stateful: bool) -> Vec<(String, u32, PortKind)> {
+    fn ports(&mut self, implicit: Implicit) -> Vec<(String, u32, PortKind)> {
         let mut ports = vec![];
-        if stateful {
-            ports.extend([("clk".into(), 1, PortKind::Input), ("rst".into(), 1, PortKind::Input)]);
-            ["clk", "rst"].into_iter().for_each(|name| self.writer.track(name, 1));
+        for (name, _) in [("clk", implicit.clk), ("rst", implicit.rst)].into_iter().filter(|(_, there)| *there) {
+            ports.push((name.into(), 1, PortKind::Input));
+            self.writer.track(name, 1);
         }
         for port in &self.module.ports {
             let (name, width) = port.shape(self.module);
@@ -106,8 +130,12 @@ impl Emitter<'_> {
                     PortKind::Input
                 }
                 PortDeclaration::Output { value, .. } => {
-                    let source = shown_signal(name, *value).map(|signal| &self.module.signals[signal].source);
+                    let source =
+                        shown_signal(self.writer.graph, name, *value).map(|signal| &self.module.signals[signal].source);
                     match source {
+                        Some(Source::Read { store, .. }) if self.writer.graph.memory_module(*store).is_some() => {
+                            PortKind::OutputWire
+                        }
                         Some(Source::Register { .. } | Source::Read { .. } | Source::Lookup { .. }) => {
                             PortKind::OutputReg
                         }
@@ -123,8 +151,9 @@ impl Emitter<'_> {
     /// Registers and memories that are there for `need`.
     fn state_declarations(&mut self, need: Need) -> String {
         let mut out = String::new();
+        let mut declarations = Declarations::default();
         for (index, store) in self.module.stores.iter().enumerate() {
-            if self.writer.graph.stores[index] == need {
+            if self.writer.graph.stores[index] == need && self.writer.graph.memory_module(index).is_none() {
                 declare_store(store, &mut out);
             }
         }
@@ -132,51 +161,79 @@ impl Emitter<'_> {
             let clocked = matches!(signal.source, Source::Register { .. } | Source::Read { .. });
             if clocked && self.writer.graph.signals[index] == need && !self.writer.port_signals.contains(&index) {
                 let width = signal.reference.width();
-                let _ = writeln!(out, "reg {}{};", range(width), signal.name);
+                let kind = match signal.source {
+                    Source::Read { store, .. } if self.writer.graph.memory_module(store).is_some() => "wire",
+                    _ => "reg",
+                };
+                declarations.add(kind, width, &signal.name);
                 self.writer.track(&signal.name, width);
             }
         }
-        out
+        out + &declarations.text()
+    }
+
+    /// Memories that are instances of modules, and those modules.
+    fn memories(&mut self) -> (BTreeSet<MemoryModule>, String) {
+        let stores = 0..self.module.stores.len();
+        let found: Vec<_> = stores.filter_map(|store| Some((store, self.writer.graph.memory_module(store)?))).collect();
+        let instances: Vec<String> =
+            found.iter().map(|(store, module)| self.writer.memory_instance(*store, *module)).collect();
+        (found.into_iter().map(|(_, module)| module).collect(), join_sections(&instances))
     }
 
     fn child_outputs(&mut self) -> String {
-        let mut out = String::new();
+        let mut declarations = Declarations::default();
         for (index, signal) in self.module.signals.iter().enumerate() {
             if matches!(signal.source, Source::ChildOutput { .. }) && !self.writer.port_signals.contains(&index) {
                 let width = signal.reference.width();
-                let _ = writeln!(out, "wire {}{};", range(width), signal.name);
+                declarations.add("wire", width, &signal.name);
                 self.writer.track(&signal.name, width);
             }
         }
-        out
+        declarations.text()
     }
 
     fn output_assignments(&mut self) -> String {
-        let mut out = String::new();
+        let mut groups: Vec<(Vec<String>, Expr)> = vec![];
         for port in &self.module.ports {
             let PortDeclaration::Output { name, value, .. } = port else { continue };
-            match shown_signal(name, *value) {
+            let shown = self.writer.graph.outputs[&value.number()];
+            match shown_signal(self.writer.graph, name, *value) {
                 Some(signal) => self.writer.define(signal),
                 None => {
-                    let value = self.writer.expression(*value);
-                    let _ = writeln!(out, "assign {name} = {value};");
+                    match groups.last_mut().and_then(|(names, above)| Some((names, above.adjoining(shown)?, above))) {
+                        Some((names, both, value)) => {
+                            names.push(name.clone());
+                            *value = both;
+                        }
+                        None => groups.push((vec![name.clone()], shown)),
+                    }
                 }
             }
+        }
+        let mut out = String::new();
+        for (names, value) in groups {
+            let value = self.writer.bits(value);
+            let target = if names.len() == 1 { names[0].clone() } else { braced(&names) };
+            let _ = writeln!(out, "assign {target} = {value};");
         }
         out
     }
 
-    fn instances(&mut self, children_have_state: &[bool]) -> Vec<(String, Vec<(String, String)>)> {
+    fn instances(&mut self, children: &[Implicit]) -> Vec<(String, Vec<(String, String)>)> {
         let module = self.module;
         let mut instances = vec![];
-        for (child, &stateful) in module.children.iter().zip(children_have_state) {
+        for (child, implicit) in module.children.iter().zip(children) {
             let mut connections = vec![];
-            if stateful {
+            if implicit.clk {
+                connections.push(("clk".into(), "clk".into()));
+            }
+            if implicit.rst {
                 let reset = match &child.reset {
                     Some(condition) => self.writer.expression(*condition),
                     None => self.writer.read_all("rst"),
                 };
-                connections.extend([("clk".into(), "clk".into()), ("rst".into(), reset)]);
+                connections.push(("rst".into(), reset));
             }
             for (index, port) in child.module.ports.iter().enumerate() {
                 let value = match (&child.inputs[index], child.outputs[index]) {

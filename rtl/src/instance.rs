@@ -1,5 +1,6 @@
 //! Modules inside modules.
 
+use std::collections::{BTreeMap, HashMap};
 use std::panic::Location;
 use std::rc::Rc;
 
@@ -35,6 +36,10 @@ pub(super) struct Child {
     pub inputs: Vec<Option<Expr>>,
     /// By port of the child: the signal that shows it here, for outputs.
     pub outputs: Vec<Option<usize>>,
+    /// By port of the child that fields share: what drives each of them.
+    pub parts: BTreeMap<usize, Vec<Option<Expr>>>,
+    /// Fields of such outputs, by name.
+    pub shown: HashMap<String, Expr>,
 }
 
 impl Child {
@@ -66,9 +71,19 @@ impl Module {
             outputs.push(self.child_output(name, &module, port));
         }
         let inputs = module.ports.iter().map(|_| None).collect();
+        let (parts, shown) = (BTreeMap::new(), HashMap::new());
         let place = Location::caller();
-        self.children.push(Child { name: name.into(), place, module, reset: None, inputs, outputs });
+        self.children.push(Child { name: name.into(), place, module, reset: None, inputs, outputs, parts, shown });
         Instance { module: self.identity, index: self.children.len() - 1, name: Name::new(name) }
+    }
+
+    /// What the module holds for an instance of its own.
+    pub(super) fn child(&self, instance: Instance) -> Option<&Child> {
+        self.children.get(instance.index).filter(|_| instance.module == self.identity)
+    }
+
+    pub(super) fn child_mut(&mut self, instance: Instance) -> Option<&mut Child> {
+        self.children.get_mut(instance.index).filter(|_| instance.module == self.identity)
     }
 
     /// The signal `<instance>_<port>`, where the port is an output.
@@ -87,6 +102,9 @@ impl Module {
     #[track_caller]
     pub fn connect(&mut self, instance: Instance, port: &str, value: impl Into<Expr>) {
         let value = value.into();
+        if self.connect_field(instance, port, value) {
+            return;
+        }
         let Some(index) = self.child_port(instance, port, "input") else { return };
         let child = &self.children[instance.index];
         let (_, width) = child.module.ports[index].shape(&child.module);
@@ -115,18 +133,15 @@ impl Module {
     /// An output of a child.
     #[track_caller]
     pub fn out(&mut self, instance: Instance, port: &str) -> Expr {
+        if let Some(field) = self.field_of(instance, port) {
+            return field;
+        }
         let index = self.child_port(instance, port, "output");
         let signal = index.and_then(|index| self.children[instance.index].outputs[index]);
         match signal {
             Some(signal) => self.signals[signal].reference,
             None => Expr::poison(1, format!("instance `{}` has no output `{port}`", instance.name())),
         }
-    }
-
-    /// The module that an instance of this one is of.
-    pub(super) fn child(&self, instance: Instance) -> Option<&Module> {
-        let own = instance.module == self.identity;
-        own.then(|| &*self.children[instance.index].module)
     }
 
     /// A port of a child, of the wanted direction; a fault where there is none.

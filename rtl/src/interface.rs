@@ -91,7 +91,10 @@ impl Module {
     /// The fields of a stream that a child puts out; a fault where it declares none of that name.
     #[track_caller]
     pub(super) fn output_fields(&mut self, instance: Instance, stream: &str) -> Vec<String> {
-        let Some(child) = self.child(instance) else { return vec![] };
+        let Some(child) = self.child(instance).map(|child| &child.module) else { return vec![] };
+        if let Some(fields) = child.packed_fields(&format!("{stream}_")) {
+            return fields;
+        }
         let puts_out =
             |declared: &&StreamDeclaration| declared.direction == Direction::Output && declared.name == stream;
         if let Some(declared) = child.streams.iter().find(puts_out) {

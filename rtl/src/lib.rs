@@ -5,8 +5,9 @@
 //! errors together, and lowers it through rust-hdl's blocks to plain Verilog-2005: one module per distinct
 //! description, named by unit and parameters.
 //!
-//! `clk` and `rst` (synchronous, active high) are implicit: every module with state in or below it has both ports,
-//! and instances connect them by themselves.
+//! `clk` and `rst` (synchronous, active high) are implicit: a module with state in or below it has `clk`, one with a reset in or below
+//! it has `rst`, a top with state has both, and instances connect them by themselves. Larger memories are instances of one module,
+//! whose depth and width are Verilog parameters.
 
 mod area;
 mod arena;
@@ -26,9 +27,12 @@ mod interface;
 mod links;
 mod lower;
 mod memory;
+mod memory_module;
 mod module;
 mod names;
 mod operators;
+mod packed;
+mod resolve;
 mod simplify;
 mod slices;
 mod stream;

@@ -1,13 +1,16 @@
 //! From checked modules to Verilog: identical ones are folded, the rest are named by unit and parameters.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fmt::Write as _;
+use std::ops::Range;
 
 use super::area::{Area, Storage};
 use super::canonical::Graph;
-use super::emit::{self, Body, PortKind};
+use super::emit::{self, Body, Implicit, PortKind};
 use super::frame::{Frame, FramePort};
+use super::memory_module::MemoryModule;
 use super::module::Module;
+use super::text::filled;
 
 /// The one lint rule that is about files and not about hardware.
 const ONE_FILE: &str =
@@ -23,7 +26,7 @@ pub(super) struct Lowered {
     pub children: Vec<usize>,
     summary: String,
     body: Body,
-    stateful: bool,
+    implicit: Implicit,
 }
 
 /// What makes two modules one: unit, parameters, the modules of the children, text.
@@ -41,15 +44,19 @@ pub(super) struct Library {
 }
 
 impl Library {
-    /// Adds a module and all below it; returns its index.
-    pub fn add(&mut self, module: &Module) -> usize {
+    /// Adds a module that stands on top of a file, and all below it; returns its index.
+    pub fn add_top(&mut self, module: &Module) -> usize {
+        self.add(module, true)
+    }
+
+    fn add(&mut self, module: &Module, is_top: bool) -> usize {
         if let Some(&known) = self.by_address.get(&std::ptr::from_ref(module)) {
             return known;
         }
-        let children: Vec<usize> = module.children.iter().map(|child| self.add(&child.module)).collect();
-        let stateful: Vec<bool> = children.iter().map(|&child| self.modules[child].stateful).collect();
+        let children: Vec<usize> = module.children.iter().map(|child| self.add(&child.module, false)).collect();
+        let below: Vec<Implicit> = children.iter().map(|&child| self.modules[child].implicit).collect();
         let graph = Graph::of(module);
-        let (body, stateful) = emit::body(&graph, &stateful);
+        let (body, implicit) = emit::body(&graph, &below, is_top);
         let content = (module.unit.clone(), module.parameters.clone(), children.clone(), body.clone());
         let index = *self.by_content.entry(content).or_insert(self.modules.len());
         if index == self.modules.len() {
@@ -61,7 +68,7 @@ impl Library {
                 children,
                 summary: module.summary.clone(),
                 body,
-                stateful,
+                implicit,
             });
         }
         self.by_address.insert(std::ptr::from_ref(module), index);
@@ -121,9 +128,17 @@ impl Library {
     /// Verilog text of all modules but the first `beside`, parents before children: a file named after the top starts with it.
     pub fn verilog(&self, names: &[String], beside: usize) -> String {
         let modules = self.modules.iter().zip(names).skip(beside);
-        let frames: Vec<_> = modules.rev().map(|(module, name)| frame(module, name, names).verilog()).collect();
+        let mut frames: Vec<_> = modules.rev().map(|(module, name)| frame(module, name, names).verilog()).collect();
+        let known = self.memory_modules(0..beside);
+        let memories = self.memory_modules(beside..self.modules.len());
+        frames.extend(memories.difference(&known).map(|memory| memory.verilog()));
         let text = frames.join("\n");
         if frames.len() > 1 { format!("{ONE_FILE}{text}") } else { text }
+    }
+
+    /// The modules of the memories in some of the modules.
+    pub fn memory_modules(&self, modules: Range<usize>) -> BTreeSet<MemoryModule> {
+        self.modules[modules].iter().flat_map(|module| module.body.memories.iter().copied()).collect()
     }
 
     /// Ports of a module in order.
@@ -150,13 +165,15 @@ fn frame(module: &Lowered, name: &str, names: &[String]) -> Frame {
     let mut header = vec![module.summary.clone()];
     header.extend(module.parameters.iter().map(|(name, value)| format!("{name} = {value}")));
     let mut body = module.body.before.clone();
+    let mut after_short = None;
     for ((instance, connections), &child) in module.body.instances.iter().zip(&module.children) {
-        if !body.is_empty() {
+        let text = format!("{} {instance} {}", names[child], filled(connections));
+        // Instances of a line each stand together.
+        let (is_short, after_short) = (!text.contains('\n'), after_short.replace(!text.contains('\n')));
+        if !body.is_empty() && !(is_short && after_short == Some(true)) {
             body.push('\n');
         }
-        let connections: Vec<String> =
-            connections.iter().map(|(port, value)| format!("    .{port}({})", value.replace('\n', "\n    "))).collect();
-        let _ = writeln!(body, "{} {instance} (\n{}\n);", names[child], connections.join(",\n"));
+        let _ = writeln!(body, "{text}");
     }
     if !body.is_empty() && !module.body.after.is_empty() {
         body.push('\n');

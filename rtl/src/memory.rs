@@ -33,6 +33,8 @@ pub(super) struct Store {
     pub depth: u32,
     pub width: u32,
     pub style: Style,
+    /// Bits of a word that lie in one memory of the device.
+    pub slice: u32,
     pub content: Content,
 }
 
@@ -77,6 +79,17 @@ impl Module {
         self.store(name, depth, width, Style::Distributed, Content::Written(None))
     }
 
+    /// A memory as [`Module::memory_unordered`], in slices of so many bits, the last one with what remains: each is a memory of its own,
+    /// so that none is chosen among behind slow outputs.
+    #[track_caller]
+    pub fn memory_sliced(&mut self, name: &str, depth: u32, width: u32, slice: u32) -> Memory {
+        let memory = self.memory_unordered(name, depth, width);
+        if let Some(store) = self.stores.last_mut() {
+            store.slice = slice.clamp(1, store.width);
+        }
+        memory
+    }
+
     #[track_caller]
     fn store(&mut self, name: &str, depth: u32, width: u32, style: Style, content: Content) -> Memory {
         self.claim(name);
@@ -85,7 +98,8 @@ impl Module {
             self.fault(FaultKind::Expression { user: format!("`{name}`"), message });
         }
         let place = Location::caller();
-        self.stores.push(Store { name: name.into(), place, depth: depth.max(2), width: width.max(1), style, content });
+        let (depth, width) = (depth.max(2), width.max(1));
+        self.stores.push(Store { name: name.into(), place, depth, width, style, slice: width, content });
         Memory { module: self.identity, index: self.stores.len() - 1, name: Name::new(name) }
     }
 

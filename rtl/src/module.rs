@@ -14,6 +14,7 @@ use super::instance::Child;
 use super::interface::StreamDeclaration;
 use super::memory::Store;
 use super::names;
+use super::packed::Packed;
 
 /// Distinguishes the signals of one module from those of another; never part of the output.
 static NEXT_IDENTITY: AtomicU64 = AtomicU64::new(0);
@@ -29,6 +30,8 @@ pub struct Module {
     pub(super) parameters: Vec<(String, String)>,
     pub(super) ports: Vec<PortDeclaration>,
     pub(super) streams: Vec<StreamDeclaration>,
+    /// Fields that share ports.
+    pub(super) packed: Vec<Packed>,
     pub(super) signals: Vec<Signal>,
     pub(super) stores: Vec<Store>,
     pub(super) children: Vec<Child>,
@@ -107,6 +110,7 @@ impl Module {
             parameters: vec![],
             ports: vec![],
             streams: vec![],
+            packed: vec![],
             signals: vec![],
             stores: vec![],
             children: vec![],

@@ -205,9 +205,16 @@ fn merged(high: Expr, low: Expr) -> Option<Expr> {
         let width = high.width() + low.width();
         return (width <= FOLDED_BITS).then(|| lit(width, a << low.width() | b));
     }
-    let (above, below) = (high.node(), low.node());
-    let (Primitive::Slice(a), Primitive::Slice(b)) = (&above.operation, &below.operation) else { return None };
-    let source = above.operands[0];
-    let adjoining = same(source, below.operands[0]) && *a == b + low.width();
-    adjoining.then(|| source.bits(a + high.width() - 1, *b))
+    high.adjoining(low)
+}
+
+impl Expr {
+    /// Slices of one expression that lie side by side, as one.
+    pub(super) fn adjoining(self, low: Self) -> Option<Self> {
+        let (above, below) = (self.node(), low.node());
+        let (Primitive::Slice(a), Primitive::Slice(b)) = (&above.operation, &below.operation) else { return None };
+        let source = above.operands[0];
+        let adjoining = same(source, below.operands[0]) && *a == b + low.width();
+        adjoining.then(|| source.bits(a + self.width() - 1, *b))
+    }
 }

@@ -2,6 +2,8 @@
 
 /// A concatenation longer than this is written over several lines.
 const LINE_CHARACTERS: usize = 100;
+/// Connections of an instance that fit one line together.
+const CONNECTION_CHARACTERS: usize = 72;
 /// Literals from here on are written in hexadecimal.
 const HEXADECIMAL_FROM: u128 = 1024;
 
@@ -19,8 +21,80 @@ pub(super) fn literal(width: u32, value: u128) -> String {
 pub(super) fn braced(parts: &[String]) -> String {
     let length: usize = parts.iter().map(|part| part.len() + 2).sum();
     if length > LINE_CHARACTERS {
-        format!("{{\n    {}\n}}", parts.join(",\n    "))
+        format!("{{\n    {}\n}}", wrapped(parts).join(",\n    "))
     } else {
         format!("{{{}}}", parts.join(", "))
+    }
+}
+
+/// Connections of an instance in parentheses: on one line where they fit, else a line for those of each group of ports, which begin
+/// alike.
+pub(super) fn filled(connections: &[(String, String)]) -> String {
+    let texts: Vec<String> = connections.iter().map(|(port, value)| format!(".{port}({value})")).collect();
+    let whole = texts.join(", ");
+    if whole.len() <= CONNECTION_CHARACTERS && !whole.contains('\n') {
+        return format!("({whole});");
+    }
+    let group = |port: &str| {
+        let first = format!("{}_", port.split('_').next().unwrap_or(port));
+        let is_group = connections.iter().any(|(other, _)| other.starts_with(&first));
+        is_group.then_some(first)
+    };
+    let mut lines: Vec<String> = vec![];
+    let mut before: Option<Option<String>> = None;
+    for ((port, _), text) in connections.iter().zip(texts) {
+        let group = Some(group(port));
+        match lines.last_mut() {
+            Some(line)
+                if before == group
+                    && line.len() + text.len() < LINE_CHARACTERS
+                    && !line.contains('\n')
+                    && !text.contains('\n') =>
+            {
+                *line += &format!(", {text}");
+            }
+            _ => lines.push(text),
+        }
+        before = group;
+    }
+    let lines: Vec<String> = lines.iter().map(|line| format!("    {}", line.replace('\n', "\n    "))).collect();
+    format!("(\n{}\n);", lines.join(",\n"))
+}
+
+/// The parts with commas between, as many on each line as it holds.
+pub(super) fn wrapped(parts: &[String]) -> Vec<String> {
+    let mut lines: Vec<String> = vec![];
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if line.len() + part.len() < LINE_CHARACTERS && !part.contains('\n') && !line.contains('\n') => {
+                *line += &format!(", {part}");
+            }
+            _ => lines.push(part.clone()),
+        }
+    }
+    lines
+}
+
+/// Declarations of one kind and width after each other, which share lines.
+#[derive(Default)]
+pub(super) struct Declarations(Vec<(String, Vec<String>)>);
+
+impl Declarations {
+    /// A declaration behind those before.
+    pub fn add(&mut self, kind: &str, width: u32, name: &str) {
+        let head = format!("{kind} {}", range(width));
+        match self.0.last_mut() {
+            Some((last, names)) if *last == head => names.push(name.into()),
+            _ => self.0.push((head, vec![name.into()])),
+        }
+    }
+
+    /// A statement for as many names as fit a line.
+    pub fn text(&self) -> String {
+        let lines = self
+            .0
+            .iter()
+            .flat_map(|(head, names)| wrapped(names).into_iter().map(move |names| format!("{head}{names};\n")));
+        lines.collect()
     }
 }

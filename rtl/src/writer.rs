@@ -60,6 +60,17 @@ impl<'a> Writer<'a> {
         self.compose(node).0
     }
 
+    /// As [`Writer::expression`], where that may be bits of a signal that are not read together anywhere.
+    pub fn bits(&mut self, expr: Expr) -> String {
+        match &expr.node().operation {
+            Primitive::Slice(low) if matches!(expr.node().operands[0].node().operation, Primitive::Signal(_)) => {
+                let source = self.graph.node_of(expr.node().operands[0]);
+                self.slice(source, *low, expr.width())
+            }
+            _ => self.expression(expr),
+        }
+    }
+
     /// Writes the definition of a live wire, after those of what it needs.
     pub fn define(&mut self, signal: usize) {
         if !self.defined.insert(signal) {

@@ -181,10 +181,8 @@ impl Body<'_> {
     /// Sends finished tokens to the output queue.
     fn results(&mut self, input: &Stream, queue: Instance, results: &[(String, ValueId)]) {
         let latency = self.schedule.latency;
-        let mut valid = input.valid;
-        for stage in 1..=stages(latency, self.emitter.initiation_interval()) {
-            valid = self.emitter.register_reset(&format!("valid_d{stage}"), 0, valid);
-        }
+        let stages = stages(latency, self.emitter.initiation_interval());
+        let mut valid = self.emitter.shift_register("in_flight", stages, input.valid);
         if let Some(condition) = self.graph.keep() {
             valid = valid & self.read(condition, latency);
         }

@@ -4,7 +4,7 @@
 //! initiation interval. Thousands of registers load in one phase each, so what enables them comes from a register as well and is found
 //! in the cycle before.
 
-use rtl::{Expr, Module, Wire, address_width};
+use rtl::{Expr, Module, Wire, address_width, cat};
 use std::collections::HashSet;
 
 /// A module with its pipeline control.
@@ -110,13 +110,17 @@ impl Emitter {
         register.expr()
     }
 
-    /// A register that loads in one phase and is cleared by reset.
-    pub fn register_reset(&mut self, name: &str, phase: u32, data: Expr) -> Expr {
+    /// A bit after so many registers, which load in phase 0 and are cleared by reset.
+    pub fn shift_register(&mut self, name: &str, stages: u32, data: Expr) -> Expr {
+        if stages == 0 {
+            return data;
+        }
         let name = self.unique(name);
-        let register = self.module.reg_reset(&name, data.width(), 0);
-        self.module.next_if(register, self.loads[phase as usize], data);
-        self.count_registers(data.width());
-        register.expr()
+        let register = self.module.reg_reset(&name, stages, 0);
+        let next = if stages == 1 { data } else { cat([register.trunc(stages - 1), data]) };
+        self.module.next_if(register, self.loads[0], next);
+        self.count_registers(stages);
+        register.msb()
     }
 
     /// Adds to the manifest's count.

@@ -5,7 +5,7 @@
 //! that is empty or popped, and is seen at `out` one cycle later: at `t + 2` in an empty queue. `in_ready` falls in the
 //! cycle after the one that makes `depth` items and rises in the cycle after a pop. Rate: one item a cycle.
 
-use super::{item_width, packed, unpacked};
+use super::item_width;
 use rtl::{Expr, Module, Reg, address_width, lit};
 
 /// Where the items are.
@@ -31,7 +31,7 @@ fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Mo
     let width = item_width(layout);
     m.parameter("depth", depth);
     m.parameter("width", width);
-    let input = m.stream_in("in", layout);
+    let input = m.packed_in("in", layout);
 
     let address_bits = address_width(depth);
     let count_bits = address_width(depth + 1);
@@ -50,7 +50,7 @@ fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Mo
         Storage::Inferred => m.memory_unordered("entries", depth, width),
         Storage::Distributed => m.memory_distributed("entries", depth, width),
     };
-    m.write(entries, push, write_address, packed(&input));
+    m.write(entries, push, write_address, input.field("data"));
 
     let out_ready = m.forward("out_taken", 1);
     let pop = m.wire("pop", out_valid & out_ready);
@@ -65,7 +65,7 @@ fn queue(depth: u32, layout: &[(impl AsRef<str>, u32)], storage: &Storage) -> Mo
     m.assert("held_in_range", lit(count_bits, depth as u128).ge(held));
     m.assert("held_is_waiting_and_shown", held.eq(waiting + out_valid.zext(count_bits)));
 
-    let ready = m.stream_out("out", out_valid, unpacked(item, layout));
+    let ready = m.packed_out("out", out_valid, item, layout);
     m.drive(out_ready, ready);
     m
 }

@@ -5,7 +5,7 @@
 //! moves an item in every cycle, for twice the flip-flops and a choice before each. Here the register loads whenever it is empty: its
 //! enable, which reaches every bit of a wide item, waits for nothing.
 
-use super::{item_width, packed, unpacked};
+use super::item_width;
 use rtl::Module;
 
 /// A buffer of one item.
@@ -14,13 +14,13 @@ pub fn half_buffer(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let mut m = Module::new("stream_half_buffer", "One item in a register, at half rate.");
     let width = item_width(layout);
     m.parameter("width", width);
-    let input = m.stream_in("in", layout);
+    let input = m.packed_in("in", layout);
     let full = m.reg_reset("full", 1, 0);
     let item = m.reg("item", width);
     m.ready(&input, !full);
-    m.next_if(item, !full, packed(&input));
+    m.next_if(item, !full, input.field("data"));
 
-    let out_ready = m.stream_out("out", full, unpacked(*item, layout));
+    let out_ready = m.packed_out("out", full, item, layout);
     m.next(full, full.mux(!out_ready, input.valid));
     m
 }

@@ -4,7 +4,7 @@
 //! It is a queue of two: `out` shows its head, `in_ready` is set while it holds fewer than two, and an item pushed in
 //! cycle `t` into an empty queue is seen at `t + 1`.
 
-use super::{item_width, packed, unpacked};
+use super::item_width;
 use rtl::Module;
 
 /// A queue of two items in registers.
@@ -13,15 +13,15 @@ pub fn skid(layout: &[(impl AsRef<str>, u32)]) -> Module {
     let mut m = Module::new("stream_skid", "Queue of two in registers.");
     let width = item_width(layout);
     m.parameter("width", width);
-    let input = m.stream_in("in", layout);
-    let item = m.wire("in_item", packed(&input));
+    let input = m.packed_in("in", layout);
+    let item = input.field("data");
 
     let out_valid = m.reg_reset("out_valid", 1, 0);
     let second_valid = m.reg_reset("second_valid", 1, 0);
     let head = m.reg("head", width);
     let second = m.reg("second", width);
 
-    let out_ready = m.stream_out("out", out_valid, unpacked(*head, layout));
+    let out_ready = m.packed_out("out", out_valid, head, layout);
     m.ready(&input, !second_valid);
 
     // The head is free or leaves: the second item, or else the one that comes in, takes its place.

@@ -68,11 +68,12 @@ fn a_top_lies_beside_its_core() {
     let bus = elaborate_beside(&top.module, &top.core).unwrap_or_else(|error| panic!("{error}"));
     let modules = |text: &str| -> HashSet<String> {
         let lines = text.lines().filter_map(|line| line.strip_prefix("module "));
-        lines.map(|line| line.trim_end_matches(" (").to_owned()).collect()
+        lines.map(|line| line.trim_end_matches([' ', '(', '#']).to_owned()).collect()
     };
     let [in_core, in_bus] = [&core, &bus].map(|design| modules(design.verilog()));
     assert!(in_core.is_disjoint(&in_bus), "{in_core:?} {in_bus:?}");
-    let all: HashSet<String> = bus.modules().iter().map(|module| module.name.clone()).collect();
+    let modules = bus.modules().iter().map(|module| &module.name);
+    let all: HashSet<String> = modules.chain(bus.memory_modules()).cloned().collect();
     assert_eq!(all, in_core.union(&in_bus).cloned().collect());
     assert!(in_core.contains("splat_top") && in_bus.contains("splat_axi"));
     lint_text("splat_axi", &format!("{}{}", bus.verilog(), core.verilog()), &[]);
