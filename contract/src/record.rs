@@ -84,6 +84,14 @@ pub struct Field {
     pub doc: &'static str,
 }
 
+impl Field {
+    /// A field without a word on what it holds.
+    #[must_use]
+    pub fn new(name: impl Into<String>, width: u32) -> Self {
+        Self { name: name.into(), width, doc: "" }
+    }
+}
+
 /// Meets the values of a record one by one, in the order of its fields, and may change them. It hears no names: a model meets its
 /// ports in every cycle.
 pub trait Visitor<D: Domain> {

@@ -2,7 +2,7 @@
 
 use pointcore_contract::bus::packets::{self, FieldRange};
 use pointcore_contract::search;
-use pointcore_contract::splat::{self, Field};
+use pointcore_contract::{Field, fields, splat};
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
 use pointcore_hdl::bus::packet_in;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -17,7 +17,7 @@ const RUN: u64 = 5;
 
 /// Random values of a record, now and then one out of its range.
 fn record(fields: &[Field], range: Option<FieldRange>, random: &mut fastrand::Rng) -> Vec<u64> {
-    let value = |(name, width): &Field, random: &mut fastrand::Rng| match range {
+    let value = |Field { name, width, .. }: &Field, random: &mut fastrand::Rng| match range {
         Some(range) if range.name == name && random.u8(..8) > 0 => random.u32(range.low..=range.high).into(),
         _ if name == "end" => u64::from(random.u8(..6) == 0),
         _ => random.u64(..) >> (64 - width),
@@ -54,10 +54,10 @@ fn beats(
 fn exchange(fields: &[Field], stream_bits: u32, range: Option<FieldRange>, seed: u64) {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut bench = Bench::new(packet_in::module(fields, stream_bits, range.as_ref()), seed);
-    let has_end = fields[0].0 == "end";
+    let has_end = fields[0].name == "end";
     let pattern = stalls(&mut random);
     let mut source = Feed::new(&bench, "s_axis_t", &["data", "last"], &mut random, pattern);
-    let names: Vec<&str> = fields.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
     let mut sink = Drain::new(&bench, "out_", &names, stalls(&mut random));
     let mut sent = beats(fields, stream_bits, range, &mut random);
     // A good packet that ends the last run, whatever came before.
@@ -114,7 +114,7 @@ fn exchange(fields: &[Field], stream_bits: u32, range: Option<FieldRange>, seed:
 }
 
 fn splat() -> Vec<Field> {
-    splat::records::splat(&splat::Config { continuous: 3, ..splat::Config::default() })
+    fields::<splat::records::Splat>(&splat::Config { continuous: 3, ..splat::Config::default() })
 }
 
 fn query() -> (Vec<Field>, FieldRange) {
@@ -142,7 +142,7 @@ fn it_takes_a_beat_in_every_cycle() {
         let mut bench = Bench::new(packet_in::module(&fields, stream_bits, None), 1);
         let never = || Stalls::new(Stall::Never, fastrand::Rng::with_seed(1));
         let mut source = Feed::new(&bench, "s_axis_t", &["data", "last"], &mut random, never());
-        let names: Vec<&str> = fields.iter().map(|(name, _)| name.as_str()).collect();
+        let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
         let mut sink = Drain::new(&bench, "out_", &names, never());
         let sender = PacketOut::new(&fields, stream_bits);
         for _ in 0..PACKETS {

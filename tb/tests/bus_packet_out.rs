@@ -2,7 +2,7 @@
 
 use pointcore_contract::bus::packets;
 use pointcore_contract::search;
-use pointcore_contract::splat::{self, Field};
+use pointcore_contract::{Field, fields, splat};
 use pointcore_golden::bus::PacketOut;
 use pointcore_hdl::bus::packet_out;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -12,7 +12,8 @@ use crate::bus::{Bench, Drain, Feed, SEEDS, bytes, stalls, words};
 const RECORDS: usize = 300;
 
 fn records() -> [Vec<Field>; 2] {
-    let fragment = splat::records::fragment(&splat::Config { continuous: 5, cardinal: 1, ..splat::Config::default() });
+    let fragment =
+        fields::<splat::records::Fragment>(&splat::Config { continuous: 5, cardinal: 1, ..splat::Config::default() });
     let [_, result] = packets::query_and_result(&search::Config::default());
     [fragment, result]
 }
@@ -21,14 +22,14 @@ fn records() -> [Vec<Field>; 2] {
 fn exchange(fields: &[Field], stream_bits: u32, seed: u64, patterns: [Stalls; 2]) -> (u64, u64) {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut bench = Bench::new(packet_out::module(fields, stream_bits), seed);
-    let names: Vec<&str> = fields.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
     let [source_stalls, sink_stalls] = patterns;
     let mut source = Feed::new(&bench, "in_", &names, &mut random, source_stalls);
     let mut sink = Drain::new(&bench, "m_axis_t", &["data", "last"], sink_stalls);
     let model = PacketOut::new(fields, stream_bits);
     let mut expected = vec![];
     for _ in 0..RECORDS {
-        let record: Vec<u64> = fields.iter().map(|(_, width)| random.u64(..) >> (64 - width)).collect();
+        let record: Vec<u64> = fields.iter().map(|field| random.u64(..) >> (64 - field.width)).collect();
         expected.extend(model.beats(&record));
         source.items.push_back(record);
     }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use pointcore_contract::bus::packets;
 use pointcore_contract::search;
-use pointcore_contract::splat::{self, Field};
+use pointcore_contract::{Field, fields, splat};
 use pointcore_golden::bus::{Burst, Reader};
 use pointcore_hdl::bus::reader;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -51,7 +51,7 @@ fn exchange(
 ) -> Exchange {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut bench = Bench::new(reader::module(fields, memory_bits, records_max), seed);
-    let names: Vec<&str> = fields.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
     let patterns: Vec<Stalls> = (0..4).map(|_| pattern(&mut random)).collect();
     let [asks, addresses, answers, taken] = <[Stalls; 4]>::try_from(patterns).unwrap();
     let mut request = Feed::new(&bench, "request_", &["address", "records"], &mut random, asks);
@@ -143,7 +143,8 @@ fn requests(stride: u32, records_max: u32, random: &mut fastrand::Rng) -> Vec<(u
 }
 
 fn records() -> [(Vec<Field>, u32); 3] {
-    let pixel = splat::records::pixel(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() });
+    let pixel =
+        fields::<splat::records::Pixel>(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() });
     let points = packets::points(&search::Config { lanes: 2, ..search::Config::default() });
     [(pixel.clone(), 64), (points, 9), (pixel, 1)]
 }

@@ -1,5 +1,6 @@
 //! `bus_registers` against its model: accesses of every kind between events, errors and ends of runs.
 
+use pointcore_contract::Field;
 use pointcore_contract::bus::ports::{self, ErrorSources};
 use pointcore_contract::bus::registers::CONTROL;
 use pointcore_contract::bus::{Register, registers as maps};
@@ -183,7 +184,7 @@ fn exchange(map: &[Register], sources: ErrorSources, seed: u64) {
         }
         // What was accepted has shown by the time of the answer, or does so in the next cycle.
         host.step();
-        for (name, _) in &settings {
+        for Field { name, .. } in &settings {
             assert_eq!(host.bench.get(name), u64::from(host.model.setting(name)), "access {access}: {name}");
         }
         assert_eq!(host.bench.get("busy"), u64::from(host.model.busy), "access {access}");

@@ -3,8 +3,8 @@
 use pointcore::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::{Config as Widths, registers};
 use pointcore_contract::splat::Config;
-use pointcore_contract::splat::records::{self, Fragment};
-use pointcore_contract::{read, words};
+use pointcore_contract::splat::records::{Fragment, Splat};
+use pointcore_contract::{fields, read, words};
 use pointcore_hdl::bus::splat;
 use pointcore_hdl::compiler::Options;
 use pointcore_tb::lockstep::{Stall, seeds};
@@ -33,7 +33,7 @@ fn on_the_bus(config: &Config, frame: &EncodedFrame, seed: u64) -> Vec<Fragment>
     let top = splat::core(config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let around = Around {
         map: registers::splat(config),
-        packets: [("s_axis_splat", records::splat(config)), ("m_axis_fragment", records::fragment(config))],
+        packets: [("s_axis_splat", fields::<Splat>(config)), ("m_axis_fragment", fields::<Fragment>(config))],
         reads: &["m_axi"],
         writes: Some("m_axi"),
         window: false,

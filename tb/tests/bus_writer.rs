@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use pointcore_contract::splat::{self, Field};
+use pointcore_contract::{Field, fields, splat};
 use pointcore_golden::bus::{Burst, Writer};
 use pointcore_hdl::bus::writer;
 use pointcore_tb::lockstep::{Stall, Stalls, seeds};
@@ -16,7 +16,7 @@ const INCREMENTING: u64 = 1;
 const SLAVE_ERROR: u64 = 2;
 
 fn pixel() -> Vec<Field> {
-    splat::records::pixel(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() })
+    fields::<splat::records::Pixel>(&splat::Config { continuous: 3, cardinal: 1, ..splat::Config::default() })
 }
 
 /// Writes records; returns cycles and beats.
@@ -28,7 +28,7 @@ fn exchange(
 ) -> (u64, u64) {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut bench = Bench::new(writer::module(fields, memory_bits), seed);
-    let names: Vec<&str> = ["address"].into_iter().chain(fields.iter().map(|(name, _)| name.as_str())).collect();
+    let names: Vec<&str> = ["address"].into_iter().chain(fields.iter().map(|field| field.name.as_str())).collect();
     let patterns: Vec<Stalls> = (0..4).map(|_| pattern(&mut random)).collect();
     let [source, addresses, data, answers] = <[Stalls; 4]>::try_from(patterns).unwrap();
     let mut input = Feed::new(&bench, "in_", &names, &mut random, source);
@@ -40,7 +40,7 @@ fn exchange(
     let beat_bytes = memory_bits as usize / 8;
     let (mut bursts, mut beats) = (VecDeque::new(), VecDeque::new());
     for _ in 0..RECORDS {
-        let record: Vec<u64> = fields.iter().map(|(_, width)| random.u64(..) >> (64 - width)).collect();
+        let record: Vec<u64> = fields.iter().map(|field| random.u64(..) >> (64 - field.width)).collect();
         let base = random.u32(..1 << 20) * 64;
         let (burst, packet) = model.burst(base, &record);
         input.items.push_back([base.into()].into_iter().chain(record).collect());

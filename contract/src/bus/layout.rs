@@ -1,8 +1,7 @@
 //! The bytes of a record, as C lays out a struct: fields in order, each in the low bits of the smallest container of 1, 2, 4
 //! or 8 bytes that holds it, at a multiple of the container's size.
 
-use crate::splat::Field;
-use crate::{Record, fields};
+use crate::{Field, Record, fields};
 
 /// Where a field lies.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,14 +29,14 @@ impl Layout {
     /// Lays out a record.
     #[must_use]
     pub fn record<R: Record>(config: &R::Config) -> Self {
-        Self::of(&fields::<R>(config).into_iter().map(|field| (field.name, field.width)).collect::<Vec<_>>())
+        Self::of(&fields::<R>(config))
     }
 
     /// Lays out fields.
     #[must_use]
     pub fn of(fields: &[Field]) -> Self {
         let mut end = 0;
-        let places = fields.iter().map(|(name, width)| {
+        let places = fields.iter().map(|Field { name, width, .. }| {
             let bytes = width.div_ceil(8).next_power_of_two();
             let byte = u32::next_multiple_of(end, bytes);
             end = byte + bytes;
@@ -103,7 +102,7 @@ mod tests {
     use super::*;
 
     fn fields(widths: &[u32]) -> Vec<Field> {
-        widths.iter().enumerate().map(|(index, width)| (format!("f{index}"), *width)).collect()
+        widths.iter().enumerate().map(|(index, width)| Field::new(format!("f{index}"), *width)).collect()
     }
 
     #[test]

@@ -3,8 +3,9 @@
 use super::layout::Layout;
 use crate::search;
 use crate::search::records::{Bucket, CachedQuery, CachedResult, Node, Points};
-use crate::splat::{self, Field};
-use crate::{Record, fields};
+use crate::splat;
+use crate::splat::records::{Fragment, Pixel, Splat};
+use crate::{Field, fields};
 
 /// A record with a name and a purpose, for documents.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,45 +50,39 @@ fn memory(name: &'static str, doc: &'static str, fields: Vec<Field>, memory_bits
 /// Packets and memory records of the renderer.
 #[must_use]
 pub fn splat(config: &splat::Config) -> Vec<Packet> {
-    use splat::records;
     let bus = &config.bus;
     vec![
         packet(
             "splat",
             "A splat in world space, or with `end` set the end of the frame.",
-            records::splat(config),
+            fields::<Splat>(config),
             bus.stream_bits,
         ),
         packet(
             "fragment",
             "A pixel of the picture, or with `end` set the end of the frame.",
-            records::fragment(config),
+            fields::<Fragment>(config),
             bus.stream_bits,
         ),
         memory(
             "pixel",
             "A pixel of the reconstruction buffer, which only the core reads and writes.",
-            records::pixel(config),
+            fields::<Pixel>(config),
             bus.memory_bits,
         ),
     ]
 }
 
-/// The fields of a record.
-fn list<R: Record>(config: &R::Config) -> Vec<Field> {
-    fields::<R>(config).into_iter().map(|field| (field.name, field.width)).collect()
-}
-
 /// The query and the result of a search core, with or without a neighbor cache.
 #[must_use]
 pub fn query_and_result(config: &search::Config) -> [Vec<Field>; 2] {
-    [list::<CachedQuery>(config), list::<CachedResult>(config)]
+    [fields::<CachedQuery>(config), fields::<CachedResult>(config)]
 }
 
 /// The points of a beat of the search core: `x0`, `y0`, `z0`, `x1` …
 #[must_use]
 pub fn points(config: &search::Config) -> Vec<Field> {
-    list::<Points>(config)
+    fields::<Points>(config)
 }
 
 /// Packets and memory records of the search core.
@@ -108,8 +103,8 @@ pub fn search(config: &search::Config) -> Vec<Packet> {
             points(config),
             bus.memory_bits,
         ),
-        tree("tree_node", "An internal node of the tree.", list::<Node>(config)),
-        tree("tree_leaf", "Where the points of a leaf lie, in beats.", list::<Bucket>(config)),
+        tree("tree_node", "An internal node of the tree.", fields::<Node>(config)),
+        tree("tree_leaf", "Where the points of a leaf lie, in beats.", fields::<Bucket>(config)),
     ]
 }
 

@@ -1,9 +1,8 @@
 //! Ports of the renderer's units in order, `rst` first; every unit also has `clk`.
 
 use super::config::Config;
-use super::lists::Field;
 use super::units;
-use crate::{Direction, Port};
+use crate::Port;
 
 /// Names of the uniform registers: constants of a frame, written before its first splat. Their order is their address.
 ///
@@ -53,59 +52,6 @@ pub const EVENTS: [&str; 6] = [
     // The accumulator waited for its tile to arrive in the cache.
     "event_slot_wait",
 ];
-
-/// Collects ports in order.
-#[derive(Default)]
-pub(crate) struct Ports(Vec<Port>);
-
-impl Ports {
-    pub fn new() -> Self {
-        Self::default().input("rst", 1)
-    }
-
-    fn port(mut self, name: impl Into<String>, width: u32, direction: Direction) -> Self {
-        self.0.push(Port { name: name.into(), width, direction });
-        self
-    }
-
-    pub fn input(self, name: impl Into<String>, width: u32) -> Self {
-        self.port(name, width, Direction::Input)
-    }
-
-    pub fn output(self, name: impl Into<String>, width: u32) -> Self {
-        self.port(name, width, Direction::Output)
-    }
-
-    pub fn inputs(self, prefix: &str, fields: &[Field]) -> Self {
-        fields.iter().fold(self, |ports, (name, width)| ports.input(format!("{prefix}{name}"), *width))
-    }
-
-    pub fn outputs(self, prefix: &str, fields: &[Field]) -> Self {
-        fields.iter().fold(self, |ports, (name, width)| ports.output(format!("{prefix}{name}"), *width))
-    }
-
-    /// A stream the unit receives: `valid`, `ready`, fields.
-    pub fn stream_in(self, name: &str, fields: &[Field]) -> Self {
-        let ports = self.input(format!("{name}_valid"), 1).output(format!("{name}_ready"), 1);
-        ports.inputs(&format!("{name}_"), fields)
-    }
-
-    /// A stream the unit sends: `valid`, `ready`, fields.
-    pub fn stream_out(self, name: &str, fields: &[Field]) -> Self {
-        let ports = self.output(format!("{name}_valid"), 1).input(format!("{name}_ready"), 1);
-        ports.outputs(&format!("{name}_"), fields)
-    }
-
-    /// A record that whoever receives it always takes: `valid`, fields.
-    pub fn pulse_out(self, name: &str, fields: &[Field]) -> Self {
-        self.output(format!("{name}_valid"), 1).outputs(&format!("{name}_"), fields)
-    }
-
-    /// The ports collected.
-    pub fn list(self) -> Vec<Port> {
-        self.0
-    }
-}
 
 macro_rules! lists {
     ($($unit:ident),* $(,)?) => {

@@ -2,9 +2,9 @@
 //!
 //! A packet is judged by its `tlast` and by the range of one of its fields; a refused one leaves no trace but its count.
 
+use pointcore_contract::Field;
 use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::packets::FieldRange;
-use pointcore_contract::splat::Field;
 
 /// What becomes of a packet.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn packets_of_a_wrong_length_are_refused_once() {
-        let fields = [("a".to_owned(), 8), ("b".to_owned(), 32)];
+        let fields = [Field::new("a", 8), Field::new("b", 32)];
         let mut unit = PacketIn::new(&fields, 32, Some(FieldRange { name: "a", low: 1, high: 3 }));
         let mut verdicts = vec![];
         for (byte, tlast) in [

@@ -1,7 +1,7 @@
 //! Packets out: records to beats.
 
+use pointcore_contract::Field;
 use pointcore_contract::bus::Layout;
-use pointcore_contract::splat::Field;
 
 /// The sending end of a stream of packets.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ mod tests {
 
     #[test]
     fn a_packet_is_padded_to_whole_beats() {
-        let fields = [("a".to_owned(), 3), ("b".to_owned(), 32), ("c".to_owned(), 9)];
+        let fields = [Field::new("a", 3), Field::new("b", 32), Field::new("c", 9)];
         let beats = PacketOut::new(&fields, 64).beats(&[5, 0x0102_0304, 0x1ff]);
         assert_eq!(beats, [(vec![5, 0, 0, 0, 4, 3, 2, 1], false), (vec![255, 1, 0, 0, 0, 0, 0, 0], true)]);
     }

@@ -1,9 +1,9 @@
 //! Reader: requests for records to bursts, bytes to records.
 
 use super::Burst;
+use pointcore_contract::Field;
 use pointcore_contract::bus::Layout;
 use pointcore_contract::bus::config::{BORDER_BYTES, BURST_BEATS_MAX};
-use pointcore_contract::splat::Field;
 
 /// The read half of a memory port.
 #[derive(Clone, Debug)]
@@ -56,12 +56,12 @@ mod tests {
 
     #[test]
     fn bursts_end_before_borders() {
-        let reader = Reader::new(&[("a".to_owned(), 33)], 32);
+        let reader = Reader::new(&[Field::new("a", 33)], 32);
         assert_eq!(reader.stride(), 8);
         let bursts =
             reader.bursts(0x3f8, 130).into_iter().map(|burst| (burst.address, burst.beats)).collect::<Vec<_>>();
         assert_eq!(bursts, [(0x3f8, 2), (0x400, 256), (0x800, 2)]);
-        let wide = Reader::new(&[("a".to_owned(), 33)], 512);
+        let wide = Reader::new(&[Field::new("a", 33)], 512);
         let bursts = wide.bursts(0xfc0, 2).into_iter().map(|burst| (burst.address, burst.beats)).collect::<Vec<_>>();
         assert_eq!(bursts, [(0xfc0, 1), (0x1000, 1)]);
     }

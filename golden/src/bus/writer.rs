@@ -1,8 +1,8 @@
 //! Writer: records to bursts of a stride each.
 
 use super::Burst;
+use pointcore_contract::Field;
 use pointcore_contract::bus::Layout;
-use pointcore_contract::splat::Field;
 
 /// The write half of a memory port.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ mod tests {
 
     #[test]
     fn a_record_is_a_burst_of_its_stride() {
-        let writer = Writer::new(&[("a".to_owned(), 1), ("b".to_owned(), 64)], 64);
+        let writer = Writer::new(&[Field::new("a", 1), Field::new("b", 64)], 64);
         let (burst, bytes) = writer.burst(0x100, &[1, 0x0807_0605_0403_0201]);
         assert_eq!(burst, Burst { address: 0x100, beats: 2 });
         assert_eq!(bytes, [1, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8]);

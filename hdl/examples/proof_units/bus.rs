@@ -5,9 +5,8 @@ use pointcore_contract::bus::config::WRITES_MAX;
 use pointcore_contract::bus::packets::FieldRange;
 use pointcore_contract::bus::ports;
 use pointcore_contract::bus::registers::{self as map, Kind, Register};
-use pointcore_contract::splat::Field;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::{search, splat};
+use pointcore_contract::{Field, search, splat};
 use pointcore_hdl::bus::cores::buffer;
 use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, window, writer};
 
@@ -17,7 +16,7 @@ const STRIDE: u32 = 16;
 
 /// Fields whose containers leave gaps between them; the third, of one bit, is called as told.
 fn record(third: &str) -> Vec<Field> {
-    [("a", 3), ("b", 20), (third, 1), ("d", 9)].map(|(name, width)| (name.to_owned(), width)).to_vec()
+    [("a", 3), ("b", 20), (third, 1), ("d", 9)].map(|(name, width)| Field::new(name, width)).to_vec()
 }
 
 /// Packets of several beats and of one, full and padded; with and without a field `end` and a range.

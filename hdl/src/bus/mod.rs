@@ -13,9 +13,9 @@ mod parts;
 pub use cores::{search, splat};
 
 use crate::compiler::Manifest;
-use crate::units::records::Record;
+use pointcore_contract::Field;
 use pointcore_contract::bus::config;
-use rtl::{Expr, Module, Wire, lit};
+use rtl::{Expr, Module, lit};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -60,10 +60,14 @@ fn size_of(beat_bytes: u32) -> Expr {
     lit(3, beat_bytes.ilog2().into())
 }
 
-/// Declares the ports of a stream that shows a record, and drives `taken` with its `ready`.
-fn stream_out(m: &mut Module, name: &str, valid: impl Into<Expr>, record: &Record, taken: Wire) {
-    let ready = m.stream_out(name, valid, record.named());
-    m.drive(taken, ready);
+/// Names and widths of fields, as the front end takes layouts.
+fn layout(fields: &[Field]) -> Vec<(&str, u32)> {
+    fields.iter().map(|field| (field.name.as_str(), field.width)).collect()
+}
+
+/// Fields with their values.
+fn named(fields: &[Field], values: Vec<Expr>) -> impl Iterator<Item = (&str, Expr)> {
+    fields.iter().map(|field| field.name.as_str()).zip(values)
 }
 
 #[cfg(test)]
@@ -72,7 +76,6 @@ mod tests {
     use crate::compiler::Options;
     use crate::units::testing::check;
     use pointcore_contract::bus::{config::WIDTHS, packets, ports, registers as spec_registers};
-    use pointcore_contract::splat::Field;
     use pointcore_contract::{search, splat};
 
     /// Few and many fields, with and without a field `end`.
@@ -87,7 +90,7 @@ mod tests {
     }
 
     fn range_of(fields: &[Field], name: &'static str) -> Option<packets::FieldRange> {
-        fields.iter().any(|(field, _)| field == name).then_some(packets::FieldRange { name, low: 1, high: 1 })
+        fields.iter().any(|field| field.name == name).then_some(packets::FieldRange { name, low: 1, high: 1 })
     }
 
     #[test]

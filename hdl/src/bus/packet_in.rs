@@ -6,13 +6,28 @@
 
 use pointcore_contract::bus::packets::FieldRange;
 use pointcore_contract::bus::ports::has_end;
-use pointcore_contract::splat::Field;
+use pointcore_contract::{Field, record};
 
+use super::named;
 use super::parts::beats::Beats;
-use super::stream_out;
 use crate::stream::skid;
-use crate::units::records::event_out;
+use crate::units::ports::{Flow, event_out};
+use crate::units::wires::{Bundle, Wires, layout};
 use rtl::{Expr, Module, Reg, bit, lit};
+
+/// A beat that is judged.
+#[record(beats: Beats)]
+struct Judged {
+    /// It completes a good packet.
+    good: bool,
+    /// Its bits without those that never hold anything.
+    #[bits(beats.used_bits())]
+    data: u64,
+    /// Its place in its packet.
+    #[when(beats.count > 1)]
+    #[bits(beats.place_bits())]
+    place: u32,
+}
 
 /// The unit; ports as in `contract::bus::ports::packet_in`. Packets whose field is out of `range` are refused. Of a record with a
 /// field `end`, the packet with it set is a run's last.
@@ -57,30 +72,25 @@ pub fn module(fields: &[Field], stream_bits: u32, range: Option<&FieldRange>) ->
     let is_open = m.reg_reset("is_open", 1, 0);
     m.next(is_open, opens | (is_open & !(good & closes)));
 
-    let mut layout = vec![("good", 1), ("data", beats.used_bits())];
-    if place.is_some() {
-        layout.push(("place", beats.place_bits()));
-    }
-    let queue = m.instance("beat_queue", skid(&layout));
+    let queue = m.instance("beat_queue", skid(&layout::<Judged>(&beats)));
     let room = m.out(queue, "in_ready");
     m.drive(tready, room & (begun | is_open));
     m.connect(queue, "in_valid", takes & !is_overlong);
-    m.connect(queue, "in_good", good);
-    m.connect(queue, "in_data", beats.squeeze(tdata));
-    if let Some(place) = &place {
-        m.connect(queue, "in_place", *place);
-    }
+    let number = place.map_or_else(Expr::default, |place| place.expr());
+    let judged = Judged { good, data: beats.squeeze(tdata), place: number };
+    judged.connect(&mut m, &beats, queue, "in_");
 
-    let head = m.stream_from(queue, "out");
+    let head = Flow::<Judged<Wires>>::from(&mut m, &beats, queue, "out");
     let out_valid = m.reg_reset("out_valid", 1, 0);
     let out_taken = m.forward("out_taken", 1);
     let advance = m.wire("advance", !out_valid | out_taken);
-    m.ready(&head, advance);
-    m.next_if(out_valid, advance, head.valid & head.field("good"));
+    m.drive(head.ready, advance);
+    m.next_if(out_valid, advance, head.valid & head.record.good);
     let moves = m.wire("moves", head.transfer());
-    let place = place.map(|_| head.field("place"));
-    let record = beats.gather(&mut m, head.field("data"), place, moves);
-    stream_out(&mut m, "out", out_valid, &record, out_taken);
+    let place = place.map(|_| head.record.place);
+    let record = beats.gather(&mut m, head.record.data, place, moves);
+    let ready = m.stream_out("out", out_valid, named(fields, record));
+    m.drive(out_taken, ready);
     event_out(&mut m, "taken", good);
     event_out(&mut m, "refused", wrong | (whole & !in_range));
     m

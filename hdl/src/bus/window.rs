@@ -6,7 +6,7 @@
 use pointcore_contract::bus::config::{ID_BITS, TREE_WORD_BITS};
 
 use super::{ADDRESS_BITS, INCREMENTING, LENGTH_BITS, OKAY, SLAVE_ERROR, size_of};
-use crate::units::records::event_out;
+use crate::units::ports::event_out;
 use rtl::{Expr, Module, lit};
 
 const WORD_BITS: u32 = TREE_WORD_BITS;

@@ -336,9 +336,7 @@ impl<R: Record> OutputPorts<R> for Output<R> {
     ) {
         let place = which(places::<R>(config)).expect("a unit has the events that it tells of");
         let name = format!("{}{}", prefix(self.name), fields::<R>(config)[place].name);
-        let happened = m.reg_reset(&name, 1, 0);
-        m.next(happened, happens);
-        m.output(&name, happened);
+        event_out(m, &name, happens);
     }
 
     fn drive(self, m: &mut Module, config: &R::Config, record: Wired<R>) {
@@ -380,9 +378,7 @@ pub(crate) trait WordPort: Copy {
 
     /// Drives it on the unit in the cycle after `happens`.
     fn event(self, m: &mut Module, happens: impl Into<Expr>) {
-        let happened = m.reg_reset(self.name(), 1, 0);
-        m.next(happened, happens);
-        self.drive_word(m, happened);
+        event_out(m, self.name(), happens);
     }
 
     /// What an instance of the unit puts out.
@@ -406,6 +402,13 @@ impl<W> WordPort for Output<W> {
     fn name(self) -> &'static str {
         self.name
     }
+}
+
+/// An output that is set in the cycle after `happens`.
+pub(crate) fn event_out(m: &mut Module, name: &str, happens: impl Into<Expr>) {
+    let happened = m.reg_reset(name, 1, 0);
+    m.next(happened, happens);
+    m.output(name, happened);
 }
 
 /// A register that takes a value at clock edges where `enable` is set.

@@ -219,11 +219,3 @@ impl QueueOut {
         }
     }
 }
-
-/// An output that is set in the cycle after `happens`.
-#[track_caller]
-pub(crate) fn event_out(m: &mut Module, name: &str, happens: impl Into<Expr>) {
-    let happened = m.reg_reset(name, 1, 0);
-    m.next(happened, happens);
-    m.output(name, happened);
-}

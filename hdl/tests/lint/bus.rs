@@ -1,8 +1,7 @@
 //! The bus units pass through every tool.
 
 use pointcore_contract::bus::{Config, packets, registers as maps};
-use pointcore_contract::search;
-use pointcore_contract::splat::{self, Field};
+use pointcore_contract::{Field, search, splat};
 use pointcore_hdl::bus::{packet_in, packet_out, reader, registers, search as top_b, splat as top_a, window, writer};
 use pointcore_hdl::compiler::Options;
 use rtl::{Module, elaborate, elaborate_beside};
@@ -27,7 +26,7 @@ fn packet_fields() -> Vec<Vec<Field>> {
 fn tools_accept_the_packet_units() {
     for fields in packet_fields() {
         let query_range = packets::query_range(&search::Config::default());
-        let has_k = fields.iter().any(|(name, _)| name == query_range.name);
+        let has_k = fields.iter().any(|field| field.name == query_range.name);
         let range = has_k.then_some(&query_range);
         for bits in [32, 64, 512] {
             accepts(&packet_in::module(&fields, bits, range));

@@ -3,7 +3,7 @@
 use pointcore::configuration::{Configuration, ecp5, knn};
 use pointcore::generated::GenerateError;
 use pointcore::package::place_and_route::Crowding;
-use pointcore_contract::{Fixed, Format, Signedness, Unit, search as search_spec, splat as splat_spec};
+use pointcore_contract::{Fixed, Format, Signedness, Unit, fields, search as search_spec, splat as splat_spec};
 use pointcore_hdl::compiler::{CompileError, Datapath, Options};
 use pointcore_hdl::float::{self, Operator};
 use pointcore_hdl::{search, splat};
@@ -233,7 +233,7 @@ fn bus_units() -> Vec<MeasuredUnit> {
         unit("reader", |config| {
             reader::module(&packets::points(config), config.bus.memory_bits, ports::beats_max(config))
         }),
-        unit("writer", |config| writer::module(&splat_spec::records::pixel(&ecp5()), config.bus.memory_bits)),
+        unit("writer", |config| writer::module(&fields::<splat_spec::records::Pixel>(&ecp5()), config.bus.memory_bits)),
         unit("window", |config| window::module(ports::window_index_bits(config))),
         unit("registers", |config| registers::module(&maps::search(config), search::error_sources(config))),
     ]

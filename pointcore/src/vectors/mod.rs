@@ -8,9 +8,9 @@ pub use search::search;
 pub use splat::frame;
 
 use crate::generated::GenerateError;
+use pointcore_contract::Field;
 use pointcore_contract::bus::config::BORDER_BYTES;
 use pointcore_contract::bus::{Config, Layout, Register};
-use pointcore_contract::splat::Field;
 use pointcore_tb::lockstep::LockstepError;
 use serde::Serialize;
 

@@ -5,7 +5,7 @@ use crate::splat::{EncodedFrame, SplatCore, SplatRunner};
 use pointcore_contract::bus::{Layout, registers};
 use pointcore_contract::splat::Config;
 use pointcore_contract::splat::config::TILE_PIXELS;
-use pointcore_contract::splat::records::{self, Fragment, Uniforms};
+use pointcore_contract::splat::records::{Fragment, Pixel, Splat, Uniforms};
 use pointcore_contract::{fields, words};
 use pointcore_tb::lockstep::Stall;
 
@@ -14,7 +14,7 @@ use pointcore_tb::lockstep::Stall;
 /// # Errors
 /// The buffer has no place, or the golden model does not come to its end.
 pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors, VectorsError> {
-    let stride = Layout::of(&records::pixel(config)).stride(config.bus.memory_bits);
+    let stride = Layout::record::<Pixel>(config).stride(config.bus.memory_bits);
     let bytes = (u64::from(TILE_PIXELS) * u64::from(stride)) << config.tile_bits();
     let buffer_base = AddressSpace::new(base)?.take("a reconstruction buffer", bytes)?;
     let runner = SplatRunner { config, frame, stall: Stall::Never, seed: 0, progress: &|_, _| {}, stop_after: None };
@@ -31,8 +31,8 @@ pub fn frame(config: &Config, frame: &EncodedFrame, base: u64) -> Result<Vectors
         stream_bits: config.bus.stream_bits,
         memory_bits: config.bus.memory_bits,
         registers: writes(&registers::splat(config), [("buffer_base", buffer_base)].into_iter().chain(uniforms)),
-        send: Packets::new("splat", &records::splat(config), &config.bus, splats),
-        receive: Packets::new("fragment", &records::fragment(config), &config.bus, fragments),
+        send: Packets::new("splat", &fields::<Splat>(config), &config.bus, splats),
+        receive: Packets::new("fragment", &fields::<Fragment>(config), &config.bus, fragments),
         memory: vec![Region {
             name: "pixel",
             port: "m_axi",

@@ -2,9 +2,9 @@
 
 use std::collections::VecDeque;
 
+use pointcore_contract::Field;
 use pointcore_contract::bus::registers::{CONTROL, STATUS};
 use pointcore_contract::bus::{Config, Register};
-use pointcore_contract::splat::Field;
 use pointcore_golden::bus::{PacketIn, PacketOut, Verdict};
 use rtl::Module;
 

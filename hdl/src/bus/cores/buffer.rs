@@ -1,12 +1,13 @@
 //! The reconstruction buffer in memory (`docs/interfaces.md`): the renderer's reads of tiles and writes of pixels, in their order; proved in
 //! `formal/splat_buffer.sv`.
 
-use pointcore_contract::bus::{Layout, ports};
-use pointcore_contract::splat::Field;
+use pointcore_contract::Field;
+use pointcore_contract::bus::{Bus, Layout};
 
-use super::wiring::{export, feed, place, request};
-use crate::bus::{ADDRESS_BITS, reader, writer};
-use crate::units::records::{Record, stream_in};
+use super::wiring::{export, feed, place};
+use crate::bus::reader::{self, Request};
+use crate::bus::{ADDRESS_BITS, layout, writer};
+use crate::units::wires::Bundle;
 use rtl::{Expr, Instance, Module, Stream, address_width, cat, lit};
 
 /// What lies in memory, and how memory is reached.
@@ -34,14 +35,15 @@ impl Buffer<'_> {
         let tile_bits = stride_bits + self.tile_pixels.ilog2();
         let address = m.wire("tile_address", place(self.base, read.field("tile"), tile_bits));
         let count = lit(self.tile_pixels.ilog2() + 1, self.tile_pixels.into());
-        feed(m, read, (self.reads, "request"), writer_idle, &request(address, count));
+        let request = Request { address, records: count }.named(&self.tile_pixels);
+        feed(m, (read.valid, read.ready), (self.reads, "request"), writer_idle, request);
         let index = cat([write.field("tile"), write.field("pixel")]);
         let address = m.wire("pixel_address", place(self.base, index, stride_bits));
-        let mut fields = vec![("address".to_owned(), ADDRESS_BITS)];
-        fields.extend_from_slice(self.pixel);
-        let written = Record::new(&fields, |name| if name == "address" { address } else { write.field(name) });
+        // Tile and pixel come before what the pixel holds.
+        let values = write.fields[2..].iter().cloned();
+        let written = std::iter::once(("address".to_owned(), address)).chain(values);
         let no_read = m.wire("no_read", !read.valid);
-        feed(m, write, (self.writes, "in"), no_read, &written);
+        feed(m, (write.valid, write.ready), (self.writes, "in"), no_read, written);
     }
 }
 
@@ -51,12 +53,12 @@ pub fn alone(pixel: &[Field], memory_bits: u32, tile_bits: u32, tile_pixels: u32
     let mut m = Module::new("splat_buffer", "The renderer's reconstruction buffer in memory.");
     let reads = m.instance("reads", reader::limited(pixel, memory_bits, tile_pixels, limit));
     let writes = m.instance("writes", writer::limited(pixel, memory_bits, limit));
-    export(&mut m, reads, &ports::reader(pixel, memory_bits, tile_pixels), "m_axi", "m_axi");
-    export(&mut m, writes, &ports::writer(pixel, memory_bits), "m_axi", "m_axi");
+    export(&mut m, reads, Bus::ReadMaster(memory_bits), "m_axi", "m_axi");
+    export(&mut m, writes, Bus::WriteMaster(memory_bits), "m_axi", "m_axi");
     let base = m.input("base", ADDRESS_BITS);
     let read = m.stream_in("read", &[("tile", tile_bits)]);
-    let place = [("tile".to_owned(), tile_bits), ("pixel".to_owned(), address_width(tile_pixels) as u32)];
-    let write = stream_in(&mut m, "write", &[place.as_slice(), pixel].concat());
+    let place = [Field::new("tile", tile_bits), Field::new("pixel", address_width(tile_pixels))];
+    let write = m.stream_in("write", &layout(&[place.as_slice(), pixel].concat()));
     let buffer = Buffer { pixel, tile_pixels, memory_bits, base, reads, writes };
     buffer.order(&mut m, &read, &write);
     let data = m.stream_from(reads, "record");

@@ -3,17 +3,17 @@
 
 use std::rc::Rc;
 
-use pointcore_contract::Record;
 use pointcore_contract::bus::config::TREE_WORD_BITS;
-use pointcore_contract::bus::{Layout, packets, ports, registers as maps};
+use pointcore_contract::bus::{Bus, Layout, packets, ports, registers as maps};
 use pointcore_contract::search::Config;
 use pointcore_contract::search::records::{Beat, BeatPlace, CacheSetup, Fetch, Lookup, Points, TreeRecord, TreeWrite};
 use pointcore_contract::search::units::events;
 use pointcore_contract::search::units::top::PORTS;
-use pointcore_contract::splat::{Field, Port};
 use pointcore_contract::unit::In;
+use pointcore_contract::{Record, fields, record};
 
-use super::wiring::{export, feed, place, report, request};
+use super::wiring::{export, feed, place, report};
+use crate::bus::reader::Request;
 use crate::bus::{Top, packet_in, packet_out, reader, registers, window};
 use crate::compiler::{CompileError, Options};
 use crate::search::top;
@@ -31,9 +31,12 @@ pub const fn error_sources(config: &Config) -> ports::ErrorSources {
     if config.tree_cache == 0 { [1, 2, 1, 1] } else { [0, 2, 1, 2] }
 }
 
-/// The tree's words as they lie in the window and in memory.
-fn tree_word() -> Vec<Field> {
-    vec![("word".to_owned(), TREE_WORD_BITS)]
+/// A word of the tree as it lies in the window and in memory.
+#[record(config: Config)]
+struct TreeWord {
+    /// What a node or a leaf holds.
+    #[bits(TREE_WORD_BITS)]
+    word: u64,
 }
 
 /// A record that lies in a word of the tree.
@@ -60,9 +63,9 @@ pub fn core(config: &Config, options: &Options) -> Result<Top, CompileError> {
     let range = packets::query_range(config);
     let queries = m.instance("queries", packet_in::module(&query, bus.stream_bits, Some(&range)));
     let results = m.instance("results", packet_out::module(&result, bus.stream_bits));
-    export(&mut m, control, &ports::registers(&map, sources), "s_axil", "s_axil");
-    export(&mut m, queries, &ports::packet_in(&query, bus.stream_bits), "s_axis", "s_axis_query");
-    export(&mut m, results, &ports::packet_out(&result, bus.stream_bits), "m_axis", "m_axis_result");
+    export(&mut m, control, Bus::Registers, "s_axil", "s_axil");
+    export(&mut m, queries, Bus::StreamIn(bus.stream_bits), "s_axis", "s_axis_query");
+    export(&mut m, results, Bus::StreamOut(bus.stream_bits), "m_axis", "m_axis_result");
 
     let [start, core_reset] = ["start", "core_reset"].map(|name| m.out(control, name));
     m.reset_by(core, core_reset);
@@ -134,15 +137,15 @@ fn run(
 /// Reads points; returns the reader.
 fn points(m: &mut Module, config: &Config, core: Instance, control: Instance) -> Instance {
     let bits = config.bus.memory_bits;
-    let fields = packets::points(config);
+    let fields = fields::<Points>(config);
     let most = ports::beats_max(config);
     let reads = m.instance("points", reader::module(&fields, bits, most));
-    export(m, reads, &ports::reader(&fields, bits, most), "m_axi", "m_axi");
+    export(m, reads, Bus::ReadMaster(bits), "m_axi", "m_axi");
     let base = m.out(control, "points_base");
     let fetch = PORTS.fetch.of(m, config, core);
     let stride_bits = Layout::of(&fields).stride(bits).ilog2();
     let address = m.wire("points_address", place(base, fetch.record.address, stride_bits));
-    let asked = Asked { name: "fetches", address, records: fetch.record.beats };
+    let asked = Asked { name: "fetches", address, records: fetch.record.beats, records_max: most };
     let head = asked.remembered::<Fetch<Wires>>(m, config, fetch, reads);
 
     let record = Flow::<Points<Wires>>::from(m, config, reads, "record");
@@ -164,7 +167,7 @@ fn points(m: &mut Module, config: &Config, core: Instance, control: Instance) ->
 fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instance) -> Instance {
     let index_bits = ports::window_index_bits(config);
     let window = m.instance("tree", window::module(index_bits));
-    export(m, window, &ports::window(index_bits), "s_axi", "s_axi");
+    export(m, window, Bus::Slave(TREE_WORD_BITS), "s_axi", "s_axi");
     let [valid, index, word] = ["write_valid", "write_index", "write_data"].map(|name| m.out(window, name));
     let (node, bucket) = (in_word(config, word), in_word(config, word));
     let record = TreeWrite { is_leaf: index.msb(), address: index.trunc(config.tree_depth), node, bucket };
@@ -180,25 +183,24 @@ fn tree_window(m: &mut Module, config: &Config, core: Instance, control: Instanc
 /// Reads the tree; returns the reader.
 fn tree_memory(m: &mut Module, config: &Config, core: Instance, control: Instance) -> Instance {
     let bits = config.bus.memory_bits;
-    let fields = tree_word();
+    let fields = fields::<TreeWord>(config);
     let reads = m.instance("tree", reader::module(&fields, bits, 1));
-    let unit_ports: Vec<Port> = ports::reader(&fields, bits, 1);
-    export(m, reads, &unit_ports, "m_axi", "m_axi_tree");
+    export(m, reads, Bus::ReadMaster(bits), "m_axi", "m_axi_tree");
     m.connect(control, "occupied", bit(false));
     let base = m.out(control, "tree_base");
     let lookup = PORTS.lookup.of(m, config, core);
     let stride_bits = packets::tree_stride(config, bits).ilog2();
     let address = m.wire("tree_address", place(base, lookup.record.address, stride_bits));
-    let asked = Asked { name: "lookups", address, records: bit(true) };
+    let asked = Asked { name: "lookups", address, records: bit(true), records_max: 1 };
     let head = asked.remembered::<Lookup<Wires>>(m, config, lookup, reads);
 
-    let record = m.stream_from(reads, "record");
+    let record = Flow::<TreeWord<Wires>>::from(m, config, reads, "record");
     let gives = m.wire("gives_record", record.valid & head.valid);
-    let word = record.field("word");
+    let TreeWord { word } = record.record;
     let (node, bucket) = (in_word(config, word), in_word(config, word));
     let answer = TreeRecord { lookup: head.record, node, bucket };
     let taken = give(m, config, (core, PORTS.record), gives, answer);
-    m.ready(&record, taken & head.valid);
+    m.drive(record.ready, taken & head.valid);
     m.drive(head.ready, taken & record.valid);
     reads
 }
@@ -208,6 +210,7 @@ struct Asked {
     name: &'static str,
     address: Expr,
     records: Expr,
+    records_max: u32,
 }
 
 impl Asked {
@@ -218,7 +221,9 @@ impl Asked {
         let reader_ready = m.out(reads, "request_ready");
         m.connect(queue, "in_valid", stream.valid & reader_ready);
         stream.record.connect(m, config, queue, "in_");
-        feed(m, &stream.plain(config), (reads, "request"), room, &request(self.address, self.records));
+        let request = Request { address: self.address, records: self.records };
+        let (request, stream) = (request.named(&self.records_max), (stream.valid, stream.ready));
+        feed(m, stream, (reads, "request"), room, request);
         Flow::from(m, config, queue, "out")
     }
 }

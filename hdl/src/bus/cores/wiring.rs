@@ -1,35 +1,41 @@
 //! What the tops share: a unit's bus becomes the top's, a unit's record the next one's.
 
-use pointcore_contract::splat::{Direction, Field, Port};
+use pointcore_contract::Direction;
+use pointcore_contract::bus::Bus;
 
 use crate::bus::ADDRESS_BITS;
-use crate::units::records::Record;
-use rtl::{Expr, Instance, Module, Stream, cat, lit};
+use rtl::{Expr, Instance, Module, Wire, cat, lit};
 
-/// Leads the ports `<from>_…` of a unit out as `<to>_…`.
-pub(super) fn export(m: &mut Module, unit: Instance, ports: &[Port], from: &str, to: &str) {
-    for port in ports {
-        let Some(rest) = port.name.strip_prefix(from).filter(|rest| rest.starts_with('_')) else { continue };
-        let name = format!("{to}{rest}");
-        match port.direction {
+/// Leads a bus, which a unit calls `from`, out as `to`.
+pub(super) fn export(m: &mut Module, unit: Instance, bus: Bus, from: &str, to: &str) {
+    for (own, outer) in bus.ports(from).into_iter().zip(bus.ports(to)) {
+        match own.direction {
             Direction::Input => {
-                let value = m.input(&name, port.width);
-                m.connect(unit, &port.name, value);
+                let value = m.input(&outer.name, outer.width);
+                m.connect(unit, &own.name, value);
             }
             Direction::Output => {
-                let value = m.out(unit, &port.name);
-                m.output(&name, value);
+                let value = m.out(unit, &own.name);
+                m.output(&outer.name, value);
             }
         }
     }
 }
 
 /// Leads a stream into a unit, other than field by field; it moves only while `gate` is set.
-pub(super) fn feed(m: &mut Module, stream: &Stream, (to, input): (Instance, &str), gate: Expr, fields: &Record) {
-    m.connect(to, &format!("{input}_valid"), stream.valid & gate);
-    fields.connect(m, to, &format!("{input}_"));
+pub(super) fn feed(
+    m: &mut Module,
+    (valid, stream_ready): (Expr, Wire),
+    (to, input): (Instance, &str),
+    gate: Expr,
+    fields: impl IntoIterator<Item = (impl AsRef<str>, Expr)>,
+) {
+    m.connect(to, &format!("{input}_valid"), valid & gate);
+    for (name, value) in fields {
+        m.connect(to, &format!("{input}_{}", name.as_ref()), value);
+    }
     let ready = m.out(to, &format!("{input}_ready"));
-    m.ready(stream, ready & gate);
+    m.drive(stream_ready, ready & gate);
 }
 
 /// Leads outputs of a unit to inputs of another that have other names.
@@ -61,10 +67,4 @@ pub(super) fn report(
 /// An index times a stride, from a base.
 pub(super) fn place(base: Expr, index: Expr, stride_bits: u32) -> Expr {
     base + cat([index, lit(stride_bits, 0)]).resize(ADDRESS_BITS)
-}
-
-/// The fields of a request to a reader.
-pub(super) fn request(address: Expr, records: Expr) -> Record {
-    let fields: [Field; 2] = [("address".to_owned(), 0), ("records".to_owned(), 0)];
-    Record::new(&fields, |name| if name == "address" { address } else { records })
 }

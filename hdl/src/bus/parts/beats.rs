@@ -1,10 +1,20 @@
 //! Records as beats: which bits of which beat hold which field.
 
 use pointcore_contract::bus::Layout;
-use pointcore_contract::splat::Field;
+use pointcore_contract::{Field, record};
 
-use crate::units::records::Record;
+use crate::units::ports::held;
 use rtl::{Expr, Module, Reg, cat, lit};
+
+/// A beat on its way.
+#[record(bits: u32)]
+pub(crate) struct Beat {
+    /// Its bits.
+    #[bits(*bits)]
+    pub data: u64,
+    /// Closes its burst or packet.
+    pub last: bool,
+}
 
 /// Bits of a field that one beat holds.
 pub(crate) struct Part {
@@ -101,13 +111,14 @@ impl Beats {
     /// A field's bits in a beat that holds it whole, and that beat's number.
     pub fn field_in(&self, name: &str, beat: Expr) -> (u32, Expr) {
         let index =
-            self.fields.iter().position(|(field, _)| field == name).expect("units name fields of their records");
+            self.fields.iter().position(|field| field.name == name).expect("units name fields of their records");
         let part = self.parts.iter().find(|part| part.field == index).expect("every field has a part");
         (part.beat, beat.bits(part.low + part.width - 1, part.low))
     }
 
-    /// Registers that gather a record from squeezed beats, each where `enable` is set and `place` says that it comes.
-    pub fn gather(&self, m: &mut Module, squeezed: Expr, place: Option<Expr>, enable: Expr) -> Record {
+    /// Registers that gather a record from squeezed beats, each where `enable` is set and `place` says that it comes; returns
+    /// what its fields hold.
+    pub fn gather(&self, m: &mut Module, squeezed: Expr, place: Option<Expr>, enable: Expr) -> Vec<Expr> {
         let enables: Vec<Expr> = (0..self.count)
             .map(|beat| match place {
                 Some(place) => m.wire(&format!("takes_beat_{beat}"), enable & place.eq_lit(beat.into())),
@@ -117,21 +128,26 @@ impl Beats {
         let mut registers: Vec<Vec<Reg>> = self.fields.iter().map(|_| vec![]).collect();
         for part in &self.parts {
             let gathered = &mut registers[part.field];
-            let name = format!("held_{}_{}", self.fields[part.field].0, gathered.len());
+            let name = format!("held_{}_{}", self.fields[part.field].name, gathered.len());
             let register = m.reg(&name, part.width);
             m.next_if(register, enables[part.beat as usize], self.part_of(squeezed, part));
             gathered.push(register);
         }
-        let mut values = registers.iter().map(|parts| cat(parts.iter().rev().copied()));
-        Record::new(&self.fields, |_| values.next().expect("every field has a value"))
+        registers.iter().map(|parts| cat(parts.iter().rev().copied())).collect()
     }
 
-    /// The beats of a record, first to last, padding zero.
-    pub fn spread(&self, record: &Record) -> Vec<Expr> {
+    /// Registers that take what a record's fields hold where `enable` is set.
+    pub fn hold(&self, m: &mut Module, values: &[Expr], enable: Expr) -> Vec<Expr> {
+        let fields = self.fields.iter().zip(values);
+        fields.map(|(field, value)| held(m, &format!("held_{}", field.name), enable, *value)).collect()
+    }
+
+    /// The beats of a record whose fields hold these values, first to last, padding zero.
+    pub fn spread(&self, values: &[Expr]) -> Vec<Expr> {
         let mut done = vec![0; self.fields.len()];
         let mut beats: Vec<(Vec<Expr>, u32)> = (0..self.count).map(|_| (vec![], 0)).collect();
         for part in &self.parts {
-            let value = record.get(&self.fields[part.field].0);
+            let value = values[part.field];
             let low = done[part.field];
             done[part.field] += part.width;
             let (pieces, end) = &mut beats[part.beat as usize];

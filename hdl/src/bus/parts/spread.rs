@@ -1,25 +1,26 @@
 //! Records to beats, as packets and as bursts: a register for the record, a queue of two for beats.
 
-use super::beats::Beats;
+use super::beats::{Beat, Beats};
 use crate::stream::skid;
-use crate::units::records::Record;
-use rtl::{Expr, Module, Stream, bit, lit};
+use crate::units::ports::Flow;
+use crate::units::wires::{Wires, layout};
+use rtl::{Expr, Module, bit, lit};
 
 /// Beats of records on their way out.
 pub(crate) struct Spread {
     /// A record is taken in this cycle if there is one.
     pub ready: Expr,
-    /// The beats: `data`, and `last` with the last of a record.
-    pub out: Stream,
+    /// The beats; a record's last closes it.
+    pub out: Flow<Beat<Wires>>,
     /// Nothing is held.
     pub idle: Expr,
 }
 
 /// Takes a record while `valid` and `accepts` are set and there is room, and sends its beats, one in each cycle.
-pub(crate) fn spread(m: &mut Module, beats: &Beats, valid: Expr, record: &Record, accepts: Expr) -> Spread {
-    let queue = m.instance("beat_queue", skid(&[("data", beats.beat_bits()), ("last", 1)]));
+pub(crate) fn spread(m: &mut Module, beats: &Beats, valid: Expr, record: &[Expr], accepts: Expr) -> Spread {
+    let queue = m.instance("beat_queue", skid(&layout::<Beat>(&beats.beat_bits())));
     let room = m.out(queue, "in_ready");
-    let out = m.stream_from(queue, "out");
+    let out = Flow::from(m, &beats.beat_bits(), queue, "out");
     if beats.count == 1 {
         let ready = m.wire("takes_record", room & accepts);
         m.connect(queue, "in_valid", valid & ready);
@@ -39,7 +40,7 @@ pub(crate) fn spread(m: &mut Module, beats: &Beats, valid: Expr, record: &Record
     m.next(held, takes | (held & !leaves));
     let next = at_end.mux(lit(beats.place_bits(), 0), place.add_lit(1));
     m.next_if(place, moves, next);
-    let record = record.register(m, "held_", takes);
+    let record = beats.hold(m, record, takes);
     let words = beats.spread(&record);
     m.connect(queue, "in_valid", held);
     m.connect(queue, "in_data", place.pick(words.iter().copied()));

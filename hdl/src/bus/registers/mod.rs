@@ -10,7 +10,7 @@ use pointcore_contract::bus::registers::ERRORS;
 use pointcore_contract::bus::{Access, Kind, Register, When};
 
 use super::{OKAY, REGISTER_BITS, REGISTER_BYTES, SLAVE_ERROR};
-use crate::units::records::event_out;
+use crate::units::ports::event_out;
 use counters::{Counter, counters};
 use rtl::{Expr, Module, Reg, Wire, address_width, bit, cat, lit};
 
