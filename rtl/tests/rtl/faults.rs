@@ -70,6 +70,19 @@ fn impossible_bits_and_literals() {
 }
 
 #[test]
+fn streams_that_are_not_declared() {
+    let mut top = Module::new("top", "Asks for a stream.");
+    let mut child = Module::new("child", "Has a port that looks like a stream's.");
+    child.output("out_valid", bit(true));
+    let child = top.instance("inner", child);
+    top.stream_from(child, "out");
+    let error = elaborate(&top).expect_err("the child declares no stream");
+    let faults: Vec<_> = error.faults.iter().map(ToString::to_string).collect();
+    let expected = "top: instance `inner` of `child` has no output stream `out`";
+    assert!(faults[0].starts_with(file!()) && faults[0].ends_with(expected), "{faults:?}");
+}
+
+#[test]
 fn undriven_wires_registers_and_memories() {
     let mut m = sound();
     m.forward("wire_1", 4);

@@ -1,6 +1,6 @@
 //! The Verilog reads as a person would write it.
 
-use rtl::{Module, elaborate};
+use rtl::{Direction, Module, StreamDeclaration, elaborate, lit};
 
 fn accumulator() -> Module {
     let mut m = Module::new("accumulator", "Adds up what comes in, up to a limit.");
@@ -66,4 +66,43 @@ fn ports_are_listed_as_declared() {
     let design = elaborate(&accumulator()).expect("the module has no fault");
     let ports: Vec<(&str, u32)> = design.ports().iter().map(|port| (port.name.as_str(), port.width)).collect();
     assert_eq!(ports, [("clk", 1), ("rst", 1), ("enable", 1), ("value", 8), ("total", 8), ("over", 1)]);
+}
+
+#[test]
+fn streams_are_listed_as_declared_and_taken_from_there() {
+    let mut child = Module::new("child", "Adds one.");
+    let input = child.stream_in("in", &[("value", 8)]);
+    let ready = child.stream_out("out", input.valid, [("value", input.field("value").add_lit(1)), ("last", lit(1, 1))]);
+    child.ready(&input, ready);
+    // Begins like the stream and is none of it.
+    child.output("out_other", lit(1, 0));
+    child.pulse_out("done", "enable", ready, [("code", lit(2, 3))]);
+
+    let mut top = Module::new("top", "Holds the child.");
+    let (start, count) = top.pulse_in("start", "valid", &[("count", 3)]);
+    top.output("started", start & count[0].any());
+    let input = top.stream_in("in", &[("value", 8)]);
+    let unit = top.instance("unit", child);
+    top.stream_into(unit, "in", &input);
+    let out = top.stream_from(unit, "out");
+    assert_eq!(out.fields.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["value", "last"]);
+    top.stream_export("out", &out);
+    let design = elaborate(&top).unwrap_or_else(|error| panic!("{error}"));
+    let expected = [
+        StreamDeclaration::pulse("start", "valid", Direction::Input, ["count"]),
+        StreamDeclaration::stream("in", Direction::Input, ["value"]),
+        StreamDeclaration::stream("out", Direction::Output, ["value", "last"]),
+    ];
+    assert_eq!(design.streams(), expected);
+    let ports: Vec<_> = design.ports().iter().map(|port| port.name.as_str()).collect();
+    for stream in design.streams() {
+        assert!(ports.contains(&stream.flag_port().as_str()));
+        assert!(
+            stream
+                .ready_port()
+                .iter()
+                .chain(&stream.field_ports().collect::<Vec<_>>())
+                .all(|port| ports.contains(&port.as_str()))
+        );
+    }
 }
