@@ -127,6 +127,15 @@ impl RasterFormat {
         }
     }
 
+    /// The format of coefficients, in floating point.
+    #[must_use]
+    pub const fn floating(self) -> Option<Format> {
+        match self {
+            Self::Float(format) => Some(format),
+            Self::Fixed(_) => None,
+        }
+    }
+
     /// The width of coefficients, in fixed point.
     #[must_use]
     pub const fn fixed(self) -> Option<Coefficient> {

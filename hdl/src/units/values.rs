@@ -3,7 +3,7 @@
 //! A [`Terms`] is a record whose values are those of a [`Program`]. Inputs and outputs of datapaths take names, widths and order from
 //! the record's own description, as ports do from a [`Bundle`](super::wires::Bundle).
 
-use pointcore_contract::{Domain, Field, Format, Record, Visitor, Word, fields};
+use pointcore_contract::{Domain, Field, Format, Record, Visit, Visitor, Word, fields};
 
 use crate::compiler::{Program, Type, Value};
 
@@ -76,3 +76,49 @@ pub(crate) trait Terms: Record<Domain = Values> {
 }
 
 impl<R: Record<Domain = Values>> Terms for R {}
+
+/// The terms of what is declared later: a field's place in its record.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Places;
+
+/// A field's place in its record.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Place(usize);
+
+impl Domain for Places {
+    type Bits<W: Word> = Place;
+}
+
+/// Numbers the fields of a record.
+struct Counter(usize);
+
+impl Visitor<Places> for Counter {
+    fn bits<W: Word>(&mut self, place: &mut Place) {
+        *place = Place(self.0);
+        self.0 += 1;
+    }
+}
+
+/// Uniforms of a program that are declared where they are first used: among operands the compiler puts the oldest first.
+pub(crate) struct Uniforms<'a, R: Record> {
+    program: &'a Program,
+    format: Format,
+    names: Vec<String>,
+    places: R::In<Places>,
+}
+
+impl<'a, R: Record> Uniforms<'a, R> {
+    /// Uniforms that hold numbers of `format`.
+    pub fn new(program: &'a Program, config: &R::Config, format: Format) -> Self {
+        let mut places = R::In::<Places>::default();
+        places.visit(config, &mut Counter(0));
+        let names = fields::<R>(config).into_iter().map(|field| field.name).collect();
+        Self { program, format, names, places }
+    }
+
+    /// Declares one of them, once.
+    pub fn declare(&self, field: impl FnOnce(&R::In<Places>) -> Place) -> Value {
+        let Place(place) = field(&self.places);
+        self.program.uniform(&self.names[place], Type::Float(self.format))
+    }
+}

@@ -1,7 +1,7 @@
 //! Evaluation of a sample: its distance from its splat's centre, its kernel weight, and its depth where it has its own.
 
 use super::fixed_distance;
-use super::position::{Evaluated, Position, Shape};
+use super::position::{Evaluated, Position};
 use crate::compiler::{CompileError, Datapath, Options, Program, Table, Type, Value, compile};
 use crate::float::exp_neg;
 use crate::splat::parts::division::squared_ratio;

@@ -1,8 +1,11 @@
 //! Setup's end for a rasterizer in fixed point: coefficients as integers with one power of two in common; golden twin:
 //! `pointcore_golden::splat::fixed_footprint`.
 
+use super::Projection;
 use crate::compiler::{Program, Type, Value};
+use crate::units::values::Values;
 use pointcore_contract::splat::Coefficient;
+use pointcore_contract::splat::records::Footprint;
 use pointcore_contract::{Fixed, Format, Signedness};
 
 /// Biased exponent of numbers from one half to one.
@@ -11,24 +14,6 @@ const HALF: u64 = 126;
 const NOT_FINITE: u64 = 255;
 /// Bits in which biased exponents are added and subtracted: of the largest twice, and some.
 const EXPONENT_BITS: u32 = 10;
-
-/// A splat's projection, in the geometry format.
-pub(super) struct Projection {
-    /// Projected centre, px.
-    pub center: [Value; 2],
-    /// `A_x`, `A_y`.
-    pub a: [Value; 2],
-    /// `B_x`, `B_y`.
-    pub b: [Value; 2],
-    /// `Δ`.
-    pub delta: Value,
-    /// `Δ` is nothing but rounding.
-    pub edge_on: Value,
-    /// `m_x`, `m_y`.
-    pub m: [Value; 2],
-    /// First and last pixel along each axis.
-    pub pixels: [[Value; 2]; 2],
-}
 
 /// What the steps share.
 struct Rounding<'a> {
@@ -43,7 +28,7 @@ pub(super) fn footprint(
     format: Format,
     coefficient: Coefficient,
     splat: &Projection,
-) -> Vec<(&'static str, Value)> {
+) -> Footprint<Values> {
     let rounding = Rounding { program, format };
     let place = coefficient.center();
     let limit = HALF + u64::from(Coefficient::CENTER_INTEGER_BITS);
@@ -78,12 +63,8 @@ pub(super) fn footprint(
         let none = program.constant(value.ty().unwrap_or(Type::BOOL), 0);
         covers_nothing.mux(none, value)
     };
-    let [center_x, center_y] = center;
-    let coefficients = [("ax", ax), ("bx", bx), ("ay", ay), ("by", by), ("delta", delta), ("mx", mx), ("my", my)];
-    let mut fields = vec![("center_x", center_x), ("center_y", center_y)];
-    fields.extend(coefficients.map(|(name, value)| (name, or_none(value))));
-    fields.push(("shift", shift));
-    fields
+    let [ax, bx, ay, by, delta, mx, my] = [ax, bx, ay, by, delta, mx, my].map(or_none);
+    Footprint { center, ax, bx, ay, by, delta, mx, my, shift, ..Footprint::default() }
 }
 
 impl Rounding<'_> {

@@ -1,0 +1,146 @@
+//! A splat along the axes of the image: its projection and the samples within its bounds.
+
+use crate::compiler::{Program, Type, Value};
+use crate::splat::parts::division::{recip, sqrt};
+use crate::units::values::{Uniforms, Values};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::{Splat, Viewport};
+use pointcore_contract::splat::units::setup::PORTS;
+use pointcore_contract::{Fixed, Format, Sampling, Signedness};
+
+/// Where bounds saturate, in px: beyond every image.
+const BOUND_MAX: f64 = 8191.0;
+/// Bounds are rounded to pixels from so many fraction bits.
+const BOUND: Fixed = Fixed { width: 21, fraction: 8, signed: Signedness::Unsigned };
+
+/// What rounds bounds with 8 fraction bits to the first and one past the last pixel with a sample within 1/256 px of them:
+/// `(bound + offset) >> 8`.
+const fn offsets(sampling: Sampling) -> (u64, u64) {
+    match sampling {
+        // ceil(low − ½ − 1/256) and 1 + floor(high − ½ + 2/256).
+        Sampling::Center => (126, 130),
+        // A pixel's samples reach from its edge to ⅝: ceil(low − ⅝ − 1/256) and 1 + floor(high + 2/256).
+        Sampling::Flipquad => (94, 258),
+    }
+}
+
+/// Smallest `e` for which a splat counts as wholly in front of the eye; below, its bounds would be rounding.
+const fn clearance(format: Format) -> f64 {
+    if format.mantissa < Format::F32.mantissa { 1.0 / 32.0 } else { 1.0 / 4096.0 }
+}
+
+/// One image axis: projected centre, the tangents' components, and the pixels within the bounds.
+pub(super) struct Axis {
+    /// Sign of the image's scale.
+    pub mirrored: Value,
+    pub center: Value,
+    pub a: Value,
+    pub b: Value,
+    pub first: Value,
+    pub last: Value,
+    pub occupied: Value,
+}
+
+/// The samples of an image along an axis.
+#[derive(Clone, Copy)]
+pub(super) struct Grid {
+    /// Pixels of the image.
+    pub pixels: u32,
+    /// Columns of samples to a pixel.
+    pub columns: u32,
+    /// Bits of a sample's index.
+    pub bits: u32,
+}
+
+/// What the axes and the depth share.
+pub(super) struct Frame<'a> {
+    pub config: &'a Config,
+    pub program: &'a Program,
+    splat: &'a Splat<Values>,
+    pub viewport: Uniforms<'a, Viewport>,
+    pub one: Value,
+    /// `1/u_z`.
+    pub r: Value,
+    pub alpha: Value,
+    pub beta: Value,
+    /// `α² + β²`.
+    pub q: Value,
+    /// `1/e` with `e = 1 − q`.
+    pub f: Value,
+    /// The splat lies wholly in front of the eye; none where every splat is taken to.
+    pub whole: Option<Value>,
+    /// Radius of the screen filter, where there is one.
+    filter_radius: Option<Value>,
+}
+
+impl<'a> Frame<'a> {
+    pub fn new(config: &'a Config, program: &'a Program, splat: &'a Splat<Values>) -> Self {
+        let format = config.geometry;
+        let one = program.float(format, 1.0);
+        let [[_, _, v1_z], [_, _, v2_z]] = splat.tangents;
+        let r = recip(config.division, splat.center[2].as_float(format));
+        let alpha = v1_z.as_float(format) * r;
+        let beta = v2_z.as_float(format) * r;
+        let q = alpha * alpha + beta * beta;
+        let e = one - q;
+        let f = recip(config.division, e);
+        let whole = config.eye_plane.is_on().then(|| program.float(format, clearance(format)).lt(e).named("whole"));
+        let has_filter = config.screen_filter.is_on();
+        let filter_radius = has_filter.then(|| program.uniform(PORTS.filter_radius.name, Type::Float(format)));
+        let viewport = Uniforms::new(program, config, format);
+        Self { config, program, splat, viewport, one, r, alpha, beta, q, f, whole, filter_radius }
+    }
+
+    pub fn constant(&self, value: f64) -> Value {
+        self.program.float(self.config.geometry, value)
+    }
+
+    pub fn sqrt(&self, value: Value) -> Value {
+        sqrt(self.config.division, self.program, self.config.geometry, value)
+    }
+
+    /// The splat along `axis`, 0 for x.
+    pub fn axis(&self, axis: usize, grid: Grid) -> Axis {
+        let component = |vector: [Value; 3]| vector[axis].as_float(self.config.geometry);
+        let [tangent1, tangent2] = self.splat.tangents;
+        let scale = self.viewport.declare(|viewport| viewport.scale[axis]);
+        let v = component(self.splat.center) * self.r;
+        let a = scale * (component(tangent1) * self.r - v * self.alpha);
+        let b = scale * (component(tangent2) * self.r - v * self.beta);
+        let center = scale * v + self.viewport.declare(|viewport| viewport.origin[axis]);
+
+        let t = (a * self.alpha + b * self.beta) * self.f;
+        let h = self.sqrt(t * t + (a * a + b * b) * self.f);
+        let middle = center - t;
+        let (mut low, mut high) = (middle - h, middle + h);
+        if let Some(radius) = self.filter_radius {
+            low = low.min(center - radius);
+            high = high.max(center + radius);
+        }
+        let (first, last, occupied) = self.samples(low, high, grid);
+        let top = self.config.geometry.width() - 1;
+        Axis { mirrored: scale.bits(top, top), center, a, b, first, last, occupied }
+    }
+
+    /// First and last row or column of samples between two bounds, `columns` to a pixel, and whether there is one; a NaN widens the bounds.
+    fn samples(&self, low: Value, high: Value, Grid { pixels, columns, bits }: Grid) -> (Value, Value, Value) {
+        let sum_bits = BOUND.width + 1;
+        let constant = |value| self.program.lit(sum_bits, value);
+        let zero = self.constant(0.0);
+        let fraction = BOUND.fraction;
+        let round = |bound: Value, offset| {
+            let pixel = (bound.to_fixed(BOUND).resize(sum_bits) + constant(offset)) >> fraction;
+            if columns == 1 { pixel } else { pixel.cat(self.program.lit(columns.ilog2(), 0)).resize(sum_bits) }
+        };
+        let (first_offset, past_offset) = offsets(self.config.sampling);
+        let first = round(low.max(zero), first_offset);
+        let past = round(high.min(self.constant(BOUND_MAX)).max(zero), past_offset);
+        let edge = constant(pixels.into());
+        let (first, past) = match self.whole {
+            Some(whole) => (whole.mux(first, constant(0)), whole.mux(past.min(edge), edge)),
+            None => (first, past.min(edge)),
+        };
+        let last = past - constant(1);
+        (first.resize(bits), last.resize(bits), first.lt(past))
+    }
+}
