@@ -1,8 +1,10 @@
 //! What the stages of the heap hold and tell each other, as records.
 
-use pointcore_contract::splat::{Config, Field};
+use pointcore_contract::splat::Config;
+use pointcore_contract::{Record, fields, record};
 
 use super::order::EntryFormat;
+use crate::units::wires::{Bundle, Wired};
 use rtl::{Expr, Module, Reg};
 
 /// Where a stage stands in the heap.
@@ -36,98 +38,142 @@ impl Place {
         self.upper + 2 < self.levels
     }
 
-    /// A stored node: an entry, its mark, and what lies below it where anything can.
-    pub fn node(self) -> Vec<Field> {
-        let mut node = fields(&[("entry", self.format.width()), ("mark", 1)]);
-        node.extend(self.below());
-        node
-    }
-
-    /// Whether there is an entry on the right below a node, and how many there are on the left.
-    fn below(self) -> Vec<Field> {
-        let bits = self.levels - 1 - self.upper;
-        if self.has_lower() { fields(&[("right_below", 1), ("left_count", bits)]) } else { vec![] }
-    }
-
-    /// What a step brings to a level, where it meets the two children of a parent.
-    pub fn step(self) -> Vec<Field> {
-        fields(&[
-            ("valid", 1),
-            // The parent's entry is gone: the first of the children and the carried entry takes its place.
-            // Otherwise the carried entry is inserted below the parent.
-            ("hole", 1),
-            // An entry is carried, as by every insertion.
-            ("carry", 1),
-            // Where an insertion goes on.
-            ("right", 1),
-            ("left_exists", 1),
-            ("right_exists", 1),
-            // The step before this one came by here if it came that deep.
-            ("follows", 1),
-            ("entry", self.format.width()),
-            // The key of the parent's rival.
-            ("rival", self.format.key_width()),
-        ])
-    }
-
-    /// What a level says of the step it compares, to the level above, where the step settles.
-    pub fn rise(self) -> Vec<Field> {
-        fields(&[
-            // The first of the chosen child and the carried entry.
-            ("entry", self.format.width()),
-            // The chosen child exists, and it leaves before its parent's rival.
-            ("exists", 1),
-            ("ahead", 1),
-            ("right", 1),
-            ("childless", 1),
-        ])
-    }
-
-    /// A step that compares, as the memories have shown it.
-    pub fn compared(self) -> Vec<Field> {
-        let mut compared = fields(&[
-            ("valid", 1),
-            ("hole", 1),
-            ("carry", 1),
-            ("follows", 1),
-            ("carried", self.format.width()),
-            ("exists", 1),
-            ("right", 1),
-            // The chosen child was the first of both.
-            ("was_first", 1),
-            ("parent_rival", self.format.key_width()),
-            // The node stored in the cycle before is newer than what the memories have shown.
-            ("chosen_stored", 1),
-            ("rival_stored", 1),
-            ("rival", self.format.key_width()),
-            ("rival_exists", 1),
-            ("rival_mark", 1),
-            ("entry", self.format.width()),
-        ]);
-        compared.extend(self.below());
-        compared
-    }
-
-    /// A step that settles.
-    pub fn settled(self) -> Vec<Field> {
-        let mut settled = fields(&[
-            ("valid", 1),
-            ("hole", 1),
-            ("carry", 1),
-            ("existed", 1),
-            // What is known to take the chosen child's place leaves before the rival.
-            ("ahead", 1),
-            ("rival_exists", 1),
-            ("rival_mark", 1),
-            ("entry", self.format.width()),
-        ]);
-        settled.extend(self.below());
-        settled
+    /// Bits of the count of entries on the left below a node of the upper level.
+    const fn count_bits(self) -> u32 {
+        self.levels - 1 - self.upper
     }
 }
 
-fn fields(widths: &[(&str, u32)]) -> Vec<Field> {
-    widths.iter().map(|(name, width)| ((*name).to_owned(), (*width))).collect()
+/// What lies below a node.
+#[record(place: Place)]
+pub(super) struct Below {
+    /// There is an entry on the right.
+    right_below: bool,
+    /// How many there are on the left.
+    #[bits(place.count_bits())]
+    left_count: u32,
+}
+
+/// A stored node.
+#[record(place: Place)]
+pub(super) struct Node {
+    /// Its entry.
+    #[bits(place.format.width())]
+    entry: u64,
+    /// The parity of both children's marks says which of them is first.
+    mark: bool,
+    /// What lies below it, where anything can.
+    #[when(place.has_lower())]
+    below: Below,
+}
+
+/// What a step brings to a level, where it meets the two children of a parent.
+#[record(place: Place)]
+pub(super) struct Step {
+    /// There is one.
+    valid: bool,
+    /// The parent's entry is gone: the first of the children and the carried entry takes its place.
+    /// Otherwise the carried entry is inserted below the parent.
+    hole: bool,
+    /// An entry is carried, as by every insertion.
+    carry: bool,
+    /// Where an insertion goes on.
+    right: bool,
+    /// The parent has a left child.
+    left_exists: bool,
+    /// The parent has a right child.
+    right_exists: bool,
+    /// The step before this one came by here if it came that deep.
+    follows: bool,
+    /// The carried entry.
+    #[bits(place.format.width())]
+    entry: u64,
+    /// The key of the parent's rival.
+    #[bits(place.format.key_width())]
+    rival: u64,
+}
+
+/// What a level says of the step it compares, to the level above, where the step settles.
+#[record(place: Place)]
+pub(super) struct Rise {
+    /// The first of the chosen child and the carried entry.
+    #[bits(place.format.width())]
+    entry: u64,
+    /// The chosen child exists.
+    exists: bool,
+    /// It leaves before its parent's rival.
+    ahead: bool,
+    /// It is the right one.
+    right: bool,
+    /// It has no children.
+    childless: bool,
+}
+
+/// A step that compares, as the memories have shown it.
+#[record(place: Place)]
+pub(super) struct Compared {
+    /// There is one.
+    valid: bool,
+    /// See [`Step`].
+    hole: bool,
+    /// See [`Step`].
+    carry: bool,
+    /// See [`Step`].
+    follows: bool,
+    /// The carried entry.
+    #[bits(place.format.width())]
+    carried: u64,
+    /// The chosen child exists.
+    exists: bool,
+    /// It is the right one.
+    right: bool,
+    /// It was the first of both.
+    was_first: bool,
+    /// The key of the parent's rival.
+    #[bits(place.format.key_width())]
+    parent_rival: u64,
+    /// The node stored in the cycle before is the chosen child, newer than what the memories have shown.
+    chosen_stored: bool,
+    /// It is the rival.
+    rival_stored: bool,
+    /// The rival's key.
+    #[bits(place.format.key_width())]
+    rival: u64,
+    /// There is a rival.
+    rival_exists: bool,
+    /// Its mark.
+    rival_mark: bool,
+    /// The chosen child's entry.
+    #[bits(place.format.width())]
+    entry: u64,
+    /// What lies below it, where anything can.
+    #[when(place.has_lower())]
+    below: Below,
+}
+
+/// A step that settles.
+#[record(place: Place)]
+pub(super) struct Settled {
+    /// There is one.
+    valid: bool,
+    /// See [`Step`].
+    hole: bool,
+    /// See [`Step`].
+    carry: bool,
+    /// The chosen child existed.
+    existed: bool,
+    /// What is known to take the chosen child's place leaves before the rival.
+    ahead: bool,
+    /// There is a rival.
+    rival_exists: bool,
+    /// Its mark.
+    rival_mark: bool,
+    /// What stays in the chosen child's place, or fills a hole where nothing lies below.
+    #[bits(place.format.width())]
+    entry: u64,
+    /// What lies below that place, where anything can.
+    #[when(place.has_lower())]
+    below: Below,
 }
 
 /// A tick of the heap, in which an operation passes a level and of which it takes two: one cycle, or two for a higher clock.
@@ -187,27 +233,34 @@ impl Pace {
     }
 }
 
+/// The field that says whether a record is there.
+const VALID: &str = "valid";
+
 /// Registers that take new values once a tick.
-pub(super) struct Registers(Vec<(String, Reg)>);
+pub(super) struct Registers<R: Record> {
+    registers: Vec<Reg>,
+    /// What they hold.
+    pub record: Wired<R>,
+}
 
-impl Registers {
-    /// Registers `<prefix><field>`; the field `valid` is reset.
-    pub fn new(m: &mut Module, prefix: &str, fields: &[Field]) -> Self {
-        let mut register = |name: &str, width: u32| {
-            let full = format!("{prefix}{name}");
-            if name == "valid" { m.reg_reset(&full, 1, 0) } else { m.reg(&full, width) }
-        };
-        Self(fields.iter().map(|(name, width)| (name.clone(), register(name, *width))).collect())
+impl<R: Record> Registers<R> {
+    /// Registers `<prefix><field>`; `valid`, which says whether the others matter, is reset.
+    pub fn new(m: &mut Module, config: &R::Config, prefix: &str) -> Self {
+        let registers: Vec<_> = fields::<R>(config)
+            .iter()
+            .map(|field| {
+                let name = format!("{prefix}{}", field.name);
+                if field.name == VALID { m.reg_reset(&name, 1, 0) } else { m.reg(&name, field.width) }
+            })
+            .collect();
+        let record = Bundle::from_values(config, registers.iter().map(|register| register.expr()));
+        Self { registers, record }
     }
 
-    pub fn get(&self, name: &str) -> Expr {
-        let field = self.0.iter().find(|(field, _)| field == name);
-        field.map(|(_, register)| register.expr()).expect("stages ask for registers of their own")
-    }
-
-    pub fn next(&self, m: &mut Module, pace: &Pace, mut value: impl FnMut(&str) -> Expr) {
-        for (name, register) in &self.0 {
-            pace.next(m, *register, value(name));
+    /// States what they take when the tick ends.
+    pub fn next(&self, m: &mut Module, config: &R::Config, pace: &Pace, record: Wired<R>) {
+        for (register, value) in self.registers.iter().zip(record.values(config)) {
+            pace.next(m, *register, value);
         }
     }
 }

@@ -9,15 +9,17 @@ mod links;
 mod order;
 mod stage;
 
-use pointcore_contract::splat::{Config, Field};
+use pointcore_contract::splat::Config;
+use pointcore_contract::splat::records::HeapEntry;
+use pointcore_contract::splat::units::heap::PORTS;
 
-use crate::units::records::{Record, queue_out, stream_in};
-use links::{Pace, Place};
+use crate::units::ports::{StreamInPorts, StreamOutPorts, WordPort};
+use crate::units::wires::Bundle;
+use links::{Pace, Place, Rise, Step};
 use order::EntryFormat;
 use rtl::{Expr, Instance, Module, bit, cat, lit};
-use stage::RISE;
 
-/// The unit; ports as in `contract::splat::ports::heap`.
+/// The unit.
 #[must_use]
 pub fn module(config: &Config) -> Module {
     numbered(config, config.sequence_bits())
@@ -32,9 +34,8 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     m.parameter("levels", levels);
     m.parameter("interval", config.heap_interval);
     m.parameter("sequence_bits", format.sequence);
-    let fields: [Field; 2] = [("tile".into(), config.tile_bits()), ("pointer".into(), config.heap_levels)];
-    let input = stream_in(&mut m, "in", &fields);
-    let out = queue_out(&mut m, "out", &fields);
+    let input = PORTS.input.declare(&mut m, config);
+    let out = PORTS.out.queue(&mut m, config);
 
     // Operations begin every second tick, when the upper levels of the stages look; after reset at once.
     let pace = Pace::new(&mut m, config);
@@ -59,7 +60,7 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     let blocked = known("fresh_epoch_blocked", starts_epoch & own_epoch_alive);
     let pop = m.wire("pop", begins & (occupied & out.room));
     let ready = m.wire("ready", (begins & !blocked) & (!full | pop));
-    m.ready(&input, ready);
+    m.drive(input.ready, ready);
     let push = m.wire("push", ready & input.valid);
     m.next_if(count, push ^ pop, push.mux(count.add_lit(1), count.sub_lit(1)));
     m.next_if(arrival, push, arrival.add_lit(1));
@@ -77,50 +78,50 @@ pub fn numbered(config: &Config, sequence_bits: u32) -> Module {
     let last_epoch = m.reg("last_epoch", 1);
     m.next_if(last_epoch, push, arrival.msb());
     let newcomer_tile = m.reg("newcomer_tile", format.tile);
-    pace.next(&mut m, newcomer_tile, input.field("tile"));
+    let HeapEntry { tile, pointer } = input.record;
+    pace.next(&mut m, newcomer_tile, tile);
     let newcomer_sweep = m.wire("newcomer_sweep", sweep ^ newcomer_tile.lt(current));
     m.connect(stages[0], "newcomer_sweep", newcomer_sweep);
 
-    let newcomer = cat([bit(false), input.field("tile"), *arrival, input.field("pointer")]);
-    let step = Record::new(&Place::new(config, format, 0).step(), |name| match name {
-        "valid" => push | pop,
-        "hole" => pop,
-        "carry" => push,
-        "left_exists" => bit(false),
-        "right_exists" => occupied.expr(),
-        "entry" => newcomer,
-        // It has none.
-        "rival" => lit(format.key_width(), 0),
-        // The root is the right child of nothing, and every step comes by it.
-        _ => bit(true),
-    });
-    step.connect(&mut m, stages[0], "step_");
+    // The root is the right child of nothing, and every step comes by it. It has no rival.
+    let step = Step {
+        valid: push | pop,
+        hole: pop,
+        carry: push,
+        right: bit(true),
+        left_exists: bit(false),
+        right_exists: *occupied,
+        follows: bit(true),
+        entry: cat([bit(false), tile, *arrival, pointer]),
+        rival: lit(format.key_width(), 0),
+    };
+    step.connect(&mut m, &Place::new(config, format, 0), stages[0], "step_");
     for stage in &stages {
         m.connect(*stage, "sweep", sweep);
         m.connect(*stage, "last_epoch", last_epoch);
     }
 
-    m.output("empty", !(count.any() | out.holds));
-    out.push(&mut m, pop, |name| if name == "tile" { format.tile(root) } else { format.pointer(root) });
+    PORTS.empty.drive_word(&mut m, !(count.any() | out.holds));
+    out.push(&mut m, config, pop, HeapEntry { tile: format.tile(root), pointer: format.pointer(root) });
     m
 }
 
 /// Places the stages one below the other and connects neighbors.
 fn stages(m: &mut Module, config: &Config, format: EntryFormat) -> Vec<Instance> {
-    let step_fields = Place::new(config, format, 0).step();
     let instances: Vec<_> = (0..config.heap_levels)
         .step_by(2)
         .map(|level| m.instance(&format!("stage_{level}"), stage::module(config, format, level)))
         .collect();
+    // What stages tell each other is the same everywhere.
+    let place = &Place::new(config, format, 0);
     for pair in instances.windows(2) {
-        let step = Record::new(&step_fields, |name| m.out(pair[0], &format!("below_{name}")));
-        step.connect(m, pair[1], "step_");
-        let row = m.out(pair[0], "below_row");
-        m.connect(pair[1], "step_row", row);
-        for name in RISE {
-            let risen = m.out(pair[1], &format!("rise_{name}"));
-            m.connect(pair[0], &format!("below_rise_{name}"), risen);
-        }
+        let [above, below] = [pair[0], pair[1]];
+        Step::shown_by(m, place, above, "below_").connect(m, place, below, "step_");
+        let row = m.out(above, "below_row");
+        m.connect(below, "step_row", row);
+        Rise::shown_by(m, place, below, "rise_").connect(m, place, above, "below_rise_");
+        let node = m.out(below, "rise_node");
+        m.connect(above, "below_rise_node", node);
     }
     instances
 }

@@ -14,13 +14,11 @@
 
 use pointcore_contract::splat::Config;
 
-use super::links::{Pace, Place, Registers};
+use super::links::{Below, Compared, Node, Pace, Place, Registers, Rise, Settled, Step};
 use super::order::{EntryFormat, Order};
-use crate::units::records::{Record, width};
+use crate::units::wires::{Bundle, Wires};
+use pointcore_contract::width;
 use rtl::{Expr, Module, Reg, Wire, bit, cat, lit};
-
-/// What a level says of the step it compares, to the level that settles it; `node` is the number of the parent.
-pub(super) const RISE: [&str; 6] = ["entry", "exists", "ahead", "right", "childless", "node"];
 
 /// Memories with addresses of up to so many bits are made of lookup tables: all of their time lies before their output's register.
 const SMALL_MEMORY_BITS: u32 = 7;
@@ -32,8 +30,8 @@ struct Stage {
     pace: Pace,
     /// Set in ticks where the lower level looks, the upper one compares and the lower one settles.
     lower: Expr,
-    compared: Registers,
-    settled: Registers,
+    compared: Registers<Compared>,
+    settled: Registers<Settled>,
     /// The node that was stored in the tick before.
     stored: Reg,
     /// The row that is looked at, and the one before.
@@ -41,6 +39,19 @@ struct Stage {
     row_before: Reg,
     /// The number of the chosen child, which is the row to be looked at next.
     next_row: Wire,
+}
+
+impl Stage {
+    /// Of a node with so much below it: whether there is a left child, whether there is a right one, and whether the left side is full.
+    fn children(&self, below: &Below<Wires>) -> [Expr; 3] {
+        let Below { right_below: right, left_count: count } = *below;
+        if count.width() == 1 {
+            return [count, right, count | !self.lower];
+        }
+        // A node of the lower level counts one bit less.
+        let low = count.trunc(count.width() - 1);
+        [count.any(), right, low.all() & (count.msb() | !self.lower)]
+    }
 }
 
 /// The comparison of a step.
@@ -52,30 +63,28 @@ struct Comparison {
     /// The carried entry is the first of itself and the chosen child.
     carried_first: Expr,
     before_rival: Expr,
-    /// Whether there is anything on the right below the chosen child, and how much on the left.
-    below: Option<[Expr; 2]>,
+    /// What lies below the chosen child.
+    below: Below<Wires>,
     /// The step at the level below.
-    step: Record,
-    rise: Record,
+    step: Step<Wires>,
+    rise: Rise<Wires>,
 }
 
 impl Comparison {
     fn new(m: &mut Module, stage: &Stage) -> Self {
         let Stage { ref place, ref order, ref pace, lower, ref compared, .. } = *stage;
-        let format = place.format;
-        let exists = compared.get("exists");
-        let stored = Record::unpack(&place.node(), stage.stored);
-        let (chosen_stored, rival_stored) = (compared.get("chosen_stored"), compared.get("rival_stored"));
-        let newest = |m: &mut Module, name: &str| {
-            m.wire(&format!("chosen_{name}"), chosen_stored.mux(stored.get(name), compared.get(name)))
+        let (format, compared) = (place.format, &compared.record);
+        let stored: Node<Wires> = Node::unpack(place, stage.stored);
+        let newest = |m: &mut Module, name: &str, stored: Expr, shown: Expr| {
+            m.wire(&format!("chosen_{name}"), compared.chosen_stored.mux(stored, shown))
         };
-        let chosen_entry = newest(m, "entry");
+        let chosen_entry = newest(m, "entry", stored.entry, compared.entry);
         let chosen = pace.found(m, "chosen_entry", chosen_entry);
         let chosen_key = format.key(chosen_entry);
-        let rival = m.wire("rival", rival_stored.mux(format.key(stored.get("entry")), compared.get("rival")));
-        let rival_mark = rival_stored.mux(stored.get("mark"), compared.get("rival_mark"));
+        let rival = m.wire("rival", compared.rival_stored.mux(format.key(stored.entry), compared.rival));
+        let rival_mark = compared.rival_stored.mux(stored.mark, compared.rival_mark);
 
-        let mut carried = compared.get("carried");
+        let mut carried = compared.carried;
         if place.upper == 0 {
             // The sweep of a newcomer is known only now.
             let sweep = lower.mux(m.input("newcomer_sweep", 1), carried.msb());
@@ -87,68 +96,62 @@ impl Comparison {
         };
         let before_chosen = before(m, "before_chosen", format.key(carried), chosen_key);
         let before_rival = before(m, "before_rival", format.key(carried), rival);
-        let carried_first = m.wire("carried_first", compared.get("carry") & (!exists | before_chosen));
+        let exists = compared.exists;
+        let carried_first = m.wire("carried_first", compared.carry & (!exists | before_chosen));
         let first = m.wire("first", carried_first.mux(carried, chosen));
         let last = carried_first.mux(chosen, carried);
 
-        let below = place.has_lower().then(|| ["right_below", "left_count"].map(|name| newest(m, name)));
-        let (left_exists, right_exists, left_full) = match &below {
-            // A node of the lower level counts one bit less.
-            Some([right, count]) if count.width() > 1 => {
-                let low = count.trunc(count.width() - 1);
-                (count.any(), *right, low.all() & (count.msb() | !lower))
-            }
-            Some([right, count]) => (*count, *right, *count | !lower),
-            None => (bit(false), bit(false), bit(false)),
-        };
+        let mut below = Below::default();
+        let mut children = [bit(false); 3];
+        if place.has_lower() {
+            below = Below {
+                right_below: newest(m, "right_below", stored.below.right_below, compared.below.right_below),
+                left_count: newest(m, "left_count", stored.below.left_count, compared.below.left_count),
+            };
+            children = stage.children(&below);
+        }
+        let [left_exists, right_exists, left_full] = children;
         let left_exists = pace.found(m, "left_exists", left_exists);
         let right_exists = pace.found(m, "right_exists", right_exists);
         let left_full = pace.found(m, "left_full", left_full);
         let childless = !(left_exists | right_exists);
-        let step = Record::new(&place.step(), |name| match name {
-            "valid" => compared.get("valid") & exists,
-            "right" => left_full,
-            "left_exists" => left_exists,
-            "right_exists" => right_exists,
-            "entry" => last,
-            "rival" => rival,
-            passed => compared.get(passed),
-        });
-        let rival_stays = before(m, "rival_stays", compared.get("parent_rival"), chosen_key);
-        let rise = Record::new(&place.rise(), |name| match name {
-            "entry" => first,
-            "exists" => exists,
-            "ahead" => exists & !rival_stays,
-            "childless" => childless,
-            passed => compared.get(passed),
-        });
+        let Compared { hole, carry, follows, right, .. } = *compared;
+        let valid = compared.valid & exists;
+        let step =
+            Step { valid, hole, carry, right: left_full, left_exists, right_exists, follows, entry: last, rival };
+        let rival_stays = before(m, "rival_stays", compared.parent_rival, chosen_key);
+        let rise = Rise { entry: first, exists, ahead: exists & !rival_stays, right, childless };
         Self { exists, chosen, rival_mark, carried, carried_first, before_rival, below, step, rise }
     }
 
     /// The step settles in the next tick.
     fn settle_next(&self, m: &mut Module, stage: &Stage) {
         let Stage { ref place, ref pace, lower, ref compared, .. } = *stage;
-        let hole = compared.get("hole");
+        let Compared { hole, carry, rival_exists, was_first, valid, .. } = compared.record;
+        let exists = self.exists;
         // Where nothing lies below, a hole is filled with the carried entry.
         let is_leaf = if place.continues() || !place.has_lower() { bit(false) } else { !lower };
         let kept = (self.carried_first ^ (hole & is_leaf)).mux(self.carried, self.chosen);
-        stage.settled.next(m, pace, |name| match name {
-            "valid" => compared.get("valid") & (self.exists | !hole),
-            "existed" => self.exists,
-            "rival_mark" => self.rival_mark,
-            "entry" => kept,
-            "ahead" => {
-                let inserted = self.carried_first & (self.before_rival | !compared.get("rival_exists"));
-                let stays = self.exists & compared.get("was_first");
-                hole.mux(compared.get("carry") & self.before_rival, stays | inserted)
-            }
-            "right_below" | "left_count" => {
-                let [right, count] = self.below.as_ref().expect("these fields are there where nodes have children");
-                let value = if name == "right_below" { right } else { count };
-                *value & self.exists.repeat(value.width())
-            }
-            passed => compared.get(passed),
-        });
+        let inserted = self.carried_first & (self.before_rival | !rival_exists);
+        let stays = exists & was_first;
+        let mut below = Below::default();
+        if place.has_lower() {
+            let Below { right_below, left_count } = self.below;
+            below =
+                Below { right_below: right_below & exists, left_count: left_count & exists.repeat(left_count.width()) };
+        }
+        let settled = Settled {
+            valid: valid & (exists | !hole),
+            hole,
+            carry,
+            existed: exists,
+            ahead: hole.mux(carry & self.before_rival, stays | inserted),
+            rival_exists,
+            rival_mark: self.rival_mark,
+            entry: kept,
+            below,
+        };
+        stage.settled.next(m, place, pace, settled);
     }
 }
 
@@ -167,18 +170,19 @@ struct Settlement {
 impl Settlement {
     fn new(m: &mut Module, stage: &Stage, comparison: &Comparison) -> Self {
         let Stage { ref place, ref pace, lower, ref settled, .. } = *stage;
-        let (hole, carry, own) = (settled.get("hole"), settled.get("carry"), settled.get("entry"));
+        let Settled { hole, carry, existed, ahead, rival_exists, rival_mark, entry: own, below, valid } =
+            settled.record;
         let bits = place.row_bits() + 1;
         let own_number = stage.row_before.zext(bits);
         let (risen, entry, number) = if place.continues() {
-            let below = Record::input(m, "below_rise_", &place.rise());
-            let risen = below.mux(lower, &comparison.rise);
-            let entry = hole.mux(risen.get("entry"), own);
+            let below = Bundle::input(m, place, "below_rise_");
+            let risen: Rise<Wires> = Bundle::choose(place, lower, below, comparison.rise);
+            let entry = hole.mux(risen.entry, own);
             (risen, entry, lower.mux(m.input("below_rise_node", bits), own_number))
         } else {
             // Nothing rises to the last level.
-            let risen = Record::zeros(&place.rise()).mux(lower, &comparison.rise);
-            let entry = (hole & !lower).mux(comparison.rise.get("entry"), own);
+            let risen = Bundle::choose(place, lower, Bundle::zeros(place), comparison.rise);
+            let entry = (hole & !lower).mux(comparison.rise.entry, own);
             let [last, last_before] = ["last_row", "last_row_before"].map(|name| m.reg(name, bits));
             pace.next(m, last, stage.next_row);
             pace.next(m, last_before, last);
@@ -186,36 +190,30 @@ impl Settlement {
         };
         let side = m.wire("side", number.bit(0));
         let entry = m.wire("entry_to_store", entry);
-        let (risen_exists, risen_right) = (risen.get("exists"), risen.get("right"));
-        let (ahead, rival_exists) = (settled.get("ahead"), settled.get("rival_exists"));
-        let filled_first = (carry | risen_exists) & (!rival_exists | ahead | risen.get("ahead"));
+        let filled_first = (carry | risen.exists) & (!rival_exists | ahead | risen.ahead);
         let is_first = m.wire("is_first", hole.mux(filled_first, ahead));
         let first_side = m.wire("first_side", side ^ !is_first);
-        let leaves = hole & !carry & risen_exists;
-        let comes = !hole & settled.get("existed");
-        let node = Record::new(&place.node(), |name| match name {
-            "entry" => entry,
-            "mark" => first_side ^ (rival_exists & settled.get("rival_mark")),
-            "right_below" => {
-                let last_leaves = leaves & risen_right & risen.get("childless");
-                (settled.get(name) & !last_leaves) | (comes & risen_right)
-            }
-            _ => {
-                let (count, down) = (settled.get(name), leaves & !risen_right);
-                let changes = down | (comes & !risen_right);
-                let change = if count.width() > 1 { cat([down.repeat(count.width() - 1), changes]) } else { changes };
-                count + change
-            }
-        });
-        let node = m.wire("node_to_store", node.pack());
+        let leaves = hole & !carry & risen.exists;
+        let comes = !hole & existed;
+        let mark = first_side ^ (rival_exists & rival_mark);
+        let mut node = Node { entry, mark, below };
+        if place.has_lower() {
+            let last_leaves = leaves & risen.right & risen.childless;
+            node.below.right_below = (below.right_below & !last_leaves) | (comes & risen.right);
+            let (count, down) = (below.left_count, leaves & !risen.right);
+            let changes = down | (comes & !risen.right);
+            let change = if count.width() > 1 { cat([down.repeat(count.width() - 1), changes]) } else { changes };
+            node.below.left_count = count + change;
+        }
+        let node = m.wire("node_to_store", node.pack(place));
         pace.next(m, stage.stored, node);
-        Self { valid: settled.get("valid"), number, side, first_side, entry, node }
+        Self { valid, number, side, first_side, entry, node }
     }
 }
 
 /// Shows the children of the step's parent, chooses one, and hands both to the comparison. Returns the chosen entry with all
 /// that has settled, for the root.
-fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: Expr, settlement: &Settlement) -> Expr {
+fn look(m: &mut Module, stage: &Stage, step: &Step<Wires>, above_row: Expr, settlement: &Settlement) -> Expr {
     let Stage { ref place, ref pace, lower, ref compared, row, .. } = *stage;
     let Settlement { valid, number, side, first_side, entry, node } = *settlement;
     let presented = lower.mux(above_row, stage.next_row.trunc(place.row_bits()));
@@ -253,35 +251,39 @@ fn look(m: &mut Module, stage: &Stage, step: &Record, above_row: Expr, settlemen
             }
             Pace::Cycle => show(m, name, write, address, presented.trunc(address_bits)),
         };
-        Record::unpack(&place.node(), shown)
+        Node::unpack(place, shown)
     };
-    let (left, right) = (child("left", !side), child("right", side));
+    let (left, right): (Node<Wires>, _) = (child("left", !side), child("right", side));
 
-    let (left_exists, right_exists) = (step.get("left_exists"), step.get("right_exists"));
-    let newer = m.wire("newer", step.get("follows") & valid);
-    let stored_first = left.get("mark") ^ right.get("mark");
+    let Step { hole, carry, left_exists, right_exists, follows, .. } = *step;
+    let newer = m.wire("newer", follows & valid);
+    let stored_first = left.mark ^ right.mark;
     let first = (left_exists & right_exists).mux(newer.mux(first_side, stored_first), right_exists);
-    let goes_right = m.wire("goes_right", step.get("hole").mux(first, step.get("right")));
+    let goes_right = m.wire("goes_right", hole.mux(first, step.right));
     m.drive(stage.next_row, cat([*row, goes_right]));
     let same_side = m.wire("same_side", goes_right ^ !side);
-    let goes_left = !goes_right;
-    let pick = |name: &str, right_one: Expr| right_one.mux(right.get(name), left.get(name));
-    compared.next(m, pace, |name| match name {
-        "follows" => step.get("follows") & same_side,
-        "carried" => step.get("entry"),
-        "exists" => goes_right.mux(right_exists, left_exists),
-        "rival_exists" => goes_right.mux(left_exists, right_exists),
-        "right" => goes_right,
-        "was_first" => goes_right.eq(first),
-        "parent_rival" => step.get("rival"),
-        "chosen_stored" => newer & same_side,
-        "rival_stored" => newer & !same_side,
-        "rival" => place.format.key(pick("entry", goes_left)),
-        "rival_mark" => pick("mark", goes_left),
-        "entry" | "right_below" | "left_count" => pick(name, goes_right),
-        passed => step.get(passed),
-    });
-    newer.mux(entry, right.get("entry"))
+    let chosen = Bundle::choose(place, goes_right, right, left);
+    let other = Bundle::choose(place, !goes_right, right, left);
+    let shown = Compared {
+        valid: step.valid,
+        hole,
+        carry,
+        follows: follows & same_side,
+        carried: step.entry,
+        exists: goes_right.mux(right_exists, left_exists),
+        right: goes_right,
+        was_first: goes_right.eq(first),
+        parent_rival: step.rival,
+        chosen_stored: newer & same_side,
+        rival_stored: newer & !same_side,
+        rival: place.format.key(other.entry),
+        rival_exists: goes_right.mux(left_exists, right_exists),
+        rival_mark: other.mark,
+        entry: chosen.entry,
+        below: chosen.below,
+    };
+    compared.next(m, place, pace, shown);
+    newer.mux(entry, right.entry)
 }
 
 /// The stage whose upper level is `upper`.
@@ -294,16 +296,16 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module
     let order = Order { format: place.format, sweep: m.input("sweep", 1), last_epoch: m.input("last_epoch", 1) };
     let pace = Pace::new(&mut m, config);
     let lower = pace.lower(&mut m);
-    let above = Record::input(&mut m, "step_", &place.step());
+    let above = Step::input(&mut m, &place, "step_");
     let bits = place.row_bits();
     let above_row = if upper > 0 { m.input("step_row", upper).zext(bits) } else { lit(bits, 0) };
     let stage = Stage {
         place,
         order,
         pace,
-        compared: Registers::new(&mut m, "compared_", &place.compared()),
-        settled: Registers::new(&mut m, "settled_", &place.settled()),
-        stored: m.reg("stored", width(&place.node())),
+        compared: Registers::new(&mut m, &place, "compared_"),
+        settled: Registers::new(&mut m, &place, "settled_"),
+        stored: m.reg("stored", width::<Node>(&place)),
         row: m.reg("row", bits),
         row_before: m.reg("row_before", bits),
         next_row: m.forward("next_row", bits + 1),
@@ -312,17 +314,17 @@ pub(super) fn module(config: &Config, format: EntryFormat, upper: u32) -> Module
     let comparison = Comparison::new(&mut m, &stage);
     comparison.settle_next(&mut m, &stage);
     let settlement = Settlement::new(&mut m, &stage, &comparison);
-    let step = comparison.step.mux(stage.lower, &above);
+    let step = Bundle::choose(&place, stage.lower, comparison.step, above);
     let root = look(&mut m, &stage, &step, above_row, &settlement);
     if upper == 0 {
         // The root stands on the right below nothing.
         m.output("root", root);
     } else {
-        comparison.rise.output(&mut m, "rise_");
+        comparison.rise.output(&mut m, &place, "rise_");
         m.output("rise_node", stage.row_before.trunc(upper));
     }
     if place.continues() {
-        comparison.step.output(&mut m, "below_");
+        comparison.step.output(&mut m, &place, "below_");
         m.output("below_row", stage.next_row);
     }
     m
