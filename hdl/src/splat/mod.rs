@@ -16,37 +16,48 @@ pub mod weighting;
 
 mod parts;
 
+use crate::compiler::{CompileError, Options};
+use pointcore_contract::Unit;
+use pointcore_contract::splat::{Config, units};
+use rtl::Module;
+
+/// Describes a unit's hardware in a configuration.
+pub type Describe = fn(&Config) -> Result<Module, CompileError>;
+
+/// Every unit of the renderer and its hardware, the core itself last.
+pub const UNITS: [(&Unit<Config>, Describe); 12] = [
+    (&units::transform::UNIT, |config| Ok(transform::datapath(config, &Options::default())?.module)),
+    (&units::setup::UNIT, |config| Ok(setup::datapath(config, &Options::default())?.module)),
+    (&units::splitter::UNIT, |config| Ok(splitter::module(config))),
+    (&units::heap::UNIT, |config| Ok(heap::module(config))),
+    (&units::reorder::UNIT, |config| Ok(reorder::module(config))),
+    (&units::tile_cache::UNIT, |config| Ok(tile_cache::module(config))),
+    (&units::rasterizer::UNIT, |config| Ok(rasterizer::datapath(config, &Options::default())?.module)),
+    (&units::weighting::UNIT, |config| Ok(weighting::datapath(config, &Options::default())?.module)),
+    (&units::depth_test::UNIT, |config| Ok(depth_test::module(config))),
+    (&units::accumulator::UNIT, |config| Ok(accumulator::module(config))),
+    (&units::normalizer::UNIT, |config| Ok(normalizer::datapath(config, &Options::default())?.module)),
+    (&units::top::UNIT, |config| Ok(top::core(config, &Options::default())?.module)),
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compiler::{CompileError, Datapath, Options};
     use crate::units::testing::{check, check_in_order};
-    use pointcore_contract::splat::{
-        AttributeFormat, Coefficient, Config, Division, Feature, Fraction, Port, RasterFormat, ports,
-    };
+    use pointcore_contract::splat::{AttributeFormat, Coefficient, Division, Feature, Fraction, RasterFormat};
     use pointcore_contract::{Format, FragmentDepth};
-    use rtl::Module;
 
-    type Unit = (fn(&Config) -> Module, fn(&Config) -> Vec<Port>);
+    fn described(describe: Describe, config: &Config) -> Module {
+        describe(config).unwrap_or_else(|error| panic!("{error}"))
+    }
 
-    const CONTROL_UNITS: [Unit; 6] = [
-        (splitter::module, ports::splitter),
-        (heap::module, ports::heap),
-        (reorder::module, ports::reorder),
-        (tile_cache::module, ports::tile_cache),
-        (depth_test::module, ports::depth_test),
-        (accumulator::module, ports::accumulator),
-    ];
-
-    type Compiled = (fn(&Config, &Options) -> Result<Datapath, CompileError>, fn(&Config) -> Vec<Port>);
-
-    const DATAPATHS: [Compiled; 5] = [
-        (transform::datapath, ports::transform),
-        (setup::datapath, ports::setup),
-        (rasterizer::datapath, ports::rasterizer),
-        (weighting::datapath, ports::weighting),
-        (normalizer::datapath, ports::normalizer),
-    ];
+    #[test]
+    fn every_unit_of_the_contract_is_described_under_its_name() {
+        let specified = units::UNITS.map(|unit| unit.module);
+        assert_eq!(UNITS.map(|(unit, _)| unit.module), specified);
+        let config = Config::default();
+        assert_eq!(UNITS.map(|(_, describe)| described(describe, &config).unit().to_owned()), specified);
+    }
 
     #[test]
     fn units_have_the_specified_ports() {
@@ -71,12 +82,8 @@ mod tests {
         };
         let integers = Config { rasterizer: Some(RasterFormat::Fixed(Coefficient::Sixteen)), ..Config::default() };
         for config in [Config::default(), small, fixed, coarse, integers] {
-            for (module, ports) in CONTROL_UNITS {
-                check(&module(&config), ports(&config));
-            }
-            for (datapath, ports) in DATAPATHS {
-                let datapath = datapath(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-                check(&datapath.module, ports(&config));
+            for (unit, describe) in UNITS {
+                check(&described(describe, &config), unit.ports(&config));
             }
         }
     }
@@ -84,7 +91,7 @@ mod tests {
     #[test]
     fn the_core_has_the_specified_ports_in_order() {
         let config = Config { cardinal: 1, ..Config::default() };
-        let core = top::core(&config, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
-        check_in_order(&core.module, &ports::top(&config));
+        let (core, describe) = UNITS[UNITS.len() - 1];
+        check_in_order(&described(describe, &config), &core.ports(&config));
     }
 }

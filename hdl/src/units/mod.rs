@@ -3,7 +3,6 @@
 pub(crate) mod datapath;
 pub(crate) mod ports;
 pub(crate) mod queue;
-pub(crate) mod records;
 pub(crate) mod sliced;
 pub(crate) mod values;
 pub(crate) mod wires;

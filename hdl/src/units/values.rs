@@ -15,9 +15,6 @@ impl Domain for Values {
     type Bits<W: Word> = Value;
 }
 
-/// A record of the contract in a datapath.
-pub(crate) type Valued<R> = <R as Record>::In<Values>;
-
 /// Collects the values of a record.
 struct Collector(Vec<Value>);
 

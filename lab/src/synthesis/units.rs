@@ -4,7 +4,7 @@ use pointcore::configuration::{Configuration, ecp5, knn};
 use pointcore::generated::GenerateError;
 use pointcore::package::place_and_route::Crowding;
 use pointcore_contract::{Fixed, Format, Signedness, Unit, fields, search as search_spec, splat as splat_spec};
-use pointcore_hdl::compiler::{CompileError, Datapath, Options};
+use pointcore_hdl::compiler::CompileError;
 use pointcore_hdl::float::{self, Operator};
 use pointcore_hdl::{search, splat};
 use rtl::Module;
@@ -174,30 +174,11 @@ fn operators() -> Vec<MeasuredUnit> {
     formats().flat_map(|format| OPERATORS.map(|kind| unit(format, kind))).collect()
 }
 
-/// Every unit of the renderer, at `ecp5`.
+/// Every unit of the renderer, at `ecp5`; the whole of it is a core.
 fn splat_units() -> Vec<MeasuredUnit> {
-    use splat::{accumulator, depth_test, normalizer, rasterizer, reorder, setup, splitter, tile_cache, transform};
-    use splat::{heap, weighting};
-    type Config = splat_spec::Config;
-    let module = |name: &str, module: fn(&Config) -> Module| {
-        MeasuredUnit::new(format!("splat_{name}"), move || Ok(module(&ecp5())))
-    };
-    let datapath = |name: &str, datapath: fn(&Config, &Options) -> Result<Datapath, CompileError>| {
-        MeasuredUnit::new(format!("splat_{name}"), move || Ok(datapath(&ecp5(), &Options::default())?.module))
-    };
-    vec![
-        datapath("transform", transform::datapath),
-        datapath("setup", setup::datapath),
-        module("splitter", splitter::module),
-        module("heap", heap::module),
-        module("reorder", reorder::module),
-        module("tile_cache", tile_cache::module),
-        datapath("rasterizer", rasterizer::datapath),
-        datapath("weighting", weighting::datapath),
-        module("depth_test", depth_test::module),
-        module("accumulator", accumulator::module),
-        datapath("normalizer", normalizer::datapath),
-    ]
+    let whole = splat_spec::units::top::UNIT.module;
+    let parts = splat::UNITS.into_iter().filter(|(unit, _)| unit.module != whole);
+    parts.map(|(unit, describe)| MeasuredUnit::new(unit.module, move || describe(&ecp5()))).collect()
 }
 
 /// Every unit of the search core, at `knn`; the two caches that it leaves out, too.
